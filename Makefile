@@ -1,0 +1,142 @@
+# hstools - one Makefile for everything; nothing is written beside the sources.
+#
+#   make                 programs in build/bin
+#   make check           all tests (under ten minutes on two cores)
+#   make install         DESTDIR and PREFIX as usual
+#   make format          clang-format over the tree
+#   make first           the small study of the README
+#   make flagship study  the larger ones of pipelines/ (minutes to an hour)
+#
+# Options: CC=clang, WERROR=1 (warnings are errors), SANITIZE=1 (ASan and UBSan, own build tree).
+
+VERSION := 0.1.0
+REVISION := $(shell git -C $(CURDIR) describe --always --dirty 2>/dev/null)
+PREFIX ?= /usr/local
+CC ?= cc
+CFLAGS ?=
+LDFLAGS ?=
+JOBS ?= 2
+
+ifdef SANITIZE
+BUILD ?= build/sanitize
+else
+BUILD ?= build
+endif
+
+# Results must not depend on the vector width or on the part of the lattice a rank holds: no
+# contraction of a * b + c, no reassociation.
+STANDARD := -std=c11 -D_GNU_SOURCE
+OPTIMISE := -O3 -g -fno-math-errno -fno-trapping-math -ffp-contract=off -fopenmp-simd
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
+            -Wmissing-prototypes -Wvla $(if $(WERROR),-Werror)
+SANITIZERS := $(if $(SANITIZE),-fsanitize=address$(comma)undefined -fno-omit-frame-pointer -O1 \
+              -DHS_SANITIZE)
+comma := ,
+
+PKG_CONFIG ?= pkg-config
+package = $(or $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null),$(3))
+LIB_CFLAGS := $(call package,--cflags,yaml-0.1 netcdf gsl,) $(call package,--cflags,udunits,)
+# Debian's shared Exodus drags in an MPI build of netCDF beside the serial one; the archive does not.
+EXODUS_LIBS ?= -l:libexoIIv2c.a
+LIB_LIBS := $(EXODUS_LIBS) $(call package,--libs,netcdf,-lnetcdf) $(call package,--libs,yaml-0.1,-lyaml) \
+            $(call package,--libs,gsl,-lgsl -lgslcblas) $(call package,--libs,udunits,-ludunits2) -lm
+CAIRO_CFLAGS := $(call package,--cflags,cairo,)
+CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
+MPI_CFLAGS := $(call package,--cflags,ompi-c,)
+MPI_LIBS := $(call package,--libs,ompi-c,-lmpi)
+METIS_LIBS ?= -lmetis
+CMOCKA_LIBS := $(call package,--libs,cmocka,-lcmocka)
+
+ALL_CFLAGS = $(STANDARD) $(OPTIMISE) $(WARNINGS) $(SANITIZERS) $(LIB_CFLAGS) -Ilib $(CFLAGS)
+ALL_LDFLAGS = $(SANITIZERS) $(LDFLAGS)
+
+PROGRAMS := hsgen hssolve hspost
+lib_SOURCES := $(sort $(wildcard lib/*.c))
+gen_SOURCES := $(sort $(filter-out gen/hsgen.c,$(wildcard gen/*.c)))
+solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/*/*.c)))
+post_SOURCES := $(sort $(filter-out post/hspost.c,$(wildcard post/*.c)))
+test_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/physics/test_*.c))
+
+object = $(patsubst %.c,$(BUILD)/%.o,$(1))
+archive = $(BUILD)/lib$(1).a
+
+.PHONY: all check check-unit check-cli check-physics check-format install uninstall clean format help \
+        first flagship study
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
+
+$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen $(CAIRO_CFLAGS)
+$(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
+$(BUILD)/solve/%.o: ALL_CFLAGS += -Isolve $(MPI_CFLAGS)
+$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Isolve -Ipost -Itests $(MPI_CFLAGS)
+$(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
+
+$(BUILD)/%.o: %.c Makefile
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) $(CPPFLAGS) -MMD -MP -c $< -o $@
+
+define ARCHIVE
+$(call archive,$(1)): $$(call object,$$($(1)_SOURCES))
+	@rm -f $$@
+	$(AR) rcs $$@ $$^
+endef
+$(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
+
+$(BUILD)/bin/hsgen: $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
+$(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
+$(BUILD)/bin/hssolve: $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
+$(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(METIS_LIBS) $(MPI_LIBS)
+$(BUILD)/bin/hspost: $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
+$(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS)
+
+$(addprefix $(BUILD)/bin/,$(PROGRAMS)):
+	@mkdir -p $(@D)
+	$(CC) $(ALL_LDFLAGS) $(filter %.o %.a,$^) $(LIBRARIES) -o $@
+
+# Tests: every tests/*/test_*.c is a program of its own, linked to all that the tools are made of.
+TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
+	$(CC) $(ALL_LDFLAGS) $(filter %.o %.a,$^) $(LIB_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+
+PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
+
+check: all $(TESTS) check-format
+	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats))
+
+check-unit: $(TESTS)
+	$(PROVE) $(filter $(BUILD)/tests/unit/%,$(TESTS))
+
+check-cli: all
+	$(PROVE) $(sort $(wildcard tests/cli/*.bats))
+
+check-physics: all $(TESTS)
+	$(PROVE) $(filter $(BUILD)/tests/physics/%,$(TESTS)) $(sort $(wildcard tests/physics/*.bats))
+
+FORMATTED := $(shell find lib gen solve post tests -name '*.[ch]')
+CLANG_FORMAT ?= clang-format
+format:
+	$(CLANG_FORMAT) -i $(FORMATTED)
+check-format:
+	@if command -v $(CLANG_FORMAT) >/dev/null; then $(CLANG_FORMAT) --dry-run -Werror $(FORMATTED); \
+	else echo "check-format: skipped, no $(CLANG_FORMAT)" >&2; fi
+
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/man/man5
+	install -m 755 $(addprefix $(BUILD)/bin/,$(PROGRAMS)) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 $(wildcard docs/man/*.1) $(DESTDIR)$(PREFIX)/share/man/man1
+	install -m 644 $(wildcard docs/man/*.5) $(DESTDIR)$(PREFIX)/share/man/man5
+uninstall:
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/bin/,$(PROGRAMS))
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/share/man/man1/,$(notdir $(wildcard docs/man/*.1)))
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/share/man/man5/,$(notdir $(wildcard docs/man/*.5)))
+
+clean:
+	rm -rf build
+
+help:
+	@sed -n '3,13s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+
+-include pipelines/pipelines.mk
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,34 @@
+/* die.h - messages for people, and the end of a failed program.
+ *
+ * stdout is for data; every line printed here goes to stderr behind the program's name.
+ * Exit codes: 2, the user can mend it (option, deck, input file); 1, the run failed
+ * (disk, memory, non-finite numbers, lost energy balance).  Never 0. */
+#ifndef HS_DIE_H
+#define HS_DIE_H
+
+enum { EXIT_RUN = 1, EXIT_USER = 2 };
+
+#define HS_PRINTF(format, first) __attribute__((format(printf, format, first)))
+
+/* Name that stands before each message, e.g. "hsgen".  Called once, first thing in main. */
+void die_set_program(const char *name);
+
+/* Called instead of exit() by the functions below; the solver sets it to end all ranks.
+ * It must not return. */
+void die_set_exit(void (*leave)(int code));
+
+/* One more function to run before leaving (remove an unfinished output file). */
+void die_at_exit(void (*clean)(void));
+
+/* The user's error, exit 2.  Say what was wrong, where, and what was expected. */
+_Noreturn void die_user(const char *format, ...) HS_PRINTF(1, 2);
+
+/* A failed run, exit 1. */
+_Noreturn void die_run(const char *format, ...) HS_PRINTF(1, 2);
+
+/* Something a user should know, and something he may like to know (silent after --quiet). */
+void warn(const char *format, ...) HS_PRINTF(1, 2);
+void note(const char *format, ...) HS_PRINTF(1, 2);
+void note_set_quiet(int quiet);
+
+#endif

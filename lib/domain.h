@@ -1,0 +1,52 @@
+/* domain.h - particles on a lattice with phases and named node sets: what hsgen makes and hssolve
+ * runs.  Nodes are numbered from 0 in lattice order (x fastest, then y, then z), absent sites
+ * skipped. */
+#ifndef HS_DOMAIN_H
+#define HS_DOMAIN_H
+
+#include <stdint.h>
+
+struct node_set {
+    char *name;
+    int64_t count;
+    int64_t *nodes; /* [count], ascending, from 0 */
+};
+
+/* A fact that travels with a file: a number, or a text where text is not NULL. */
+struct attribute {
+    char *name;
+    double number;
+    char *text;
+};
+
+struct attributes {
+    int count;
+    struct attribute *items;
+};
+
+void attributes_set_number(struct attributes *attributes, const char *name, double number);
+void attributes_set_text(struct attributes *attributes, const char *name, const char *text);
+/* fallback where there is no number of that name */
+double attributes_number(const struct attributes *attributes, const char *name, double fallback);
+/* NULL where there is no text of that name */
+const char *attributes_text(const struct attributes *attributes, const char *name);
+void attributes_free(struct attributes *attributes);
+
+struct domain {
+    int64_t n_nodes;
+    double *x, *y, *z; /* [n_nodes] m, reference positions */
+    double *volume;    /* [n_nodes] m^3 */
+    uint8_t *phase;    /* [n_nodes] index into phase_names */
+    int n_phases;      /* at most 16 */
+    char **phase_names;
+    int n_sets;
+    struct node_set *sets;
+    struct attributes attributes; /* spacing_m, deck, deck_name, program, command, ... */
+};
+
+/* NULL where there is no set of that name. */
+const struct node_set *domain_set(const struct domain *domain, const char *name);
+void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes);
+void domain_free(struct domain *domain);
+
+#endif

@@ -1,0 +1,49 @@
+/* exodus.h - the only file that knows Exodus and netCDF.
+ *
+ * All files are CDF-2 (64-bit offset).  Each carries its own length in the global attribute
+ * hs_file_bytes, written last: a truncated netCDF file would otherwise read as zeros without an
+ * error.  Readers refuse (exit 2) what is empty, truncated, foreign or inconsistent and bound every
+ * count by the file's size before allocating; writers check every call (exit 1: disk full). */
+#ifndef HS_EXODUS_H
+#define HS_EXODUS_H
+
+#include "domain.h"
+#include "spool.h"
+
+#include <stdbool.h>
+
+/* Genesis: SPHERE elements, one block a phase, attributes RADIUS and VOLUME, node sets, and the
+ * domain's attributes as netCDF global attributes with the prefix "hs_". */
+void exodus_write_domain(const struct spool *output, const struct domain *domain);
+
+/* Reads what exodus_write_domain wrote, and Genesis of SPHERE elements from elsewhere that has a
+ * volume attribute (then without hs_ attributes; hs_file_bytes may be missing in foreign files). */
+struct domain exodus_read_domain(const struct spool *input);
+
+/* Histories: an Exodus file without nodes, one global variable a column, one time step a record.
+ * A column's name ends in its unit: force_left_N, extension_m. */
+struct history {
+    int n_columns;
+    char **columns;
+    int64_t n_records;
+    double *time;   /* [n_records] s */
+    double *values; /* [n_records * n_columns], record by record */
+    struct attributes attributes;
+};
+
+void exodus_write_history(const struct spool *output, const struct history *history);
+struct history exodus_read_history(const struct spool *input);
+void history_free(struct history *history);
+/* Index of a column, -1 where there is none. */
+int history_column(const struct history *history, const char *name);
+
+/* Fields: the domain with nodal variables, one frame after the other.  Names end in X, Y, Z for
+ * vectors, so that ParaView glues them. */
+struct exodus_fields;
+struct exodus_fields *exodus_fields_open(const struct spool *output, const struct domain *domain,
+                                         int n_variables, const char *const names[]);
+/* values[variable] is an array of n_nodes; the frame is on disk when the call returns. */
+void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
+void exodus_fields_close(struct exodus_fields *fields);
+
+#endif

@@ -1,0 +1,38 @@
+/* options.h - the command line, from one table that also prints --help. */
+#ifndef HS_OPTIONS_H
+#define HS_OPTIONS_H
+
+#include <stdbool.h>
+
+/* One option.  argument = NULL: a flag, *flag becomes true.  Otherwise *value points at the
+ * text given (the last one wins), or, where repeated is set, each text is handed to it. */
+struct option_row {
+    char letter;          /* 'o' for -o, or 0 */
+    const char *name;     /* "output" for --output */
+    const char *argument; /* "FILE", or NULL for a flag */
+    const char *help;
+    bool *flag;
+    const char **value;
+};
+
+struct option_table {
+    const char *program;  /* "hsgen" */
+    const char *synopsis; /* "[deck] [-o FILE]" */
+    const char *purpose;  /* one sentence */
+    const struct option_row *rows;
+    int count;
+};
+
+/* Reads argv by the table (getopt_long).  -h/--help and -V/--version are built in, print to
+ * stdout and exit 0.  A wrong option ends with exit 2 and a hint at --help.
+ * Returns the index of the first operand in argv. */
+int options_read(const struct option_table *table, int argc, char **argv);
+
+/* Program name, version, compiler and libraries on one line each, as --version prints them. */
+const char *options_version(void);
+
+/* The command line as one string, for provenance; quoted where it needs to be.
+ * The caller frees it. */
+char *options_command(int argc, char **argv);
+
+#endif
