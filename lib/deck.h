@@ -17,6 +17,9 @@ struct deck_node {
     int index;
 };
 
+/* "libyaml 0.2.5" */
+const char *deck_library(void);
+
 /* Parses text (at most 1 MB, nesting depth at most 32, one document, no duplicate keys, no
  * alias cycles).  name stands in messages.  Both strings are copied. */
 struct deck *deck_parse(const char *text, size_t length, const char *name);

@@ -8,10 +8,11 @@
 
 enum { EXIT_RUN = 1, EXIT_USER = 2 };
 
-#define HS_PRINTF(format, first) __attribute__((format(printf, format, first)))
+#define HS_PRINTF(text, first) __attribute__((format(printf, text, first)))
 
 /* Name that stands before each message, e.g. "hsgen".  Called once, first thing in main. */
 void die_set_program(const char *name);
+const char *die_program(void);
 
 /* Called instead of exit() by the functions below; the solver sets it to end all ranks.
  * It must not return. */

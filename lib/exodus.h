@@ -12,6 +12,9 @@
 
 #include <stdbool.h>
 
+/* "Exodus 6.02, netCDF 4.9.0" (static storage) */
+const char *exodus_library(void);
+
 /* Genesis: SPHERE elements, one block a phase, attributes RADIUS and VOLUME, node sets, and the
  * domain's attributes as netCDF global attributes with the prefix "hs_". */
 void exodus_write_domain(const struct spool *output, const struct domain *domain);

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 /* One option.  argument = NULL: a flag, *flag becomes true.  Otherwise *value points at the
- * text given (the last one wins), or, where repeated is set, each text is handed to it. */
+ * text given (the last one wins). */
 struct option_row {
     char letter;          /* 'o' for -o, or 0 */
     const char *name;     /* "output" for --output */

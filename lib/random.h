@@ -16,6 +16,9 @@ double random_uniform(struct random_stream *stream);                   /* [0, 1)
 double random_gaussian(struct random_stream *stream);                  /* mean 0, deviation 1 */
 uint64_t random_integer(struct random_stream *stream, uint64_t below); /* 0 ... below - 1 */
 
+/* "GSL 2.7.1" */
+const char *random_library(void);
+
 /* A hash of (seed, purpose, number): an order for ties that needs no state. */
 uint64_t random_hash(long seed, const char *purpose, uint64_t number);
 

@@ -1,0 +1,106 @@
+#include "domain.h"
+
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static struct attribute *find(const struct attributes *attributes, const char *name)
+{
+    for (int i = 0; i < attributes->count; i++)
+        if (strcmp(attributes->items[i].name, name) == 0) return &attributes->items[i];
+    return NULL;
+}
+
+static struct attribute *find_or_add(struct attributes *attributes, const char *name)
+{
+    struct attribute *item = find(attributes, name);
+    if (item != NULL) return item;
+    size_t count = (size_t)attributes->count;
+    struct attribute *items = memory_new(count + 1, sizeof *items);
+    if (count > 0) memcpy(items, attributes->items, count * sizeof *items);
+    free(attributes->items);
+    attributes->items = items;
+    attributes->count++;
+    items[count].name = memory_text(name);
+    return &items[count];
+}
+
+void attributes_set_number(struct attributes *attributes, const char *name, double number)
+{
+    struct attribute *item = find_or_add(attributes, name);
+    free(item->text);
+    item->text = NULL;
+    item->number = number;
+}
+
+void attributes_set_text(struct attributes *attributes, const char *name, const char *text)
+{
+    /* Copied first: text may be the one that is replaced. */
+    char *copy = memory_text(text);
+    struct attribute *item = find_or_add(attributes, name);
+    free(item->text);
+    item->text = copy;
+    item->number = 0;
+}
+
+double attributes_number(const struct attributes *attributes, const char *name, double fallback)
+{
+    const struct attribute *item = find(attributes, name);
+    return item != NULL && item->text == NULL ? item->number : fallback;
+}
+
+const char *attributes_text(const struct attributes *attributes, const char *name)
+{
+    const struct attribute *item = find(attributes, name);
+    return item != NULL ? item->text : NULL;
+}
+
+void attributes_free(struct attributes *attributes)
+{
+    for (int i = 0; i < attributes->count; i++) {
+        free(attributes->items[i].name);
+        free(attributes->items[i].text);
+    }
+    free(attributes->items);
+    *attributes = (struct attributes){0};
+}
+
+const struct node_set *domain_set(const struct domain *domain, const char *name)
+{
+    for (int i = 0; i < domain->n_sets; i++)
+        if (strcmp(domain->sets[i].name, name) == 0) return &domain->sets[i];
+    return NULL;
+}
+
+void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes)
+{
+    size_t n_sets = (size_t)domain->n_sets, n_nodes = (size_t)count;
+    struct node_set *sets = memory_new(n_sets + 1, sizeof *sets);
+    if (n_sets > 0) memcpy(sets, domain->sets, n_sets * sizeof *sets);
+    sets[n_sets].name = memory_text(name);
+    sets[n_sets].count = count;
+    sets[n_sets].nodes = memory_new(n_nodes, sizeof *nodes);
+    if (n_nodes > 0) memcpy(sets[n_sets].nodes, nodes, n_nodes * sizeof *nodes);
+    free(domain->sets);
+    domain->sets = sets;
+    domain->n_sets++;
+}
+
+void domain_free(struct domain *domain)
+{
+    free(domain->x);
+    free(domain->y);
+    free(domain->z);
+    free(domain->volume);
+    free(domain->phase);
+    for (int i = 0; i < domain->n_phases; i++) free(domain->phase_names[i]);
+    free(domain->phase_names);
+    for (int i = 0; i < domain->n_sets; i++) {
+        free(domain->sets[i].name);
+        free(domain->sets[i].nodes);
+    }
+    free(domain->sets);
+    attributes_free(&domain->attributes);
+    *domain = (struct domain){0};
+}

@@ -1,0 +1,141 @@
+#include "options.h"
+
+#include "deck.h"
+#include "die.h"
+#include "exodus.h"
+#include "memory.h"
+#include "random.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* getopt_long reports row i of the table as LONG_OPTION + i, letters as themselves. */
+enum { LONG_OPTION = 256, HELP_COLUMN = 30 };
+
+static const struct option_row built_in[] = {
+    {'h', "help", NULL, "print this and leave", NULL, NULL},
+    {'V', "version", NULL, "print the version and leave", NULL, NULL},
+};
+enum { BUILT_IN = sizeof built_in / sizeof *built_in };
+
+static const struct option_row *row_at(const struct option_table *table, int i)
+{
+    return i < table->count ? &table->rows[i] : &built_in[i - table->count];
+}
+
+static void print_help(const struct option_table *table)
+{
+    printf("Usage: %s %s\n\n%s\n\n", table->program, table->synopsis, table->purpose);
+    for (int i = 0; i < table->count + BUILT_IN; i++) {
+        const struct option_row *row = row_at(table, i);
+        char letter[] = "-?, ";
+        letter[1] = row->letter;
+        int printed = printf("  %s--%s%s%s", row->letter ? letter : "    ", row->name,
+                             row->argument ? " " : "", row->argument ? row->argument : "");
+        printf("%*s%s\n", printed < HELP_COLUMN ? HELP_COLUMN - printed : 1, "", row->help);
+    }
+}
+
+static _Noreturn void leave_after_printing(void)
+{
+    if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
+    exit(EXIT_SUCCESS);
+}
+
+/* Fills getopt_long's two descriptions of the options. */
+static void describe(const struct option_table *table, char *letters, struct option *names)
+{
+    for (int i = 0; i < table->count + BUILT_IN; i++) {
+        const struct option_row *row = row_at(table, i);
+        names[i].name = row->name;
+        names[i].has_arg = row->argument ? required_argument : no_argument;
+        names[i].val = LONG_OPTION + i;
+        if (row->letter == 0) continue;
+        *letters++ = row->letter;
+        if (row->argument) *letters++ = ':';
+    }
+}
+
+static const struct option_row *row_of(const struct option_table *table, int found)
+{
+    if (found >= LONG_OPTION) return row_at(table, found - LONG_OPTION);
+    for (int i = 0; i < table->count + BUILT_IN; i++)
+        if (row_at(table, i)->letter == found) return row_at(table, i);
+    return NULL;
+}
+
+static void take(const struct option_table *table, const struct option_row *row)
+{
+    if (row == &built_in[0]) {
+        print_help(table);
+        leave_after_printing();
+    }
+    if (row == &built_in[1]) {
+        fputs(options_version(), stdout);
+        leave_after_printing();
+    }
+    if (row->argument)
+        *row->value = optarg;
+    else
+        *row->flag = true;
+}
+
+int options_read(const struct option_table *table, int argc, char **argv)
+{
+    size_t rows = (size_t)(table->count + BUILT_IN);
+    char *letters = memory_new(2 * rows + 1, 1);
+    struct option *names = memory_new(rows + 1, sizeof *names);
+    describe(table, letters, names);
+    optind = 0; /* glibc: start afresh */
+    int found;
+    while ((found = getopt_long(argc, argv, letters, names, NULL)) != -1) {
+        const struct option_row *row = row_of(table, found);
+        /* getopt has said what is wrong. */
+        if (row == NULL) die_user("try '%s --help'", table->program);
+        take(table, row);
+    }
+    free(letters);
+    free(names);
+    return optind;
+}
+
+const char *options_version(void)
+{
+    static char text[512];
+    snprintf(text, sizeof text, "%s %s\ncompiler %s\n%s\n%s\n%s\n", die_program(), HS_VERSION,
+             __VERSION__, exodus_library(), deck_library(), random_library());
+    return text;
+}
+
+/* In single quotes unless the shell would read it unchanged. */
+static char *quoted(const char *word)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                "0123456789_-+=./,:@%";
+    if (*word != '\0' && strspn(word, plain) == strlen(word)) return memory_text(word);
+    char *text = memory_new(4 * strlen(word) + 3, 1), *end = text;
+    *end++ = '\'';
+    for (; *word != '\0'; word++) {
+        if (*word == '\'')
+            end = stpcpy(end, "'\\''");
+        else
+            *end++ = *word;
+    }
+    *end = '\'';
+    return text;
+}
+
+char *options_command(int argc, char **argv)
+{
+    char *command = memory_text("");
+    for (int i = 0; i < argc; i++) {
+        char *word = quoted(argv[i]);
+        char *longer = memory_print("%s%s%s", command, i > 0 ? " " : "", word);
+        free(word);
+        free(command);
+        command = longer;
+    }
+    return command;
+}

@@ -1,0 +1,273 @@
+#include "spool.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { MOST_OUTPUTS = 16, CHUNK = 1 << 18 };
+
+/* --- unfinished files ------------------------------------------------------------------------- */
+
+/* What has to go when the process dies; read in signal handlers, too. */
+static char *volatile unfinished[MOST_OUTPUTS];
+
+static void remove_unfinished(void)
+{
+    for (int i = 0; i < MOST_OUTPUTS; i++)
+        if (unfinished[i] != NULL) unlink(unfinished[i]);
+}
+
+static void remove_and_die(int signal_number)
+{
+    remove_unfinished();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+/* Signals that are ignored (nohup) or handled by others (MPI) stay theirs. */
+static void remove_on_signals(void)
+{
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (int i = 0; i < 3; i++) {
+        struct sigaction old;
+        if (sigaction(signals[i], NULL, &old) == 0 && old.sa_handler == SIG_DFL)
+            signal(signals[i], remove_and_die);
+    }
+}
+
+static void keep_track(char *path)
+{
+    for (int i = 0; i < MOST_OUTPUTS; i++) {
+        if (unfinished[i] != NULL) continue;
+        unfinished[i] = path;
+        die_at_exit(remove_unfinished);
+        remove_on_signals();
+        return;
+    }
+    die_run("more than %d output files at once", MOST_OUTPUTS);
+}
+
+static void lose_track(const char *path)
+{
+    for (int i = 0; i < MOST_OUTPUTS; i++)
+        if (unfinished[i] == path) unfinished[i] = NULL;
+}
+
+/* --- copying ---------------------------------------------------------------------------------- */
+
+static bool is_standard(const char *name)
+{
+    return name == NULL || strcmp(name, "-") == 0;
+}
+
+static const char *temporary_directory(void)
+{
+    const char *directory = getenv("TMPDIR");
+    return directory != NULL && *directory != '\0' ? directory : "/tmp";
+}
+
+/* An unlinked file: nothing to clean up, whatever happens. */
+static int temporary_file(void)
+{
+    const char *directory = temporary_directory();
+    int descriptor = open(directory, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return descriptor;
+    /* Some file systems (NFS) do not know O_TMPFILE. */
+    char *path = memory_print("%s/hstools-XXXXXX", directory);
+    descriptor = mkostemp(path, O_CLOEXEC);
+    if (descriptor < 0)
+        die_run("cannot make a temporary file in %s: %s (set TMPDIR)", directory, strerror(errno));
+    unlink(path);
+    free(path);
+    return descriptor;
+}
+
+static char *descriptor_path(int descriptor)
+{
+    return memory_print("/proc/self/fd/%d", descriptor);
+}
+
+/* Up to count bytes, fewer only at the end of the input. */
+static size_t read_fully(int from, char *bytes, size_t count, const char *name)
+{
+    size_t done = 0;
+    while (done < count) {
+        ssize_t got = read(from, bytes + done, count - done);
+        if (got == 0) break;
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) die_run("cannot read %s: %s", name, strerror(errno));
+        done += (size_t)got;
+    }
+    return done;
+}
+
+static void write_fully(int to, const char *bytes, size_t count, const char *name)
+{
+    while (count > 0) {
+        ssize_t put = write(to, bytes, count);
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) die_run("cannot write %s: %s", name, strerror(errno));
+        bytes += put;
+        count -= (size_t)put;
+    }
+}
+
+static size_t copy(int from, const char *from_name, int to, const char *to_name)
+{
+    char *chunk = memory_new(CHUNK, 1);
+    size_t total = 0, got;
+    while ((got = read_fully(from, chunk, CHUNK, from_name)) > 0) {
+        write_fully(to, chunk, got, to_name);
+        total += got;
+    }
+    free(chunk);
+    return total;
+}
+
+/* --- inputs ----------------------------------------------------------------------------------- */
+
+static int open_input(const char *name, const char *shown)
+{
+    int descriptor = is_standard(name) ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
+                                       : open(name, O_RDONLY | O_CLOEXEC);
+    struct stat status;
+    if (descriptor < 0 || fstat(descriptor, &status) != 0)
+        die_user("cannot open %s: %s", shown, strerror(errno));
+    if (S_ISDIR(status.st_mode)) die_user("%s is a directory, expected a file", shown);
+    if (isatty(descriptor)) die_user("%s is a terminal, expected a file or a pipe", shown);
+    return descriptor;
+}
+
+static const char *input_name(const char *name)
+{
+    return is_standard(name) ? "standard input" : name;
+}
+
+struct spool spool_input(const char *name)
+{
+    const char *shown = input_name(name);
+    struct spool spool = {.descriptor = open_input(name, shown)};
+    struct stat status;
+    spool.path = descriptor_path(spool.descriptor);
+    bool seekable = fstat(spool.descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+                    lseek(spool.descriptor, 0, SEEK_CUR) == 0 && access(spool.path, R_OK) == 0;
+    if (seekable && status.st_size == 0) die_user("%s is empty", shown);
+    if (!is_standard(name) && seekable) {
+        close(spool.descriptor);
+        free(spool.path);
+        return (struct spool){.descriptor = -1, .path = memory_text(name)};
+    }
+    if (seekable) return spool;
+    int temporary = temporary_file();
+    if (copy(spool.descriptor, shown, temporary, "a temporary file") == 0)
+        die_user("%s is empty (did the program before it fail?)", shown);
+    close(spool.descriptor);
+    free(spool.path);
+    return (struct spool){.descriptor = temporary, .path = descriptor_path(temporary)};
+}
+
+char *spool_text(const char *name, long limit, long *length)
+{
+    const char *shown = input_name(name);
+    int descriptor = open_input(name, shown);
+    size_t most = (size_t)limit;
+    char *text = memory_new(most + 2, 1);
+    size_t count = read_fully(descriptor, text, most + 1, shown);
+    close(descriptor);
+    if (count > most) die_user("%s is larger than %ld bytes", shown, limit);
+    *length = (long)count;
+    return text;
+}
+
+/* --- outputs ---------------------------------------------------------------------------------- */
+
+/* Devices and named pipes cannot be replaced by a new file: they are written to. */
+static bool is_stream(const char *name)
+{
+    struct stat status;
+    if (stat(name, &status) != 0) return false;
+    if (S_ISDIR(status.st_mode)) die_user("%s is a directory, expected a file name", name);
+    return !S_ISREG(status.st_mode);
+}
+
+static int open_stream(const char *name)
+{
+    int descriptor =
+        name == NULL ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3) : open(name, O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        die_run("cannot open %s: %s", name ? name : "standard output", strerror(errno));
+    return descriptor;
+}
+
+static struct spool stream_output(const char *name)
+{
+    /* A parent may have had SIGPIPE ignored; a filter is meant to die of it. */
+    signal(SIGPIPE, SIG_DFL);
+    int temporary = temporary_file();
+    return (struct spool){temporary, descriptor_path(temporary), memory_text(name)};
+}
+
+struct spool spool_output(const char *name)
+{
+    if (is_standard(name)) {
+        if (isatty(STDOUT_FILENO))
+            die_user("no binary data to a terminal: use -o FILE, a pipe or > FILE");
+        if (fcntl(STDOUT_FILENO, F_GETFD) < 0) die_user("standard output is closed");
+        return stream_output(NULL);
+    }
+    if (is_stream(name)) return stream_output(name);
+    /* A symbolic link stays one: the file behind it is replaced. */
+    char *behind = realpath(name, NULL);
+    struct spool spool = {.descriptor = -1, .final = memory_text(behind ? behind : name)};
+    free(behind);
+    spool.path = memory_print("%s.partial-%ld", spool.final, (long)getpid());
+    int descriptor = open(spool.path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) die_user("cannot write %s: %s", name, strerror(errno));
+    close(descriptor);
+    keep_track(spool.path);
+    return spool;
+}
+
+static void pump(const struct spool *spool)
+{
+    const char *shown = spool->final ? spool->final : "standard output";
+    int stream = open_stream(spool->final);
+    if (lseek(spool->descriptor, 0, SEEK_SET) != 0) die_run("cannot read a temporary file again");
+    copy(spool->descriptor, "a temporary file", stream, shown);
+    if (close(stream) != 0) die_run("cannot write %s: %s", shown, strerror(errno));
+}
+
+void spool_finish(struct spool *spool)
+{
+    if (spool->descriptor >= 0)
+        pump(spool);
+    else if (rename(spool->path, spool->final) != 0)
+        die_run("cannot rename %s to %s: %s", spool->path, spool->final, strerror(errno));
+    else
+        lose_track(spool->path);
+    free(spool->final);
+    spool->final = NULL;
+    spool_close(spool);
+}
+
+void spool_close(struct spool *spool)
+{
+    bool dropped = spool->descriptor < 0 && spool->final != NULL;
+    if (dropped) {
+        unlink(spool->path);
+        lose_track(spool->path);
+    }
+    if (spool->descriptor >= 0) close(spool->descriptor);
+    free(spool->path);
+    free(spool->final);
+    *spool = (struct spool){.descriptor = -1};
+}
