@@ -1,0 +1,99 @@
+#include "input.h"
+
+#include "csv.h"
+#include "die.h"
+#include "memory.h"
+#include "spool.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const long largest = 1L << 30;
+
+/* POSIX.1-2017, cksum: polynomial 0x04C11DB7, bytes from the most significant bit, then the length
+ * from its least significant byte. */
+static uint32_t checksum_byte(uint32_t sum, unsigned byte)
+{
+    sum ^= (uint32_t)byte << 24;
+    for (int bit = 0; bit < 8; bit++) sum = sum & 0x80000000U ? sum << 1 ^ 0x04C11DB7U : sum << 1;
+    return sum;
+}
+
+uint32_t input_checksum(const unsigned char *bytes, long length)
+{
+    uint32_t sum = 0;
+    for (long i = 0; i < length; i++) sum = checksum_byte(sum, bytes[i]);
+    for (; length > 0; length >>= 8) sum = checksum_byte(sum, (unsigned)(length & 0xFF));
+    return ~sum;
+}
+
+static char *read_bytes(const struct spool *spool, const char *name, long *length)
+{
+    FILE *file = fopen(spool->path, "rb");
+    if (!file || fseek(file, 0, SEEK_END) != 0 || (*length = ftell(file)) < 0)
+        die_user("cannot read %s: %s", name, strerror(errno));
+    if (*length > largest) die_user("%s: larger than 1 GB, expected a history or a table", name);
+    rewind(file);
+    char *bytes = memory_new((size_t)*length + 1, 1);
+    if (fread(bytes, 1, (size_t)*length, file) != (size_t)*length)
+        die_run("cannot read %s: %s", name, strerror(errno));
+    fclose(file);
+    return bytes;
+}
+
+static struct table table_of_history(const struct history *history, const char *name)
+{
+    struct table table = {.n_rows = (long)history->n_records};
+    if (table.n_rows == 0) die_user("%s: a history without records", name);
+    memcpy(table_add(&table, "time_s"), history->time, (size_t)table.n_rows * sizeof(double));
+    for (int j = 0; j < history->n_columns; j++) {
+        if (table_find(&table, history->columns[j])) continue;
+        double *values = table_add(&table, history->columns[j]);
+        for (long i = 0; i < table.n_rows; i++) {
+            values[i] = history->values[i * history->n_columns + j];
+            if (!isfinite(values[i]))
+                die_user("%s: %s of record %ld is not a finite number", name, history->columns[j],
+                         i + 1);
+        }
+    }
+    return table;
+}
+
+static void read_history(struct input *input, const struct spool *spool)
+{
+    struct history history = exodus_read_history(spool);
+    input->table = table_of_history(&history, input->name);
+    input->attributes = history.attributes;
+    history.attributes = (struct attributes){0};
+    history_free(&history);
+}
+
+struct input input_read(const char *name)
+{
+    struct input input = {.standard = !name || strcmp(name, "-") == 0};
+    input.name = memory_text(input.standard ? "standard input" : name);
+    struct spool spool = spool_input(name);
+    char *bytes = read_bytes(&spool, input.name, &input.bytes);
+    input.checksum = input_checksum((const unsigned char *)bytes, input.bytes);
+    input.is_history = strncmp(bytes, "CDF", 3) == 0 || strncmp(bytes, "\x89HDF", 4) == 0;
+    if (input.is_history)
+        read_history(&input, &spool);
+    else if (strlen(bytes) != (size_t)input.bytes)
+        die_user("%s: neither an Exodus history nor a table of text", input.name);
+    else
+        input.table = csv_parse(bytes, input.name, &input.attributes);
+    free(bytes);
+    spool_close(&spool);
+    return input;
+}
+
+void input_free(struct input *input)
+{
+    free(input->name);
+    table_free(&input->table);
+    attributes_free(&input->attributes);
+    *input = (struct input){0};
+}
