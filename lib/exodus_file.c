@@ -1,0 +1,225 @@
+#include "exodus_file.h"
+
+#include "die.h"
+#include "exodus.h"
+#include "memory.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define PREFIX           "hs_"
+#define LENGTH_ATTRIBUTE PREFIX "file_bytes"
+
+const char *exodus_library(void)
+{
+    static char text[64];
+    /* netCDF's text goes on with the date of its build. */
+    int length = (int)strcspn(nc_inq_libvers(), " ");
+    snprintf(text, sizeof text, "Exodus %.2f, netCDF %.*s", (double)EX_API_VERS, length,
+             nc_inq_libvers());
+    return text;
+}
+
+/* What Exodus returns where it fails, and where it only warns (an empty set, say). */
+enum { FAILED = -1, WARNED = 1 };
+
+/* --- checks ----------------------------------------------------------------------------------- */
+
+/* Exodus returns -1 and keeps the reason, netCDF returns the reason; positive is a warning. */
+static const char *reason(int status)
+{
+    const char *message, *function;
+    int code = status;
+    if (status == FAILED) ex_get_err(&message, &function, &code);
+    return code == 0 ? "unknown reason" : nc_strerror(code);
+}
+
+void exodus_wrote(const struct exodus_file *file, int status, const char *what)
+{
+    if (status < 0 || status > WARNED)
+        die_run("%s: cannot write %s: %s", file->shown, what, reason(status));
+}
+
+void exodus_read(const struct exodus_file *file, int status, const char *what)
+{
+    if (status < 0 || status > WARNED)
+        die_user("%s: cannot read %s: %s", file->shown, what, reason(status));
+}
+
+void exodus_bound(const struct exodus_file *file, int64_t count, int64_t size, const char *what)
+{
+    if (count < 0 || count > file->bytes / size)
+        die_user("%s: damaged: %lld %s cannot be in %lld bytes", file->shown, (long long)count,
+                 what, (long long)file->bytes);
+}
+
+void exodus_check_name(const struct exodus_file *file, const char *name)
+{
+    if (strlen(name) > EXODUS_NAME)
+        die_run("%s: name '%s' is longer than %d characters", file->shown, name, EXODUS_NAME);
+}
+
+char **exodus_names(int64_t count)
+{
+    size_t number = (size_t)count, pointers = number * sizeof(char *);
+    char **names = memory_new(pointers + number * (EXODUS_NAME + 1), 1);
+    for (size_t i = 0; i < number; i++) names[i] = (char *)names + pointers + i * (EXODUS_NAME + 1);
+    return names;
+}
+
+static int64_t file_size(const struct exodus_file *file)
+{
+    struct stat status;
+    if (stat(file->path, &status) != 0) die_run("%s: cannot find out its length", file->shown);
+    return status.st_size;
+}
+
+/* --- attributes ------------------------------------------------------------------------------- */
+
+static void put_attributes(const struct exodus_file *file, const struct attributes *attributes)
+{
+    double unknown = 0;
+    int status = nc_redef(file->id);
+    exodus_wrote(file, status == NC_EINDEFINE ? NC_NOERR : status, "the header");
+    exodus_wrote(file,
+                 nc_put_att_double(file->id, NC_GLOBAL, LENGTH_ATTRIBUTE, NC_DOUBLE, 1, &unknown),
+                 LENGTH_ATTRIBUTE);
+    for (int i = 0; i < attributes->count; i++) {
+        const struct attribute *item = &attributes->items[i];
+        char *name = memory_print(PREFIX "%s", item->name);
+        status = item->text != NULL
+                     ? nc_put_att_text(file->id, NC_GLOBAL, name, strlen(item->text), item->text)
+                     : nc_put_att_double(file->id, NC_GLOBAL, name, NC_DOUBLE, 1, &item->number);
+        exodus_wrote(file, status, name);
+        free(name);
+    }
+    exodus_wrote(file, nc_enddef(file->id), "the header");
+}
+
+static void read_attribute(const struct exodus_file *file, const char *name, struct attributes *all)
+{
+    nc_type type;
+    size_t length;
+    exodus_read(file, nc_inq_att(file->id, NC_GLOBAL, name, &type, &length), "an attribute");
+    exodus_bound(file, (int64_t)length, 1, "characters of an attribute");
+    if (type == NC_CHAR) {
+        char *text = memory_new(length + 1, 1);
+        exodus_read(file, nc_get_att_text(file->id, NC_GLOBAL, name, text), "an attribute");
+        attributes_set_text(all, name + strlen(PREFIX), text);
+        free(text);
+    } else if (type == NC_DOUBLE && length == 1) {
+        double number;
+        exodus_read(file, nc_get_att_double(file->id, NC_GLOBAL, name, &number), "an attribute");
+        attributes_set_number(all, name + strlen(PREFIX), number);
+    }
+}
+
+struct attributes exodus_read_attributes(const struct exodus_file *file)
+{
+    struct attributes attributes = {0};
+    int count;
+    exodus_read(file, nc_inq_natts(file->id, &count), "the attributes");
+    for (int i = 0; i < count; i++) {
+        char name[NC_MAX_NAME + 1];
+        exodus_read(file, nc_inq_attname(file->id, NC_GLOBAL, i, name), "an attribute");
+        if (strncmp(name, PREFIX, strlen(PREFIX)) == 0 && strcmp(name, LENGTH_ATTRIBUTE) != 0)
+            read_attribute(file, name, &attributes);
+    }
+    return attributes;
+}
+
+/* For other readers of Exodus: who wrote the file, by what command.  No date: the same deck is to
+ * give the same bytes. */
+static void put_provenance(const struct exodus_file *file, const struct attributes *attributes)
+{
+    char program[MAX_STR_LENGTH + 1] = "hstools", version[MAX_STR_LENGTH + 1] = "", none[] = "";
+    const char *line = attributes_text(attributes, "program");
+    const char *command = attributes_text(attributes, "command");
+    if (line != NULL) sscanf(line, "%32s %32s", program, version);
+    char *record[1][4] = {{program, version, none, none}};
+    exodus_wrote(file, ex_put_qa(file->id, 1, record), "the QA record");
+    if (command == NULL || *command == '\0') return;
+    size_t length = strlen(command), count = (length + MAX_LINE_LENGTH - 1) / MAX_LINE_LENGTH;
+    char **lines = memory_new(count, sizeof *lines);
+    for (size_t i = 0; i < count; i++)
+        lines[i] = memory_print("%.*s", (int)MAX_LINE_LENGTH, command + i * MAX_LINE_LENGTH);
+    exodus_wrote(file, ex_put_info(file->id, (int)count, lines), "the command line");
+    for (size_t i = 0; i < count; i++) free(lines[i]);
+    free(lines);
+}
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+struct exodus_file exodus_create(const struct spool *output, const struct attributes *attributes)
+{
+    int memory_word = sizeof(double), file_word = sizeof(double);
+    struct exodus_file file = {.path = memory_text(output->path)};
+    file.shown = memory_text(output->final ? output->final : "standard output");
+    ex_opts(0);
+    file.id = ex_create(file.path, EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API, &memory_word,
+                        &file_word);
+    exodus_wrote(&file, file.id < 0 ? FAILED : 0, "the beginning");
+    ex_set_max_name_length(file.id, EXODUS_NAME);
+    put_attributes(&file, attributes);
+    put_provenance(&file, attributes);
+    return file;
+}
+
+void exodus_finish(struct exodus_file *file)
+{
+    int id;
+    exodus_wrote(file, ex_close(file->id), "the end");
+    double bytes = (double)file_size(file);
+    /* An attribute that keeps its size is rewritten in place. */
+    exodus_wrote(file, nc_open(file->path, NC_WRITE, &id), "its length");
+    exodus_wrote(file, nc_put_att_double(id, NC_GLOBAL, LENGTH_ATTRIBUTE, NC_DOUBLE, 1, &bytes),
+                 "its length");
+    exodus_wrote(file, nc_close(id), "its length");
+    if ((double)file_size(file) != bytes) die_run("%s: changed while it was closed", file->shown);
+    free(file->path);
+    free(file->shown);
+}
+
+static void check_length(const struct exodus_file *file, bool foreign)
+{
+    nc_type type;
+    size_t length;
+    double bytes = 0;
+    if (nc_inq_att(file->id, NC_GLOBAL, LENGTH_ATTRIBUTE, &type, &length) != NC_NOERR) {
+        if (foreign) return;
+        die_user("%s: not written by these tools: no attribute " LENGTH_ATTRIBUTE, file->shown);
+    }
+    if (type == NC_DOUBLE && length == 1)
+        exodus_read(file, nc_get_att_double(file->id, NC_GLOBAL, LENGTH_ATTRIBUTE, &bytes),
+                    LENGTH_ATTRIBUTE);
+    if (bytes == 0) die_user("%s: was never finished by the program that wrote it", file->shown);
+    if (bytes != (double)file->bytes)
+        die_user("%s: truncated or damaged: %lld bytes, expected %.0f", file->shown,
+                 (long long)file->bytes, bytes);
+}
+
+struct exodus_file exodus_open(const struct spool *input, bool foreign)
+{
+    int memory_word = sizeof(double), file_word = 0;
+    float version;
+    struct exodus_file file = {.path = memory_text(input->path)};
+    bool piped = strncmp(input->path, "/proc/self/fd/", strlen("/proc/self/fd/")) == 0;
+    file.shown = memory_text(piped ? "standard input" : input->path);
+    file.bytes = file_size(&file);
+    exodus_check_header(file.path, file.shown);
+    ex_opts(0);
+    file.id = ex_open(file.path, EX_READ | EX_ALL_INT64_API, &memory_word, &file_word, &version);
+    exodus_read(&file, file.id < 0 ? FAILED : 0, "it as Exodus");
+    ex_set_max_name_length(file.id, EXODUS_NAME);
+    check_length(&file, foreign);
+    return file;
+}
+
+void exodus_close(struct exodus_file *file)
+{
+    ex_close(file->id);
+    free(file->path);
+    free(file->shown);
+}

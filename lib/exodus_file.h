@@ -1,0 +1,55 @@
+/* exodus_file.h - what the exodus_*.c files share: opening, closing, checking, attributes.
+ * Private to them: only they include Exodus and netCDF. */
+#ifndef HS_EXODUS_FILE_H
+#define HS_EXODUS_FILE_H
+
+#include "domain.h"
+#include "spool.h"
+
+#include <exodusII.h>
+#include <stdbool.h>
+
+enum { EXODUS_NAME = 64 }; /* longest name of a block, set or variable */
+
+struct exodus_file {
+    int id;
+    char *path;
+    char *shown; /* the name in messages */
+    int64_t bytes;
+};
+
+/* Creates a file of 64-bit offset format that holds doubles and takes 64-bit integers, with these
+ * attributes, provenance records, and a place for hs_file_bytes. */
+struct exodus_file exodus_create(const struct spool *output, const struct attributes *attributes);
+
+/* Closes a written file and enters its length. */
+void exodus_finish(struct exodus_file *file);
+
+/* Opens a file that is of a classic netCDF format, has a sane header and is whole by its
+ * hs_file_bytes; without that attribute it passes only where foreign is true. */
+struct exodus_file exodus_open(const struct spool *input, bool foreign);
+void exodus_close(struct exodus_file *file);
+
+/* The attributes with the prefix hs_, without it. */
+struct attributes exodus_read_attributes(const struct exodus_file *file);
+
+/* Dies (exit 1) where a status of the library says that writing what failed. */
+void exodus_wrote(const struct exodus_file *file, int status, const char *what);
+/* Dies (exit 2) where reading what failed. */
+void exodus_read(const struct exodus_file *file, int status, const char *what);
+/* Dies (exit 2) unless count elements of size bytes can be in the file. */
+void exodus_bound(const struct exodus_file *file, int64_t count, int64_t size, const char *what);
+/* Dies (exit 1) where a name is longer than the format allows. */
+void exodus_check_name(const struct exodus_file *file, const char *name);
+
+/* count buffers for names; freed as one block. */
+char **exodus_names(int64_t count);
+
+/* Coordinates, blocks and sets of a domain. */
+void exodus_put_domain(const struct exodus_file *file, const struct domain *domain);
+
+/* Dies (exit 2) where the head of a classic netCDF file is damaged.  libnetcdf 4.9 believes every
+ * count it finds there and can hang on a wrong one. */
+void exodus_check_header(const char *path, const char *shown);
+
+#endif
