@@ -1,0 +1,56 @@
+#include "assemble.h"
+
+#include "memory.h"
+#include "topology.h"
+
+#include <stdlib.h>
+
+static void set_attributes(const struct recipe *recipe, const struct structure *structure,
+                           const struct findings *findings, const char *fault,
+                           struct attributes *attributes)
+{
+    const struct specimen *specimen = &recipe->specimen;
+    attributes_set_number(attributes, "spacing_m", specimen->spacing);
+    attributes_set_number(attributes, "section_m2", specimen_section(specimen, structure->sites));
+    if (specimen->gauge_length > 0) {
+        int64_t layer[2];
+        specimen_gauge_layers(specimen, layer);
+        attributes_set_number(attributes, "gauge_length_m",
+                              (double)(layer[1] - layer[0]) * specimen->spacing);
+    }
+    if (!recipe->topology->single_phase)
+        attributes_set_number(attributes, "ufg_fraction", findings->ufg_fraction);
+    char *words = recipe->topology->describe(recipe, findings);
+    char *label = fault ? memory_print("%s; overridden: %s", words, fault) : memory_text(words);
+    attributes_set_text(attributes, "label", label);
+    free(words);
+    free(label);
+}
+
+struct domain assemble_domain(const struct recipe *recipe, const struct structure *structure,
+                              const struct findings *findings, const char *fault)
+{
+    const struct sites *sites = structure->sites;
+    size_t n_nodes = (size_t)sites->n_nodes;
+    struct domain domain = {.n_nodes = sites->n_nodes, .n_phases = recipe->n_phases};
+    domain.x = memory_new(n_nodes, sizeof *domain.x);
+    domain.y = memory_new(n_nodes, sizeof *domain.y);
+    domain.z = memory_new(n_nodes, sizeof *domain.z);
+    domain.volume = memory_new(n_nodes, sizeof *domain.volume);
+    domain.phase = memory_new(n_nodes, sizeof *domain.phase);
+    domain.phase_names = memory_new((size_t)recipe->n_phases, sizeof *domain.phase_names);
+    for (int phase = 0; phase < recipe->n_phases; phase++)
+        domain.phase_names[phase] = memory_text(recipe->phase_names[phase]);
+    for (size_t node = 0; node < n_nodes; node++) {
+        double position[3];
+        sites_position(sites, (int64_t)node, position);
+        domain.x[node] = position[0];
+        domain.y[node] = position[1];
+        domain.z[node] = position[2];
+        domain.volume[node] = sites->spacing * sites->spacing * sites->spacing;
+        domain.phase[node] = structure->phase[node];
+    }
+    specimen_add_sets(&recipe->specimen, sites, recipe->sets, &domain);
+    set_attributes(recipe, structure, findings, fault, &domain.attributes);
+    return domain;
+}

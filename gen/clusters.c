@@ -1,0 +1,126 @@
+#include "clusters.h"
+
+#include "memory.h"
+#include "steps.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const int clusters_offset[NEIGHBOURS_26][3] = {
+    {1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {1, 1, 0}, {1, -1, 0},  {1, 0, 1},   {1, 0, -1},
+    {0, 1, 1},  {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1},
+};
+
+static int32_t root_of(int32_t *parent, int32_t node)
+{
+    while (parent[node] != node) {
+        parent[node] = parent[parent[node]];
+        node = parent[node];
+    }
+    return node;
+}
+
+static bool is_member(const struct structure *structure, int64_t node, int phase)
+{
+    return node >= 0 && structure->counted[node] && structure->phase[node] == phase;
+}
+
+static void join_neighbours(const struct structure *structure, int phase, int half, int32_t *parent)
+{
+    const struct sites *sites = structure->sites;
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
+        if (!is_member(structure, node, phase))
+            continue;
+        int64_t at[3];
+        sites_index(sites, node, at);
+        for (int n = 0; n < half; n++) {
+            const int *offset = clusters_offset[n];
+            int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
+            if (!is_member(structure, other, phase))
+                continue;
+            int32_t a = root_of(parent, (int32_t)node), b = root_of(parent, (int32_t)other);
+            parent[a > b ? a : b] = a > b ? b : a;
+        }
+    }
+}
+
+/* First and last layer of the counted region along each axis. */
+static void counted_ends(const struct structure *structure, int64_t end[2][3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        end[0][axis] = INT64_MAX;
+        end[1][axis] = -1;
+    }
+    for (int64_t node = 0; node < structure->sites->n_nodes; node++) {
+        if (!structure->counted[node])
+            continue;
+        int64_t at[3];
+        sites_index(structure->sites, node, at);
+        for (int axis = 0; axis < 3; axis++) {
+            end[0][axis] = at[axis] < end[0][axis] ? at[axis] : end[0][axis];
+            end[1][axis] = at[axis] > end[1][axis] ? at[axis] : end[1][axis];
+        }
+    }
+}
+
+struct clusters clusters_find(const struct structure *structure, int phase,
+                              enum neighbourhood neighbourhood)
+{
+    struct clusters clusters = {0};
+    int64_t n_nodes = structure->sites->n_nodes;
+    int32_t *parent = memory_new((size_t)n_nodes, sizeof *parent);
+    int32_t *size = memory_new((size_t)n_nodes, sizeof *size);
+    uint8_t *reaches = memory_new((size_t)n_nodes, sizeof *reaches); /* a bit an end and axis */
+    for (int64_t node = 0; node < n_nodes; node++) parent[node] = (int32_t)node;
+    join_neighbours(structure, phase, (int)neighbourhood, parent);
+    int64_t end[2][3];
+    counted_ends(structure, end);
+    for (int64_t node = 0; node < n_nodes; node++) {
+        if (!is_member(structure, node, phase))
+            continue;
+        int32_t root = root_of(parent, (int32_t)node);
+        clusters.nodes++;
+        clusters.count += size[root]++ == 0;
+        clusters.largest = size[root] > clusters.largest ? size[root] : clusters.largest;
+        int64_t at[3];
+        sites_index(structure->sites, node, at);
+        for (int bit = 0; bit < 6; bit++)
+            if (at[bit / 2] == end[bit % 2][bit / 2])
+                reaches[root] |= (uint8_t)(1u << bit);
+        for (int axis = 0; axis < 3; axis++)
+            if ((reaches[root] >> (2 * axis) & 3) == 3)
+                clusters.percolates[axis] = true;
+    }
+    free(parent);
+    free(size);
+    free(reaches);
+    return clusters;
+}
+
+struct contact clusters_contact(const struct structure *structure, int limit)
+{
+    const struct sites *sites = structure->sites;
+    int n_steps;
+    struct step *steps = steps_ball(limit + 1, true, &n_steps);
+    struct contact contact = {0};
+    int nearest = INT32_MAX;
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
+        if (!is_member(structure, node, PHASE_CG))
+            continue;
+        int64_t at[3];
+        sites_index(sites, node, at);
+        /* Neighbours (square <= 3) are all counted; beyond them only what is nearer than known. */
+        for (int s = 0; s < n_steps && (steps[s].square <= 3 || steps[s].square < nearest); s++) {
+            const int *offset = steps[s].offset;
+            int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
+            if (!is_member(structure, other, PHASE_CG) ||
+                structure->core[other] == structure->core[node])
+                continue;
+            contact.touching += steps[s].square <= 3;
+            nearest = steps[s].square < nearest ? steps[s].square : nearest;
+        }
+    }
+    contact.film = nearest == INT32_MAX ? INFINITY : sqrt(nearest) - 1;
+    free(steps);
+    return contact;
+}

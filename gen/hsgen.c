@@ -1,0 +1,114 @@
+/* hsgen - from the deck to a domain of particles. */
+#include "assemble.h"
+#include "die.h"
+#include "exodus.h"
+#include "options.h"
+#include "peridigm.h"
+#include "picture.h"
+#include "spool.h"
+#include "statistics.h"
+#include "topology.h"
+
+#include <stdlib.h>
+
+struct choices {
+    const char *deck, *output, *statistics, *peridigm, *picture, *cores;
+    bool override, quiet;
+};
+
+static struct choices read_choices(int argc, char **argv)
+{
+    struct choices c = {.deck = "-"};
+    const struct option_row rows[] = {
+        {'o', "output", "FILE", "write the domain (Genesis) there, not to the pipe", NULL, &c.output},
+        {'s', "statistics", "FILE", "write the structure's statistics as CSV", NULL, &c.statistics},
+        {'p', "picture", "FILE", "draw the middle sections (.png or .svg)", NULL, &c.picture},
+        {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
+        {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
+        {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
+        {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
+    };
+    const struct option_table table = {
+        "hsgen",
+        "[deck.yaml] [-o domain.g]",
+        "Makes a particle domain with a harmonic, random or homogeneous microstructure.",
+        rows,
+        sizeof rows / sizeof *rows,
+    };
+    int first = options_read(&table, argc, argv);
+    if (first < argc - 1)
+        die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
+    if (first < argc)
+        c.deck = argv[first];
+    note_set_quiet(c.quiet);
+    return c;
+}
+
+/* NULL where the topology is right; dies where it is not and nobody said to go on. */
+static char *check_topology(const struct recipe *recipe, const struct findings *findings,
+                            bool override)
+{
+    char *fault = recipe->topology->fault(recipe, findings);
+    if (fault && !override)
+        die_user("%s.  To go on all the same: --override, or override: true in the deck", fault);
+    if (fault)
+        warn("overridden: %s", fault);
+    return fault;
+}
+
+static void write_side_files(const struct choices *c, const struct recipe *recipe,
+                             const struct structure *structure, const struct findings *findings,
+                             const struct cores *cores)
+{
+    if (c->statistics)
+        statistics_write(recipe, structure, findings, c->statistics);
+    if (c->picture)
+        picture_write(recipe, structure, c->picture);
+    if (c->cores && !recipe->topology->single_phase)
+        cores_write(cores, recipe->topology->name, c->cores);
+}
+
+static void set_provenance(const struct deck *deck, int argc, char **argv,
+                           struct attributes *attributes)
+{
+    char *command = options_command(argc, argv);
+    attributes_set_text(attributes, "deck", deck_text(deck));
+    attributes_set_text(attributes, "deck_name", deck_name(deck));
+    attributes_set_text(attributes, "program", options_version());
+    attributes_set_text(attributes, "command", command);
+    free(command);
+}
+
+int main(int argc, char **argv)
+{
+    die_set_program("hsgen");
+    struct choices c = read_choices(argc, argv);
+    struct deck *deck = deck_read(c.deck);
+    struct recipe recipe = recipe_read(deck);
+    if (c.picture)
+        picture_check_name(c.picture);
+    struct spool output = spool_output(c.output);
+
+    struct sites sites = specimen_sites(&recipe.specimen);
+    struct cores cores = recipe_cores(&recipe);
+    struct structure structure = structure_new(&recipe, &sites, &cores);
+    struct findings findings = findings_of(&recipe, &structure, &cores);
+    statistics_print(&recipe, &structure, &findings);
+    write_side_files(&c, &recipe, &structure, &findings, &cores);
+    char *fault = check_topology(&recipe, &findings, c.override || recipe.override);
+
+    struct domain domain = assemble_domain(&recipe, &structure, &findings, fault);
+    set_provenance(deck, argc, argv, &domain.attributes);
+    if (c.peridigm)
+        peridigm_write(&domain, c.peridigm);
+    exodus_write_domain(&output, &domain);
+    spool_finish(&output);
+
+    free(fault);
+    domain_free(&domain);
+    structure_free(&structure);
+    cores_free(&cores);
+    sites_free(&sites);
+    deck_free(deck);
+    return 0;
+}

@@ -1,0 +1,94 @@
+#include "specimen.h"
+
+#include "memory.h"
+
+#include <stdlib.h>
+
+static const char *const set_keys[] = {"name", "box", NULL};
+
+/* Nodes between two corners of lattice indices, both included. */
+static void add_box(const struct sites *sites, const char *name, const int64_t low[3],
+                    const int64_t high[3], struct domain *out)
+{
+    int64_t *nodes = memory_new((size_t)sites->n_nodes, sizeof *nodes);
+    int64_t count = 0;
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
+        int64_t index[3];
+        sites_index(sites, node, index);
+        bool in_box = true;
+        for (int axis = 0; axis < 3; axis++)
+            in_box = in_box && index[axis] >= low[axis] && index[axis] <= high[axis];
+        if (in_box)
+            nodes[count++] = node;
+    }
+    domain_add_set(out, name, count, nodes);
+    free(nodes);
+}
+
+static void add_layers(const struct sites *sites, const char *name, int64_t first, int64_t last,
+                       struct domain *out)
+{
+    int64_t low[3] = {first, 0, 0};
+    int64_t high[3] = {last, sites->count[1] - 1, sites->count[2] - 1};
+    add_box(sites, name, low, high, out);
+}
+
+/* First layer whose coordinate is not below the length, or last one that is not above it. */
+static int64_t layer_of(const struct sites *sites, int axis, double length, int last)
+{
+    int64_t i = 0;
+    double slack = 1e-6 * sites->spacing;
+    if (last) {
+        while (i < sites->count[axis] && sites_coordinate(sites, axis, i) <= length + slack)
+            i++;
+        return i - 1;
+    }
+    while (i < sites->count[axis] && sites_coordinate(sites, axis, i) < length - slack)
+        i++;
+    return i;
+}
+
+static void add_deck_set(const struct sites *sites, struct deck_node set, struct domain *out)
+{
+    deck_keys(set, set_keys);
+    struct deck_node name = deck_get(set, "name");
+    if (domain_set(out, deck_string(name)))
+        deck_error(name, "there is a node set '%s' already", deck_string(name));
+    struct deck_node box = deck_get(set, "box");
+    int64_t corner[2][3];
+    for (int end = 0; end < 2; end++) {
+        if (!deck_is_list(box) || deck_count(box) != 2 || !deck_is_list(deck_item(box, end)) ||
+            deck_count(deck_item(box, end)) != 3)
+            deck_error(box, "a box is two corners: [[x, y, z], [x, y, z]]");
+        for (int axis = 0; axis < 3; axis++) {
+            struct deck_node item = deck_item(deck_item(box, end), axis);
+            double length = deck_length(item, sites->spacing, -1e6, 1e6);
+            corner[end][axis] = layer_of(sites, axis, length, end);
+        }
+    }
+    add_box(sites, deck_string(name), corner[0], corner[1], out);
+    if (out->sets[out->n_sets - 1].count == 0)
+        deck_error(box, "no node lies in this box; the body is centred at the origin");
+}
+
+void specimen_add_sets(const struct specimen *specimen, const struct sites *sites,
+                       struct deck_node sets, struct domain *out)
+{
+    int64_t last = sites->count[0] - 1;
+    if (specimen->grip_layers > 0) {
+        add_layers(sites, "grip_left", 0, specimen->grip_layers - 1, out);
+        add_layers(sites, "grip_right", last - specimen->grip_layers + 1, last, out);
+    }
+    if (specimen->gauge_length > 0) {
+        int64_t layer[2];
+        specimen_gauge_layers(specimen, layer);
+        add_layers(sites, "gauge_left", layer[0], layer[0], out);
+        add_layers(sites, "gauge_right", layer[1], layer[1], out);
+    }
+    if (sets.index == 0)
+        return;
+    if (!deck_is_list(sets))
+        deck_error(sets, "sets is a list of {name: ..., box: [[x, y, z], [x, y, z]]}");
+    for (int i = 0; i < deck_count(sets); i++)
+        add_deck_set(sites, deck_item(sets, i), out);
+}

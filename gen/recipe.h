@@ -1,0 +1,41 @@
+/* recipe.h - the deck's domain section, checked and in SI units. */
+#ifndef HS_RECIPE_H
+#define HS_RECIPE_H
+
+#include "cores.h"
+#include "specimen.h"
+
+#include <stdbool.h>
+
+enum { PHASE_CG, PHASE_UFG, PHASE_GRIP };
+
+struct topology;
+
+struct recipe {
+    struct specimen specimen;
+    const struct topology *topology;
+    const char *phase_names[3]; /* cg, ufg, a third one of the grips or NULL */
+    int n_phases;
+    int grip_phase;         /* -1: the structure goes on under the grips */
+    const char *cores_file; /* NULL: the cores are made here */
+    enum core_lattice lattice;
+    enum core_shape shape;
+    double distance; /* m, harmonic: nearest neighbours; cells: mean size */
+    double diameter; /* m, of random spheres */
+    double jitter;
+    double ufg_fraction;
+    bool geometric;
+    double minimum_shell; /* spacings */
+    bool override;
+    long seed;
+    struct deck_node sets;
+};
+
+/* Reads the section `domain`; dies at the first thing that is wrong. */
+struct recipe recipe_read(const struct deck *deck);
+
+/* The cores, made or read; nothing in them where the structure has one phase.  The deck's size must
+ * not be larger than that of the file. */
+struct cores recipe_cores(struct recipe *recipe);
+
+#endif

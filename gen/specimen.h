@@ -1,0 +1,47 @@
+/* specimen.h - the outer shape: plate or dog-bone, its grips and its gauge. */
+#ifndef HS_SPECIMEN_H
+#define HS_SPECIMEN_H
+
+#include "deck.h"
+#include "domain.h"
+#include "sites.h"
+
+enum specimen_shape { SPECIMEN_PLATE, SPECIMEN_DOGBONE };
+
+struct specimen {
+    enum specimen_shape shape;
+    double size[3]; /* m, along x (loading), y, z */
+    double spacing; /* m */
+    int64_t count[3];
+    double gauge_length; /* m, between the gauge planes; 0: none asked for */
+    double gauge_width;  /* m, dog-bone: of the parallel part, along y */
+    double fillet;       /* m, dog-bone: radius between the parallel part and the heads */
+    int64_t grip_layers; /* layers of nodes in each grip; 0: none asked for */
+    const char *grip_phase; /* NULL: the structure goes on under the grips */
+};
+
+/* Reads specimen, size, spacing, gauge and grips of the deck's domain section.  Each of the size's
+ * components must be a whole number of spacings within 1e-6. */
+struct specimen specimen_read(struct deck_node domain);
+
+struct sites specimen_sites(const struct specimen *specimen);
+
+/* Half width (m, along y) of the dog-bone at the distance x from its middle: parallel, then an arc
+ * of the fillet's radius that starts tangentially, then the head. */
+double specimen_half_width(const struct specimen *specimen, double x);
+
+/* [n_nodes] 1 where a node counts for fraction, topology and statistics: outside the grips. */
+uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *sites);
+
+/* Adds grip_left, grip_right, gauge_left, gauge_right and the boxes of the deck's list `sets`. */
+void specimen_add_sets(const struct specimen *specimen, const struct sites *sites,
+                       struct deck_node sets, struct domain *out);
+
+/* Layers (indices along x) of the gauge planes: those nearest to -/+ half the gauge length. */
+void specimen_gauge_layers(const struct specimen *specimen, int64_t layer[2]);
+
+/* Area of the section between the gauge planes (m^2), both layers included: number of nodes times
+ * spacing^2 over the number of layers; of the whole body where there is no gauge. */
+double specimen_section(const struct specimen *specimen, const struct sites *sites);
+
+#endif

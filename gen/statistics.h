@@ -1,0 +1,44 @@
+/* statistics.h - a structure in numbers.  Everything is measured on the nodes of the counted region
+ * (outside the grips), for a structure of two phases. */
+#ifndef HS_STATISTICS_H
+#define HS_STATISTICS_H
+
+#include "findings.h"
+
+/* Probability that both ends of a segment of `lag` spacings along an axis lie in the fine phase:
+ * S2 (Torquato, Random Heterogeneous Materials, 2002, section 2.2).  NaN where none fits. */
+double statistics_two_point(const struct structure *structure, int axis, int64_t lag);
+
+/* Fine fraction of layer i along an axis; NaN where no node of the layer is counted. */
+double statistics_profile(const struct structure *structure, int axis, int64_t i);
+
+struct interface {
+    double faces;   /* 1/m, faces between unlike nodes per volume: 3/2 too much where isotropic */
+    double crofton; /* 1/m, the same from 13 directions, without that bias */
+};
+
+/* Interface area per volume.  crofton: twice the mean number of crossings per length of line over
+ * the 13 directions of a cubic lattice, each weighted by its share of the sphere of directions
+ * (Ohser and Muecklich, Statistical Analysis of Microstructures in Materials Science, 2000,
+ * section 4.2; Legland, Kieu and Devaux, Image Analysis and Stereology 26 (2007) 83). */
+struct interface statistics_interface(const struct structure *structure);
+
+/* Shares of directions nearest to a face, an edge and a corner direction of the cube (one of the
+ * 6, 12 and 8). */
+extern const double statistics_direction_share[3];
+
+/* Local shell thickness in spacings at up to `most` fine nodes, evenly strided: distances to the
+ * nearest coarse nodes of the two nearest cores, added, less one; a straight film of n layers has n.
+ * thickness: [most].  Returns how many were found (nodes further than 12 spacings from a second
+ * core are passed over). */
+int64_t statistics_shell(const struct structure *structure, int64_t most, double *thickness);
+
+/* Text for people, line by line through note(). */
+void statistics_print(const struct recipe *recipe, const struct structure *structure,
+                      const struct findings *findings);
+
+/* All of it as a table: quantity,axis,position,value,unit. */
+void statistics_write(const struct recipe *recipe, const struct structure *structure,
+                      const struct findings *findings, const char *path);
+
+#endif

@@ -1,0 +1,59 @@
+#include "structure.h"
+
+#include "memory.h"
+#include "topology.h"
+
+#include <stdlib.h>
+
+static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
+                       struct structure *structure)
+{
+    const struct sites *sites = structure->sites;
+    int64_t n_nodes = sites->n_nodes;
+    int64_t *score = memory_new((size_t)n_nodes, sizeof *score);
+    for (int64_t node = 0; node < n_nodes; node++) {
+        double position[3];
+        sites_position(sites, node, position);
+        score[node] = recipe->topology->score(recipe, cores, position, &structure->core[node]);
+    }
+    double coarse = 1 - recipe->ufg_fraction;
+    structure->threshold =
+        recipe->geometric
+            ? fraction_geometric(n_nodes, score, structure->counted, coarse)
+            : fraction_exact(n_nodes, score, sites->site, structure->counted, coarse, recipe->seed);
+    for (int64_t node = 0; node < n_nodes; node++)
+        structure->phase[node] =
+            fraction_is_coarse(&structure->threshold, score[node], sites->site[node]) ? PHASE_CG
+                                                                                      : PHASE_UFG;
+    free(score);
+}
+
+struct structure structure_new(const struct recipe *recipe, const struct sites *sites,
+                               const struct cores *cores)
+{
+    struct structure structure = {.sites = sites};
+    size_t n_nodes = (size_t)sites->n_nodes;
+    structure.counted = specimen_counted(&recipe->specimen, sites);
+    structure.phase = memory_new(n_nodes, sizeof *structure.phase);
+    structure.core = memory_new(n_nodes, sizeof *structure.core);
+    if (!recipe->topology->single_phase)
+        rank_nodes(recipe, cores, &structure);
+    if (recipe->grip_phase >= 0)
+        for (size_t node = 0; node < n_nodes; node++)
+            if (!structure.counted[node])
+                structure.phase[node] = (uint8_t)recipe->grip_phase;
+    return structure;
+}
+
+void structure_free(struct structure *structure)
+{
+    free(structure->counted);
+    free(structure->phase);
+    free(structure->core);
+    *structure = (struct structure){0};
+}
+
+double structure_reach(const struct structure *structure)
+{
+    return (double)structure->threshold.score * SCORE_UNIT * structure->sites->spacing;
+}

@@ -1,0 +1,132 @@
+/* A harmonic structure: coarse cores on a lattice, isolated from each other in a connected fine
+ * shell.
+ *
+ * sphere: equal spheres about the centres; the diameter follows from the fraction.
+ * cell: the Voronoi cells of the centres, all faces moved in by the same distance: a shell of
+ * uniform thickness, as sintered powders have. */
+#include "findings.h"
+#include "memory.h"
+#include "topology.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const char *const keys[] = {
+    "specimen",      "size",   "spacing",      "topology", "phases",        "lattice",  "core",
+    "core_distance", "jitter", "ufg_fraction", "match",    "minimum_shell", "override", "seed",
+    "grips",         "gauge",  "sets",         "cores",    NULL};
+
+enum { MOST_FILM = 10 }; /* spacings that minimum_shell may ask for */
+
+static const char *const lattices[] = {"sc", "bcc", "fcc"};
+
+static void read_keys(struct deck_node domain, struct recipe *recipe)
+{
+    double spacing = recipe->specimen.spacing;
+    struct deck_node shell = deck_find(domain, "minimum_shell");
+    recipe->minimum_shell =
+        shell.index ? deck_length(shell, spacing, spacing, MOST_FILM * spacing) / spacing : 1;
+    const char *const geometry[] = {"lattice", "core_distance", "jitter"};
+    for (int i = 0; recipe->cores_file && i < 3; i++)
+        if (deck_has(domain, geometry[i]))
+            deck_error(deck_get(domain, geometry[i]),
+                       "the file of the key 'cores' says this already");
+    if (recipe->cores_file)
+        return;
+    recipe->lattice = (enum core_lattice)deck_choice(deck_get(domain, "lattice"), lattices, 3);
+    recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing, 1e3);
+    if (deck_has(domain, "jitter"))
+        recipe->jitter = deck_number(deck_get(domain, "jitter"), "1", 0, 1);
+}
+
+static struct cores place(const struct recipe *recipe)
+{
+    return cores_lattice(recipe->lattice, recipe->shape, recipe->distance, recipe->jitter,
+                         recipe->specimen.size, recipe->seed);
+}
+
+static int64_t score(const struct recipe *recipe, const struct cores *cores, const double point[3],
+                     int32_t *core)
+{
+    struct core_place at = cores_place(cores, point, cores->shape == CORE_CELL);
+    *core = (int32_t)at.core;
+    double length = cores->shape == CORE_CELL ? -at.depth : at.distance;
+    return llround(length / (SCORE_UNIT * recipe->specimen.spacing));
+}
+
+/* The largest distance of two lattice sites, in spacings, that is below minimum_shell + 1: nodes of
+ * cores further apart than this always leave the film asked for. */
+static double film_needed(double minimum_shell)
+{
+    double limit = (minimum_shell + 1) * (minimum_shell + 1) * (1 - 1e-9);
+    int largest = 0, most = (int)ceil(minimum_shell + 1);
+    for (int i = 0; i <= most; i++)
+        for (int j = 0; j <= i; j++)
+            for (int k = 0; k <= j; k++) {
+                int square = i * i + j * j + k * k;
+                if (square < limit && square > largest)
+                    largest = square;
+            }
+    return sqrt(largest);
+}
+
+/* What spacing would do, as words; the caller frees it. */
+static char *remedy(const struct recipe *recipe, const struct findings *findings)
+{
+    if (!(findings->core_film > 0))
+        return memory_print("at this fraction the cores overlap (film %.3g um): no spacing helps; "
+                            "use another lattice, core: cell, less jitter or a larger ufg_fraction",
+                            1e6 * findings->core_film);
+    double needed = findings->core_film / film_needed(recipe->minimum_shell);
+    double spacing = recipe->specimen.spacing;
+    double parts = floor(spacing / needed) + 1;
+    return memory_print("the film between neighbouring cores is %.4g um = %.3g spacings thick; a "
+                        "spacing below %.4g um is sure to resolve it (such as %.6g um, 1/%g of "
+                        "this one), or at this one a core_distance above %.4g um",
+                        1e6 * findings->core_film, findings->core_film / spacing, 1e6 * needed,
+                        1e6 * spacing / parts, parts, 1e6 * recipe->distance * spacing / needed);
+}
+
+static char *fault(const struct recipe *recipe, const struct findings *findings)
+{
+    const struct clusters *ufg = &findings->ufg;
+    bool shell = ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2];
+    const struct contact *contact = &findings->contact;
+    if (shell && contact->film >= recipe->minimum_shell - 1e-9)
+        return NULL;
+    char *help = remedy(recipe, findings);
+    char *text;
+    if (contact->touching > 0)
+        text = memory_print("not a harmonic structure: different cores touch (%lld pairs of nodes "
+                            "share a face, an edge or a corner); %s",
+                            (long long)contact->touching, help);
+    else if (!shell)
+        text = memory_print("not a harmonic structure: the shell does not percolate along x, y "
+                            "and z; %s",
+                            help);
+    else
+        text = memory_print("the thinnest shell on the nodes is %.3g spacings, minimum_shell asks "
+                            "for %.3g; %s",
+                            contact->film, recipe->minimum_shell, help);
+    free(help);
+    return text;
+}
+
+static char *describe(const struct recipe *recipe, const struct findings *findings)
+{
+    const char *where = recipe->cores_file ? "given centres" : lattices[recipe->lattice];
+    if (recipe->shape == CORE_SPHERE)
+        return memory_print("harmonic, spheres of %.6g um on %s", 2e6 * findings->reach, where);
+    return memory_print("harmonic, cells on %s, shell %.6g um", where, 1e6 * findings->core_film);
+}
+
+const struct topology topology_harmonic = {
+    .name = "harmonic",
+    .cores_apart = true,
+    .keys = keys,
+    .read = read_keys,
+    .place = place,
+    .score = score,
+    .fault = fault,
+    .describe = describe,
+};

@@ -1,0 +1,106 @@
+/* A random bimodal structure, in which both phases are to be connected.
+ *
+ * cell: Voronoi cells of independent uniform points become coarse in random order; in an exact
+ * match the last one is cut by a surface parallel to its faces.
+ *
+ * sphere: overlapping equal spheres at independent uniform points (Boolean model): the fine phase
+ * is what none of them covers, phi_U = exp(-rho v) (Torquato, Random Heterogeneous Materials, 2002,
+ * section 5.1), which sets the number density rho. */
+#include "findings.h"
+#include "memory.h"
+#include "topology.h"
+
+#include <math.h>
+
+static const char *const keys[] = {
+    "specimen", "size",          "spacing",       "topology",     "phases", "core",
+    "cores",    "core_distance", "core_diameter", "ufg_fraction", "match",  "override",
+    "seed",     "grips",         "gauge",         "sets",         NULL};
+
+static void read_keys(struct deck_node domain, struct recipe *recipe)
+{
+    double spacing = recipe->specimen.spacing;
+    struct deck_node distance = deck_find(domain, "core_distance");
+    struct deck_node diameter = deck_find(domain, "core_diameter");
+    if (recipe->cores_file) {
+        if (distance.index || diameter.index)
+            deck_error(distance.index ? distance : diameter,
+                       "the file of the key 'cores' says this already");
+        return;
+    }
+    if (recipe->shape == CORE_SPHERE) {
+        if (distance.index)
+            deck_error(distance, "random spheres take core_diameter; their number follows from "
+                                 "ufg_fraction");
+        recipe->diameter = deck_length(deck_get(domain, "core_diameter"), spacing, spacing, 1e3);
+    } else {
+        if (diameter.index)
+            deck_error(diameter, "random cells take core_distance, the cube root of their mean "
+                                 "volume");
+        recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing, 1e3);
+    }
+}
+
+static struct cores place(const struct recipe *recipe)
+{
+    const double *size = recipe->specimen.size;
+    if (recipe->shape == CORE_CELL) {
+        double density = 1 / (recipe->distance * recipe->distance * recipe->distance);
+        return cores_random(CORE_CELL, density, 4 * recipe->distance, size, recipe->seed);
+    }
+    double volume = M_PI / 6 * recipe->diameter * recipe->diameter * recipe->diameter;
+    double density = -log(recipe->ufg_fraction) / volume;
+    return cores_random(CORE_SPHERE, density, 2 * recipe->diameter, size, recipe->seed);
+}
+
+static int64_t score(const struct recipe *recipe, const struct cores *cores, const double point[3],
+                     int32_t *core)
+{
+    int with_depth = cores->shape == CORE_CELL && !recipe->geometric;
+    struct core_place at = cores_place(cores, point, with_depth);
+    *core = (int32_t)at.core;
+    double unit = SCORE_UNIT * recipe->specimen.spacing;
+    if (cores->shape == CORE_SPHERE)
+        return llround(at.distance / unit);
+    if (!with_depth)
+        return cores->order[at.core];
+    /* Deeper nodes first; no depth fills the gap between two cells' scores. */
+    const int64_t gap = INT64_C(1000000000000);
+    return cores->order[at.core] * gap - (int64_t)fmin(round(at.depth / unit), 1e12 - 1);
+}
+
+static bool everywhere(const struct clusters *clusters)
+{
+    return clusters->percolates[0] && clusters->percolates[1] && clusters->percolates[2];
+}
+
+static char *fault(const struct recipe *recipe, const struct findings *findings)
+{
+    bool cg = everywhere(&findings->cg), ufg = everywhere(&findings->ufg);
+    if (cg && ufg)
+        return NULL;
+    return memory_print("not a random bimodal structure: %s%s%s must percolate along x, y and z "
+                        "and %s not; use smaller cells or cores (core_distance, core_diameter) or "
+                        "another seed",
+                        cg ? "" : recipe->phase_names[PHASE_CG], cg || ufg ? "" : " and ",
+                        ufg ? "" : recipe->phase_names[PHASE_UFG],
+                        cg || ufg ? "does" : "do");
+}
+
+static char *describe(const struct recipe *recipe, const struct findings *findings)
+{
+    if (recipe->shape == CORE_SPHERE)
+        return memory_print("random bimodal, overlapping spheres of %.6g um",
+                            2e6 * findings->reach);
+    return memory_print("random bimodal, randomly labelled Voronoi cells");
+}
+
+const struct topology topology_random = {
+    .name = "random",
+    .keys = keys,
+    .read = read_keys,
+    .place = place,
+    .score = score,
+    .fault = fault,
+    .describe = describe,
+};
