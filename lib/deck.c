@@ -133,19 +133,19 @@ static void check_keys(struct deck_node map)
 enum visit { NEW, OPEN, DONE };
 
 /* Depth first; an alias that leads back to an open node is a cycle.  A node that several aliases
- * name is entered once, so that their number cannot multiply. */
-static void check_tree(struct deck_node node, unsigned char visits[], int depth)
+ * name is entered once, so that their number cannot multiply; aliases name earlier nodes, so they
+ * do not add to the depth. */
+static void check_tree(struct deck_node node, unsigned char visits[])
 {
     if (visits[node.index] == DONE) return;
     if (visits[node.index] == OPEN) deck_error(node, "contains itself through an alias");
-    if (depth > DEEPEST) deck_error(node, "nested too deep; expected at most %d", DEEPEST);
     visits[node.index] = OPEN;
     if (deck_is_scalar(node)) check_scalar(node);
     if (deck_is_map(node)) check_keys(node);
     for (int i = 0; deck_is_map(node) && i < deck_count(node); i++)
-        check_tree(deck_value(node, i), visits, depth + 1);
+        check_tree(deck_value(node, i), visits);
     for (int i = 0; deck_is_list(node) && i < deck_count(node); i++)
-        check_tree(deck_item(node, i), visits, depth + 1);
+        check_tree(deck_item(node, i), visits);
     visits[node.index] = DONE;
 }
 
@@ -166,7 +166,7 @@ struct deck *deck_parse(const char *text, size_t length, const char *name)
     if (!deck_is_map(root)) deck_error(root, "expected a mapping (key: value) at the top");
     size_t nodes = (size_t)(deck->document.nodes.top - deck->document.nodes.start);
     unsigned char *visits = memory_new(nodes + 1, 1);
-    check_tree(root, visits, 0);
+    check_tree(root, visits);
     free(visits);
     return deck;
 }

@@ -14,6 +14,12 @@
 /* getopt_long reports row i of the table as LONG_OPTION + i, letters as themselves. */
 enum { LONG_OPTION = 256, HELP_COLUMN = 30 };
 
+#ifdef __clang__
+#define COMPILER __VERSION__
+#else
+#define COMPILER "GCC " __VERSION__
+#endif
+
 static const struct option_row built_in[] = {
     {'h', "help", NULL, "print this and leave", NULL, NULL},
     {'V', "version", NULL, "print the version and leave", NULL, NULL},
@@ -104,8 +110,8 @@ int options_read(const struct option_table *table, int argc, char **argv)
 const char *options_version(void)
 {
     static char text[512];
-    snprintf(text, sizeof text, "%s %s\ncompiler %s\n%s\n%s\n%s\n", die_program(), HS_VERSION,
-             __VERSION__, exodus_library(), deck_library(), random_library());
+    snprintf(text, sizeof text, "%s %s\n%s\n%s\n%s\n%s\n", die_program(), HS_VERSION, COMPILER,
+             exodus_library(), deck_library(), random_library());
     return text;
 }
 

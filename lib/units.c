@@ -55,13 +55,26 @@ static ut_unit *parse(const char *unit)
 
 static const char *dimension(const ut_unit *unit)
 {
-    const char *name = "another dimension";
+    const char *name = "of another dimension";
     for (int i = 0; i < DIMENSIONS; i++) {
         ut_unit *candidate = parse(dimensions[i].unit);
         if (same_dimension(unit, candidate)) name = dimensions[i].name;
         ut_free(candidate);
     }
     return name;
+}
+
+/* "a length in m", "a pure number". */
+static const char *wanted(const char *expected)
+{
+    static char text[64];
+    ut_unit *unit = parse(expected);
+    bool pure = strcmp(expected, "1") == 0;
+    if (unit == NULL) die_run("units_read: the program asks for '%s'", expected);
+    snprintf(text, sizeof text, "%s%s%s", dimension(unit), pure ? "" : " in ",
+             pure ? "" : expected);
+    ut_free(unit);
+    return text;
 }
 
 /* Length of a decimal number at the start of text, 0 where there is none.  strtod alone would also
@@ -131,18 +144,15 @@ static const char *convert(const char *name, ut_unit *unit, ut_unit *target, dou
 static const char *apply_unit(const char *name, const char *expected, double *number)
 {
     if (strlen(name) > LONGEST_UNIT || !has_no_factor(name))
-        return complain("'%.40s' is not a unit (expected %s)", name, expected);
+        return complain("'%.40s' is not a unit, expected %s", name, wanted(expected));
     char text[LONGEST_UNIT + 2];
     snprintf(text, sizeof text, "%s%s", *name == '/' ? "1" : "", name);
     ut_unit *unit = parse(text), *target = parse(expected);
-    if (target == NULL) die_run("units_read: the program asks for '%s'", expected);
     const char *fault;
     if (unit == NULL)
-        fault =
-            complain("unknown unit '%s' (expected %s in %s)", name, dimension(target), expected);
+        fault = complain("unknown unit '%s', expected %s", name, wanted(expected));
     else if (!same_dimension(unit, target))
-        fault = complain("'%s' is %s, expected %s in %s", name, dimension(unit), dimension(target),
-                         expected);
+        fault = complain("'%s' is %s, expected %s", name, dimension(unit), wanted(expected));
     else
         fault = convert(name, unit, target, number);
     ut_free(unit);
@@ -155,7 +165,7 @@ const char *units_read(const char *text, const char *expected, double *value)
     while (isspace((unsigned char)*text)) text++;
     size_t length = number_length(text);
     if (length == 0 || strncasecmp(text + strspn(text, "+-"), "0x", 2) == 0)
-        return complain("'%.40s' is not a number (expected one in %s)", text, expected);
+        return complain("'%.40s' is not a number, expected %s", text, wanted(expected));
     double number = strtod(text, NULL);
     if (!isfinite(number)) return complain("'%.40s' is too large", text);
     const char *unit = text + length + strspn(text + length, " \t");
