@@ -7,8 +7,8 @@
 #include <stdlib.h>
 
 const int clusters_offset[NEIGHBOURS_26][3] = {
-    {1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {1, 1, 0}, {1, -1, 0},  {1, 0, 1},   {1, 0, -1},
-    {0, 1, 1},  {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1},
+    {1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0}, {1, 0, 1},   {1, 0, -1},
+    {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1},
 };
 
 static int32_t root_of(int32_t *parent, int32_t node)
@@ -29,15 +29,14 @@ static void join_neighbours(const struct structure *structure, int phase, int ha
 {
     const struct sites *sites = structure->sites;
     for (int64_t node = 0; node < sites->n_nodes; node++) {
-        if (!is_member(structure, node, phase))
-            continue;
+        if (!is_member(structure, node, phase)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
         for (int n = 0; n < half; n++) {
             const int *offset = clusters_offset[n];
-            int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
-            if (!is_member(structure, other, phase))
-                continue;
+            int64_t other =
+                sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
+            if (!is_member(structure, other, phase)) continue;
             int32_t a = root_of(parent, (int32_t)node), b = root_of(parent, (int32_t)other);
             parent[a > b ? a : b] = a > b ? b : a;
         }
@@ -52,8 +51,7 @@ static void counted_ends(const struct structure *structure, int64_t end[2][3])
         end[1][axis] = -1;
     }
     for (int64_t node = 0; node < structure->sites->n_nodes; node++) {
-        if (!structure->counted[node])
-            continue;
+        if (!structure->counted[node]) continue;
         int64_t at[3];
         sites_index(structure->sites, node, at);
         for (int axis = 0; axis < 3; axis++) {
@@ -76,8 +74,7 @@ struct clusters clusters_find(const struct structure *structure, int phase,
     int64_t end[2][3];
     counted_ends(structure, end);
     for (int64_t node = 0; node < n_nodes; node++) {
-        if (!is_member(structure, node, phase))
-            continue;
+        if (!is_member(structure, node, phase)) continue;
         int32_t root = root_of(parent, (int32_t)node);
         clusters.nodes++;
         clusters.count += size[root]++ == 0;
@@ -85,11 +82,9 @@ struct clusters clusters_find(const struct structure *structure, int phase,
         int64_t at[3];
         sites_index(structure->sites, node, at);
         for (int bit = 0; bit < 6; bit++)
-            if (at[bit / 2] == end[bit % 2][bit / 2])
-                reaches[root] |= (uint8_t)(1u << bit);
+            if (at[bit / 2] == end[bit % 2][bit / 2]) reaches[root] |= (uint8_t)(1u << bit);
         for (int axis = 0; axis < 3; axis++)
-            if ((reaches[root] >> (2 * axis) & 3) == 3)
-                clusters.percolates[axis] = true;
+            if ((reaches[root] >> (2 * axis) & 3) == 3) clusters.percolates[axis] = true;
     }
     free(parent);
     free(size);
@@ -105,14 +100,14 @@ struct contact clusters_contact(const struct structure *structure, int limit)
     struct contact contact = {0};
     int nearest = INT32_MAX;
     for (int64_t node = 0; node < sites->n_nodes; node++) {
-        if (!is_member(structure, node, PHASE_CG))
-            continue;
+        if (!is_member(structure, node, PHASE_CG)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
         /* Neighbours (square <= 3) are all counted; beyond them only what is nearer than known. */
         for (int s = 0; s < n_steps && (steps[s].square <= 3 || steps[s].square < nearest); s++) {
             const int *offset = steps[s].offset;
-            int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
+            int64_t other =
+                sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
             if (!is_member(structure, other, PHASE_CG) ||
                 structure->core[other] == structure->core[node])
                 continue;

@@ -30,8 +30,7 @@ static struct cores cores_new(enum core_shape shape, double distance, const doub
                               int64_t most)
 {
     struct cores cores = {.shape = shape, .distance = distance};
-    for (int axis = 0; axis < 3; axis++)
-        cores.size[axis] = size[axis];
+    for (int axis = 0; axis < 3; axis++) cores.size[axis] = size[axis];
     cores.centre = memory_new((size_t)most, sizeof *cores.centre);
     cores.order = memory_new((size_t)most, sizeof *cores.order);
     return cores;
@@ -53,10 +52,8 @@ static void draw_order(struct cores *cores, long seed)
 static void add_centre(struct cores *cores, const double centre[3], double reach)
 {
     for (int axis = 0; axis < 3; axis++)
-        if (fabs(centre[axis]) > 0.5 * cores->size[axis] + reach)
-            return;
-    for (int axis = 0; axis < 3; axis++)
-        cores->centre[cores->count][axis] = centre[axis];
+        if (fabs(centre[axis]) > 0.5 * cores->size[axis] + reach) return;
+    for (int axis = 0; axis < 3; axis++) cores->centre[cores->count][axis] = centre[axis];
     cores->count++;
 }
 
@@ -72,8 +69,7 @@ struct cores cores_lattice(enum core_lattice lattice, enum core_shape shape, dou
         most[axis] = (int64_t)ceil((0.5 * size[axis] + reach) / edge);
         cells *= (double)(2 * most[axis] + 1);
     }
-    if (cells * basis.sites > 1e8)
-        die_user("core distance %g m: more than 1e8 cores", distance);
+    if (cells * basis.sites > 1e8) die_user("core distance %g m: more than 1e8 cores", distance);
     struct cores cores = cores_new(shape, distance, size, (int64_t)cells * basis.sites);
     struct random_stream *stream = random_new(seed, "jitter");
     for (int64_t k = -most[2]; k <= most[2]; k++)
@@ -84,8 +80,7 @@ struct cores cores_lattice(enum core_lattice lattice, enum core_shape shape, dou
                     double centre[3];
                     for (int axis = 0; axis < 3; axis++) {
                         centre[axis] = edge * (cell[axis] + basis.site[b][axis]);
-                        if (jitter > 0)
-                            centre[axis] += jitter * distance * random_gaussian(stream);
+                        if (jitter > 0) centre[axis] += jitter * distance * random_gaussian(stream);
                     }
                     add_centre(&cores, centre, reach);
                 }
@@ -100,8 +95,7 @@ struct cores cores_random(enum core_shape shape, double density, double margin,
 {
     double expected = density;
     for (int axis = 0; axis < 3; axis++) expected *= size[axis] + 2 * margin;
-    if (!(expected < 1e8))
-        die_user("%g random cores are more than 1e8", expected);
+    if (!(expected < 1e8)) die_user("%g random cores are more than 1e8", expected);
     int64_t count = (int64_t)llround(fmax(expected, 1));
     struct cores cores = cores_new(shape, cbrt(1 / density), size, count);
     struct random_stream *stream = random_new(seed, "positions");

@@ -25,8 +25,8 @@ void cores_write(const struct cores *cores, const char *topology, const char *pa
     fprintf(output.stream, "distance_m %.17g\n", cores->distance);
     fprintf(output.stream, "count %lld\n", (long long)cores->count);
     for (int64_t c = 0; c < cores->count; c++)
-        fprintf(output.stream, "%.17g %.17g %.17g %lld\n", cores->centre[c][0],
-                cores->centre[c][1], cores->centre[c][2], (long long)cores->order[c]);
+        fprintf(output.stream, "%.17g %.17g %.17g %lld\n", cores->centre[c][0], cores->centre[c][1],
+                cores->centre[c][2], (long long)cores->order[c]);
     output_close(&output);
 }
 
@@ -45,8 +45,7 @@ static const char *next_line(struct lines *lines, const char *expected)
                  expected);
     char *line = lines->rest;
     lines->rest = strchr(line, '\n');
-    if (lines->rest)
-        *lines->rest++ = '\0';
+    if (lines->rest) *lines->rest++ = '\0';
     return line;
 }
 
@@ -60,8 +59,7 @@ static void read_choice(struct lines *lines, const char *key, const char *value)
 {
     char *expected = memory_print("%s %s", key, value);
     const char *line = next_line(lines, expected);
-    if (strcmp(line, expected) != 0)
-        refuse(lines, line, expected);
+    if (strcmp(line, expected) != 0) refuse(lines, line, expected);
     free(expected);
 }
 
@@ -70,25 +68,21 @@ static void read_numbers(struct lines *lines, const char *key, int count, double
 {
     const char *line = next_line(lines, key);
     size_t length = strlen(key);
-    if (strncmp(line, key, length) != 0)
-        refuse(lines, line, key);
+    if (strncmp(line, key, length) != 0) refuse(lines, line, key);
     const char *rest = line + length;
     for (int i = 0; i < count; i++) {
         char *end;
         values[i] = strtod(rest, &end);
-        if (end == rest || !isfinite(values[i]))
-            refuse(lines, line, "finite numbers");
+        if (end == rest || !isfinite(values[i])) refuse(lines, line, "finite numbers");
         rest = end;
     }
-    if (*rest)
-        refuse(lines, line, "no more on the line");
+    if (*rest) refuse(lines, line, "no more on the line");
 }
 
 static void read_head(struct lines *lines, const char *topology, struct cores *cores)
 {
     const char *line = next_line(lines, magic);
-    if (strcmp(line, magic) != 0)
-        refuse(lines, line, magic);
+    if (strcmp(line, magic) != 0) refuse(lines, line, magic);
     read_choice(lines, "topology", topology);
     line = next_line(lines, "core cell, or core sphere");
     cores->shape = strcmp(line, "core sphere") == 0 ? CORE_SPHERE : CORE_CELL;
@@ -101,8 +95,7 @@ static void read_head(struct lines *lines, const char *topology, struct cores *c
     /* Each core takes 8 characters at least: a wrong count cannot ask for endless memory. */
     if (count < 1 || count != floor(count) || count > (double)strlen(lines->rest) / 8 + 1)
         die_user("%s:%lld: the count does not fit the file", lines->path, (long long)lines->number);
-    if (!(cores->distance > 0))
-        die_user("%s: distance_m must be positive", lines->path);
+    if (!(cores->distance > 0)) die_user("%s: distance_m must be positive", lines->path);
     cores->count = (int64_t)count;
 }
 

@@ -1,5 +1,6 @@
 #include "cores.h"
 
+#include "die.h"
 #include "memory.h"
 
 #include <math.h>
@@ -19,12 +20,17 @@ static int64_t box_number(const struct cores *cores, const int64_t box[3])
 
 void cores_index(struct cores *cores)
 {
+    double n_wanted = 1;
     for (int axis = 0; axis < 3; axis++) {
         double low = INFINITY, high = -INFINITY;
         for (int64_t c = 0; c < cores->count; c++) {
             low = fmin(low, cores->centre[c][axis]);
             high = fmax(high, cores->centre[c][axis]);
         }
+        n_wanted *= (high - low) / cores->distance + 1;
+        if (n_wanted > 1e6 + 1e3 * (double)cores->count)
+            die_user("%lld cores are far too few for their distance of %g m",
+                     (long long)cores->count, cores->distance);
         cores->low[axis] = low;
         cores->boxes[axis] = (int64_t)floor((high - low) / cores->distance) + 1;
     }
@@ -55,16 +61,14 @@ static void visit_ring(const struct cores *cores, const double point[3], const i
     for (int axis = 0; axis < 3; axis++) {
         low[axis] = middle[axis] - ring < 0 ? 0 : middle[axis] - ring;
         high[axis] = middle[axis] + ring;
-        if (high[axis] > cores->boxes[axis] - 1)
-            high[axis] = cores->boxes[axis] - 1;
+        if (high[axis] > cores->boxes[axis] - 1) high[axis] = cores->boxes[axis] - 1;
     }
     int64_t box[3];
     for (box[2] = low[2]; box[2] <= high[2]; box[2]++)
         for (box[1] = low[1]; box[1] <= high[1]; box[1]++) {
             bool edge = llabs(box[1] - middle[1]) == ring || llabs(box[2] - middle[2]) == ring;
             for (box[0] = low[0]; box[0] <= high[0]; box[0]++) {
-                if (!edge && llabs(box[0] - middle[0]) != ring)
-                    continue;
+                if (!edge && llabs(box[0] - middle[0]) != ring) continue;
                 int64_t b = box_number(cores, box);
                 for (int64_t m = cores->first[b]; m < cores->first[b + 1]; m++)
                     visit(cores, point, cores->member[m], place);
@@ -96,12 +100,11 @@ static void visit_nearest(const struct cores *cores, const double point[3], int6
 static void visit_face(const struct cores *cores, const double point[3], int64_t core,
                        struct core_place *place)
 {
-    if (core == place->core)
-        return;
+    if (core == place->core) return;
     double between = distance_to(cores, cores->centre[place->core], core);
     double other = distance_to(cores, point, core);
-    double depth = between > 0 ? (other - place->distance) * (other + place->distance) / (2 * between)
-                               : 0;
+    double depth =
+        between > 0 ? (other - place->distance) * (other + place->distance) / (2 * between) : 0;
     place->depth = fmin(place->depth, depth);
 }
 
@@ -117,17 +120,16 @@ struct core_place cores_place(const struct cores *cores, const double point[3], 
     /* After ring r everything nearer than r box widths has been seen. */
     for (int64_t ring = 0; ring <= last; ring++) {
         visit_ring(cores, point, middle, ring, visit_nearest, &place);
-        if (place.distance <= (double)ring * cores->distance)
-            break;
+        if (place.distance <= (double)ring * cores->distance) break;
     }
-    if (!with_depth)
-        return place;
+    if (!with_depth) return place;
     /* A centre at the distance r has its face at least (r - r0) / 2 away (triangle inequality). */
     for (int64_t ring = 0; ring <= last; ring++) {
         visit_ring(cores, point, middle, ring, visit_face, &place);
-        if (place.distance + 2 * place.depth <= (double)ring * cores->distance)
-            break;
+        if (place.distance + 2 * place.depth <= (double)ring * cores->distance) break;
     }
+    /* A single core fills all space. */
+    place.depth = fmin(place.depth, 1e3 * cores->distance);
     return place;
 }
 
@@ -145,8 +147,7 @@ double cores_nearest_pair(const struct cores *cores, double diameter)
 {
     double nearest = INFINITY;
     for (int64_t c = 0; c < cores->count; c++) {
-        if (!touches_body(cores, c, 0.5 * diameter))
-            continue;
+        if (!touches_body(cores, c, 0.5 * diameter)) continue;
         int64_t box[3], other[3];
         box_of(cores, cores->centre[c], box);
         for (int n = 0; n < 27; n++) {
@@ -156,8 +157,7 @@ double cores_nearest_pair(const struct cores *cores, double diameter)
                 other[axis] = box[axis] + shift[axis];
                 exists = exists && other[axis] >= 0 && other[axis] < cores->boxes[axis];
             }
-            if (!exists)
-                continue;
+            if (!exists) continue;
             int64_t b = box_number(cores, other);
             for (int64_t m = cores->first[b]; m < cores->first[b + 1]; m++) {
                 int64_t d = cores->member[m];

@@ -22,8 +22,7 @@ struct findings findings_of(const struct recipe *recipe, const struct structure 
     findings.ufg = clusters_find(structure, PHASE_UFG, NEIGHBOURS_6);
     findings.cg_26 = clusters_find(structure, PHASE_CG, NEIGHBOURS_26);
     findings.reach = structure_reach(structure);
-    if (!recipe->topology->cores_apart)
-        return findings;
+    if (!recipe->topology->cores_apart) return findings;
     findings.contact = clusters_contact(structure, FURTHEST_FILM);
     if (cores->shape == CORE_CELL)
         findings.core_film = -2 * findings.reach;

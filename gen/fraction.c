@@ -21,8 +21,7 @@ static int64_t score_of_rank(int64_t n_nodes, const int64_t *score, const uint8_
 {
     int64_t low = INT64_MAX, high = INT64_MIN;
     for (int64_t node = 0; node < n_nodes; node++) {
-        if (!counted[node])
-            continue;
+        if (!counted[node]) continue;
         low = score[node] < low ? score[node] : low;
         high = score[node] > high ? score[node] : high;
     }
@@ -105,7 +104,6 @@ struct threshold fraction_geometric(int64_t n_nodes, const int64_t *score, const
 
 bool fraction_is_coarse(const struct threshold *threshold, int64_t score, int64_t site)
 {
-    if (score != threshold->score)
-        return score < threshold->score;
+    if (score != threshold->score) return score < threshold->score;
     return threshold->tie == UINT64_MAX || tie_of(threshold->seed, site) <= threshold->tie;
 }

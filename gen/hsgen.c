@@ -20,7 +20,8 @@ static struct choices read_choices(int argc, char **argv)
 {
     struct choices c = {.deck = "-"};
     const struct option_row rows[] = {
-        {'o', "output", "FILE", "write the domain (Genesis) there, not to the pipe", NULL, &c.output},
+        {'o', "output", "FILE", "write the domain (Genesis) there, not to the pipe", NULL,
+         &c.output},
         {'s', "statistics", "FILE", "write the structure's statistics as CSV", NULL, &c.statistics},
         {'p', "picture", "FILE", "draw the middle sections (.png or .svg)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
@@ -38,8 +39,7 @@ static struct choices read_choices(int argc, char **argv)
     int first = options_read(&table, argc, argv);
     if (first < argc - 1)
         die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
-    if (first < argc)
-        c.deck = argv[first];
+    if (first < argc) c.deck = argv[first];
     note_set_quiet(c.quiet);
     return c;
 }
@@ -51,21 +51,25 @@ static char *check_topology(const struct recipe *recipe, const struct findings *
     char *fault = recipe->topology->fault(recipe, findings);
     if (fault && !override)
         die_user("%s.  To go on all the same: --override, or override: true in the deck", fault);
-    if (fault)
-        warn("overridden: %s", fault);
+    if (fault) warn("overridden: %s", fault);
     return fault;
+}
+
+/* What cannot work is said before the work is done. */
+static void check_side_files(const struct choices *c, const struct recipe *recipe)
+{
+    if (c->picture) picture_check_name(c->picture);
+    if (c->cores && recipe->topology->single_phase)
+        die_user("--cores %s: a homogeneous structure has no cores", c->cores);
 }
 
 static void write_side_files(const struct choices *c, const struct recipe *recipe,
                              const struct structure *structure, const struct findings *findings,
                              const struct cores *cores)
 {
-    if (c->statistics)
-        statistics_write(recipe, structure, findings, c->statistics);
-    if (c->picture)
-        picture_write(recipe, structure, c->picture);
-    if (c->cores && !recipe->topology->single_phase)
-        cores_write(cores, recipe->topology->name, c->cores);
+    if (c->statistics) statistics_write(recipe, structure, findings, c->statistics);
+    if (c->picture) picture_write(recipe, structure, c->picture);
+    if (c->cores) cores_write(cores, recipe->topology->name, c->cores);
 }
 
 static void set_provenance(const struct deck *deck, int argc, char **argv,
@@ -85,8 +89,7 @@ int main(int argc, char **argv)
     struct choices c = read_choices(argc, argv);
     struct deck *deck = deck_read(c.deck);
     struct recipe recipe = recipe_read(deck);
-    if (c.picture)
-        picture_check_name(c.picture);
+    check_side_files(&c, &recipe);
     struct spool output = spool_output(c.output);
 
     struct sites sites = specimen_sites(&recipe.specimen);
@@ -99,8 +102,7 @@ int main(int argc, char **argv)
 
     struct domain domain = assemble_domain(&recipe, &structure, &findings, fault);
     set_provenance(deck, argc, argv, &domain.attributes);
-    if (c.peridigm)
-        peridigm_write(&domain, c.peridigm);
+    if (c.peridigm) peridigm_write(&domain, c.peridigm);
     exodus_write_domain(&output, &domain);
     spool_finish(&output);
 

@@ -18,8 +18,7 @@ static void add_box(const struct sites *sites, const char *name, const int64_t l
         bool in_box = true;
         for (int axis = 0; axis < 3; axis++)
             in_box = in_box && index[axis] >= low[axis] && index[axis] <= high[axis];
-        if (in_box)
-            nodes[count++] = node;
+        if (in_box) nodes[count++] = node;
     }
     domain_add_set(out, name, count, nodes);
     free(nodes);
@@ -39,12 +38,10 @@ static int64_t layer_of(const struct sites *sites, int axis, double length, int 
     int64_t i = 0;
     double slack = 1e-6 * sites->spacing;
     if (last) {
-        while (i < sites->count[axis] && sites_coordinate(sites, axis, i) <= length + slack)
-            i++;
+        while (i < sites->count[axis] && sites_coordinate(sites, axis, i) <= length + slack) i++;
         return i - 1;
     }
-    while (i < sites->count[axis] && sites_coordinate(sites, axis, i) < length - slack)
-        i++;
+    while (i < sites->count[axis] && sites_coordinate(sites, axis, i) < length - slack) i++;
     return i;
 }
 
@@ -85,10 +82,8 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
         add_layers(sites, "gauge_left", layer[0], layer[0], out);
         add_layers(sites, "gauge_right", layer[1], layer[1], out);
     }
-    if (sets.index == 0)
-        return;
+    if (sets.index == 0) return;
     if (!deck_is_list(sets))
         deck_error(sets, "sets is a list of {name: ..., box: [[x, y, z], [x, y, z]]}");
-    for (int i = 0; i < deck_count(sets); i++)
-        add_deck_set(sites, deck_item(sets, i), out);
+    for (int i = 0; i < deck_count(sets); i++) add_deck_set(sites, deck_item(sets, i), out);
 }

@@ -4,8 +4,8 @@
 #include "memory.h"
 #include "spool.h"
 
-#include <cairo.h>
 #include <cairo-svg.h>
+#include <cairo.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,8 +57,7 @@ static void draw_row(cairo_t *cairo, const struct structure *structure,
     for (int64_t start = 0, end; start < width; start = end) {
         int phase = phase_at(structure, section, start, up);
         for (end = start + 1; end < width && phase_at(structure, section, end, up) == phase;) end++;
-        if (phase < 0)
-            continue;
+        if (phase < 0) continue;
         cairo_set_source_rgb(cairo, colours[phase][0], colours[phase][1], colours[phase][2]);
         cairo_rectangle(cairo, (double)start * scale, (double)(height - 1 - up) * scale,
                         (double)(end - start) * scale, scale);
@@ -119,8 +118,7 @@ static void draw(cairo_t *cairo, const struct recipe *recipe, const struct struc
     cairo_translate(cairo, MARGIN, MARGIN);
     for (int s = 0; s < N_SECTIONS; s++) {
         draw_section(cairo, structure, &sections[s], scale);
-        cairo_translate(cairo, 0,
-                        (double)structure->sites->count[sections[s].up] * scale + GAP);
+        cairo_translate(cairo, 0, (double)structure->sites->count[sections[s].up] * scale + GAP);
     }
     draw_legend(cairo, recipe, scale);
 }
@@ -131,8 +129,7 @@ void picture_write(const struct recipe *recipe, const struct structure *structur
     const int64_t *count = structure->sites->count;
     int64_t longest = count[0] > count[1] ? count[0] : count[1];
     double scale = (double)LONGEST_SIDE / (double)longest;
-    if (scale > 1)
-        scale = floor(scale); /* whole pixels: no seams */
+    if (scale > 1) scale = floor(scale); /* whole pixels: no seams */
     double width = fmax((double)longest * scale, 500) + 2 * MARGIN;
     double height = (double)(count[1] + 2 * count[2]) * scale + N_SECTIONS * GAP + 2 * MARGIN;
     bool png = ends_in(path, ".png");
@@ -147,10 +144,8 @@ void picture_write(const struct recipe *recipe, const struct structure *structur
     if (png && status == CAIRO_STATUS_SUCCESS)
         status = cairo_surface_write_to_png(surface, output.path);
     cairo_surface_finish(surface);
-    if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_status(surface);
+    if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
-    if (status != CAIRO_STATUS_SUCCESS)
-        die_run("%s: %s", path, cairo_status_to_string(status));
+    if (status != CAIRO_STATUS_SUCCESS) die_run("%s: %s", path, cairo_status_to_string(status));
     spool_finish(&output);
 }

@@ -34,10 +34,15 @@ static void read_two_phases(struct deck_node domain, struct recipe *recipe)
         recipe->shape = (enum core_shape)deck_choice(deck_get(domain, "core"), shapes, 2);
     if (deck_has(domain, "match"))
         recipe->geometric = deck_choice(deck_get(domain, "match"), matches, 2) == 1;
-    if (deck_has(domain, "override"))
-        recipe->override = deck_bool(deck_get(domain, "override"));
-    if (deck_has(domain, "cores"))
-        recipe->cores_file = deck_string(deck_get(domain, "cores"));
+    if (deck_has(domain, "override")) recipe->override = deck_bool(deck_get(domain, "override"));
+    if (!deck_has(domain, "cores")) return;
+    recipe->cores_file = deck_string(deck_get(domain, "cores"));
+    static const char *const said[] = {"lattice", "core", "core_distance", "core_diameter",
+                                       "jitter"};
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        if (deck_has(domain, said[i]))
+            deck_error(deck_get(domain, said[i]), "%s says this already: leave out '%s' or 'cores'",
+                       recipe->cores_file, said[i]);
 }
 
 /* The grips' phase is one of the structure's, or a further material of the deck. */
@@ -45,13 +50,10 @@ static void read_grip_phase(struct deck_node domain, struct deck_node root, stru
 {
     const char *name = recipe->specimen.grip_phase;
     recipe->grip_phase = -1;
-    if (!name)
-        return;
+    if (!name) return;
     for (int phase = 0; phase < recipe->n_phases; phase++)
-        if (strcmp(recipe->phase_names[phase], name) == 0)
-            recipe->grip_phase = phase;
-    if (recipe->grip_phase >= 0)
-        return;
+        if (strcmp(recipe->phase_names[phase], name) == 0) recipe->grip_phase = phase;
+    if (recipe->grip_phase >= 0) return;
     struct deck_node where = deck_get(deck_get(domain, "grips"), "phase");
     struct deck_node materials = deck_find(root, "materials");
     if (materials.index == 0 || !deck_has(materials, name))
@@ -76,8 +78,7 @@ struct recipe recipe_read(const struct deck *deck)
     recipe.specimen = specimen_read(domain);
     if (deck_has(domain, "seed"))
         recipe.seed = deck_integer(deck_get(domain, "seed"), 0, INT32_MAX);
-    if (!recipe.topology->single_phase)
-        read_two_phases(domain, &recipe);
+    if (!recipe.topology->single_phase) read_two_phases(domain, &recipe);
     recipe.topology->read(domain, &recipe);
     read_grip_phase(domain, root, &recipe);
     recipe.sets = deck_find(domain, "sets");
@@ -86,15 +87,17 @@ struct recipe recipe_read(const struct deck *deck)
 
 struct cores recipe_cores(struct recipe *recipe)
 {
-    if (recipe->topology->single_phase)
-        return (struct cores){0};
-    if (!recipe->cores_file)
-        return recipe->topology->place(recipe);
+    if (recipe->topology->single_phase) return (struct cores){0};
+    if (!recipe->cores_file) return recipe->topology->place(recipe);
     struct cores cores = cores_read(recipe->cores_file, recipe->topology->name);
     for (int axis = 0; axis < 3; axis++)
         if (recipe->specimen.size[axis] > cores.size[axis] * (1 + 1e-9))
             die_user("%s: the cores are for a body of %g x %g x %g m, the deck's is larger",
                      recipe->cores_file, cores.size[0], cores.size[1], cores.size[2]);
+    if (cores.distance < recipe->specimen.spacing ||
+        cores.distance > LONGEST_DISTANCE * recipe->specimen.spacing)
+        die_user("%s: distance_m %g is not between 1 and %g spacings", recipe->cores_file,
+                 cores.distance, LONGEST_DISTANCE);
     recipe->shape = cores.shape;
     recipe->distance = cores.distance;
     return cores;

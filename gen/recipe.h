@@ -9,6 +9,9 @@
 
 enum { PHASE_CG, PHASE_UFG, PHASE_GRIP };
 
+/* The largest core distance or diameter, in spacings: scores stay exact whole numbers. */
+#define LONGEST_DISTANCE 1e4
+
 struct topology;
 
 struct recipe {

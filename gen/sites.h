@@ -33,6 +33,11 @@ double sites_coordinate(const struct sites *sites, int axis, int64_t i);
 void sites_position(const struct sites *sites, int64_t node, double position[3]);
 
 /* Node at the indices, -1 outside the box or where the site is empty. */
-int64_t sites_at(const struct sites *sites, int64_t i, int64_t j, int64_t k);
+static inline int64_t sites_at(const struct sites *sites, int64_t i, int64_t j, int64_t k)
+{
+    const int64_t *count = sites->count;
+    if (i < 0 || j < 0 || k < 0 || i >= count[0] || j >= count[1] || k >= count[2]) return -1;
+    return sites->node[i + count[0] * (j + count[1] * k)];
+}
 
 #endif

@@ -22,8 +22,7 @@ static void read_size(struct deck_node domain, struct specimen *specimen)
         struct deck_node item = deck_item(size, axis);
         double length = deck_length(item, spacing, spacing * 0.5, spacing * MOST_LAYERS);
         double layers = round(length / spacing);
-        if (layers < 1)
-            layers = 1;
+        if (layers < 1) layers = 1;
         if (fabs(length / spacing - layers) > 1e-6)
             deck_error(item,
                        "%.9g m is %.6f spacings of %.9g m; the lattice fills the size exactly: use "
@@ -44,28 +43,26 @@ static void read_dogbone(struct deck_node gauge, struct specimen *specimen)
     specimen->fillet = deck_length(deck_get(gauge, "fillet"), spacing, step, 1e3 * head);
     double arc = sqrt(step * (2 * specimen->fillet - step));
     if (specimen->gauge_length + 2 * arc > specimen->size[0])
-        deck_error(gauge, "the gauge (%g m) with two fillets of %g m each is longer than the "
-                          "specimen (%g m)",
+        deck_error(gauge,
+                   "the gauge (%g m) with two fillets of %g m each is longer than the "
+                   "specimen (%g m)",
                    specimen->gauge_length, arc, specimen->size[0]);
 }
 
 static void read_gauge(struct deck_node domain, struct specimen *specimen)
 {
     bool dogbone = specimen->shape == SPECIMEN_DOGBONE;
-    if (!dogbone && !deck_has(domain, "gauge"))
-        return;
+    if (!dogbone && !deck_has(domain, "gauge")) return;
     struct deck_node gauge = deck_get(domain, "gauge");
     deck_keys(gauge, dogbone ? gauge_keys_dogbone : gauge_keys_plate);
     specimen->gauge_length = deck_length(deck_get(gauge, "length"), specimen->spacing,
                                          specimen->spacing, specimen->size[0]);
-    if (dogbone)
-        read_dogbone(gauge, specimen);
+    if (dogbone) read_dogbone(gauge, specimen);
 }
 
 static void read_grips(struct deck_node domain, struct specimen *specimen)
 {
-    if (!deck_has(domain, "grips"))
-        return;
+    if (!deck_has(domain, "grips")) return;
     struct deck_node grips = deck_get(domain, "grips");
     deck_keys(grips, grip_keys);
     double length = deck_length(deck_get(grips, "length"), specimen->spacing, specimen->spacing,
@@ -94,15 +91,12 @@ struct specimen specimen_read(struct deck_node domain)
 double specimen_half_width(const struct specimen *specimen, double x)
 {
     double head = 0.5 * specimen->size[1];
-    if (specimen->shape == SPECIMEN_PLATE)
-        return head;
+    if (specimen->shape == SPECIMEN_PLATE) return head;
     double beyond = fabs(x) - 0.5 * specimen->gauge_length;
     double parallel = 0.5 * specimen->gauge_width;
     double radius = specimen->fillet;
-    if (beyond <= 0)
-        return parallel;
-    if (beyond >= radius)
-        return head;
+    if (beyond <= 0) return parallel;
+    if (beyond >= radius) return head;
     return fmin(head, parallel + radius - sqrt(radius * radius - beyond * beyond));
 }
 
@@ -121,8 +115,8 @@ uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *s
     uint8_t *counted = memory_new((size_t)sites->n_nodes, sizeof *counted);
     for (int64_t node = 0; node < sites->n_nodes; node++) {
         int64_t layer = sites->site[node] % sites->count[0];
-        counted[node] = layer >= specimen->grip_layers &&
-                        layer < sites->count[0] - specimen->grip_layers;
+        counted[node] =
+            layer >= specimen->grip_layers && layer < sites->count[0] - specimen->grip_layers;
     }
     return counted;
 }
@@ -132,16 +126,14 @@ void specimen_gauge_layers(const struct specimen *specimen, int64_t layer[2])
     /* Of two layers equally near, the outer one; the left plane mirrors the right one. */
     double right = 0.5 * (specimen->gauge_length / specimen->spacing + (double)specimen->count[0]);
     layer[1] = (int64_t)floor(right + 1e-6);
-    if (layer[1] > specimen->count[0] - 1)
-        layer[1] = specimen->count[0] - 1;
+    if (layer[1] > specimen->count[0] - 1) layer[1] = specimen->count[0] - 1;
     layer[0] = specimen->count[0] - 1 - layer[1];
 }
 
 double specimen_section(const struct specimen *specimen, const struct sites *sites)
 {
     int64_t layer[2] = {0, sites->count[0] - 1};
-    if (specimen->gauge_length > 0)
-        specimen_gauge_layers(specimen, layer);
+    if (specimen->gauge_length > 0) specimen_gauge_layers(specimen, layer);
     int64_t between = 0;
     for (int64_t node = 0; node < sites->n_nodes; node++) {
         int64_t i = sites->site[node] % sites->count[0];

@@ -13,10 +13,10 @@ struct specimen {
     double size[3]; /* m, along x (loading), y, z */
     double spacing; /* m */
     int64_t count[3];
-    double gauge_length; /* m, between the gauge planes; 0: none asked for */
-    double gauge_width;  /* m, dog-bone: of the parallel part, along y */
-    double fillet;       /* m, dog-bone: radius between the parallel part and the heads */
-    int64_t grip_layers; /* layers of nodes in each grip; 0: none asked for */
+    double gauge_length;    /* m, between the gauge planes; 0: none asked for */
+    double gauge_width;     /* m, dog-bone: of the parallel part, along y */
+    double fillet;          /* m, dog-bone: radius between the parallel part and the heads */
+    int64_t grip_layers;    /* layers of nodes in each grip; 0: none asked for */
     const char *grip_phase; /* NULL: the structure goes on under the grips */
 };
 

@@ -22,19 +22,17 @@ static bool is_fine(const struct structure *structure, int64_t node)
 double statistics_two_point(const struct structure *structure, int axis, int64_t lag)
 {
     const struct sites *sites = structure->sites;
+    const int64_t *count = sites->count;
+    int64_t stride = axis == 0 ? 1 : axis == 1 ? count[0] : count[0] * count[1];
+    int64_t n_sites = count[0] * count[1] * count[2];
     int64_t pairs = 0, both = 0;
-    for (int64_t node = 0; node < sites->n_nodes; node++) {
-        if (!is_counted(structure, node))
-            continue;
-        int64_t at[3];
-        sites_index(sites, node, at);
-        at[axis] += lag;
-        int64_t other = sites_at(sites, at[0], at[1], at[2]);
-        if (!is_counted(structure, other))
-            continue;
-        pairs++;
-        both += is_fine(structure, node) && is_fine(structure, other);
-    }
+    for (int64_t line = 0; line < n_sites; line += stride * count[axis])
+        for (int64_t site = line; site < line + stride * (count[axis] - lag); site++) {
+            int64_t node = sites->node[site], other = sites->node[site + stride * lag];
+            if (!is_counted(structure, node) || !is_counted(structure, other)) continue;
+            pairs++;
+            both += is_fine(structure, node) && is_fine(structure, other);
+        }
     return pairs ? (double)both / (double)pairs : NAN;
 }
 
@@ -48,8 +46,7 @@ double statistics_profile(const struct structure *structure, int axis, int64_t i
     for (at[other[1]] = 0; at[other[1]] < sites->count[other[1]]; at[other[1]]++)
         for (at[other[0]] = 0; at[other[0]] < sites->count[other[0]]; at[other[0]]++) {
             int64_t node = sites_at(sites, at[0], at[1], at[2]);
-            if (!is_counted(structure, node))
-                continue;
+            if (!is_counted(structure, node)) continue;
             nodes++;
             fine += is_fine(structure, node);
         }
@@ -62,13 +59,11 @@ static double crossings(const struct structure *structure, const int offset[3])
     const struct sites *sites = structure->sites;
     int64_t pairs = 0, unlike = 0;
     for (int64_t node = 0; node < sites->n_nodes; node++) {
-        if (!is_counted(structure, node))
-            continue;
+        if (!is_counted(structure, node)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
         int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
-        if (!is_counted(structure, other))
-            continue;
+        if (!is_counted(structure, other)) continue;
         pairs++;
         unlike += is_fine(structure, node) != is_fine(structure, other);
     }
@@ -83,8 +78,7 @@ struct interface statistics_interface(const struct structure *structure)
         const int *offset = clusters_offset[n];
         int square = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
         double per_length = crossings(structure, offset) / (sqrt(square) * spacing);
-        if (square == 1)
-            interface.faces += per_length;
+        if (square == 1) interface.faces += per_length;
         /* S_V = 2 P_L; both senses of a direction share its line. */
         interface.crofton += 2 * 2 * statistics_direction_share[square - 1] * per_length;
     }
@@ -109,8 +103,7 @@ static double shell_at(const struct structure *structure, int64_t node, const st
             structure->core[other] == nearest)
             continue;
         thickness += sqrt(steps[s].square);
-        if (nearest >= 0)
-            return thickness;
+        if (nearest >= 0) return thickness;
         nearest = structure->core[other];
     }
     return 0;
@@ -128,8 +121,7 @@ int64_t statistics_shell(const struct structure *structure, int64_t most, double
         if (!structure->counted[node] || !is_fine(structure, node) || seen++ % stride != 0)
             continue;
         double here = shell_at(structure, node, steps, n_steps);
-        if (here > 0)
-            thickness[found++] = here;
+        if (here > 0) thickness[found++] = here;
     }
     free(steps);
     return found;

@@ -56,16 +56,14 @@ void statistics_print(const struct recipe *recipe, const struct structure *struc
     note("%s", words);
     free(words);
     print_size(recipe, structure->sites);
-    if (recipe->topology->single_phase)
-        return;
+    if (recipe->topology->single_phase) return;
     print_fraction(recipe, structure, findings);
     print_clusters(recipe->phase_names[PHASE_CG], &findings->cg);
     print_clusters(recipe->phase_names[PHASE_UFG], &findings->ufg);
     struct interface interface = statistics_interface(structure);
     note("interface %.6g mm2/mm3 (13 directions; cube faces alone: %.6g)", 1e-3 * interface.crofton,
          1e-3 * interface.faces);
-    if (!recipe->topology->cores_apart)
-        return;
+    if (!recipe->topology->cores_apart) return;
     note("%s: %lld clusters by faces, edges and corners; %lld pairs of nodes of different cores "
          "touch",
          recipe->phase_names[PHASE_CG], (long long)findings->cg_26.count,

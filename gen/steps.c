@@ -11,8 +11,8 @@ static int compare_steps(const void *a, const void *b)
     const struct step *left = a, *right = b;
     int order = (left->square > right->square) - (left->square < right->square);
     for (int axis = 2; axis >= 0 && order == 0; axis--)
-        order = (left->offset[axis] > right->offset[axis]) -
-                (left->offset[axis] < right->offset[axis]);
+        order =
+            (left->offset[axis] > right->offset[axis]) - (left->offset[axis] < right->offset[axis]);
     return order;
 }
 

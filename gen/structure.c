@@ -1,9 +1,18 @@
 #include "structure.h"
 
+#include "die.h"
 #include "memory.h"
 #include "topology.h"
 
 #include <stdlib.h>
+
+enum { LONG_WORK = 2000000 }; /* nodes from which on the progress is told */
+
+static void tell_progress(int64_t node, int64_t n_nodes)
+{
+    if (n_nodes >= LONG_WORK && node % (n_nodes / 10) == 0)
+        note("ranking nodes: %.0f %%", 100 * (double)node / (double)n_nodes);
+}
 
 static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
                        struct structure *structure)
@@ -13,6 +22,7 @@ static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
     int64_t *score = memory_new((size_t)n_nodes, sizeof *score);
     for (int64_t node = 0; node < n_nodes; node++) {
         double position[3];
+        tell_progress(node, n_nodes);
         sites_position(sites, node, position);
         score[node] = recipe->topology->score(recipe, cores, position, &structure->core[node]);
     }
@@ -36,12 +46,10 @@ struct structure structure_new(const struct recipe *recipe, const struct sites *
     structure.counted = specimen_counted(&recipe->specimen, sites);
     structure.phase = memory_new(n_nodes, sizeof *structure.phase);
     structure.core = memory_new(n_nodes, sizeof *structure.core);
-    if (!recipe->topology->single_phase)
-        rank_nodes(recipe, cores, &structure);
+    if (!recipe->topology->single_phase) rank_nodes(recipe, cores, &structure);
     if (recipe->grip_phase >= 0)
         for (size_t node = 0; node < n_nodes; node++)
-            if (!structure.counted[node])
-                structure.phase[node] = (uint8_t)recipe->grip_phase;
+            if (!structure.counted[node]) structure.phase[node] = (uint8_t)recipe->grip_phase;
     return structure;
 }
 

@@ -16,7 +16,7 @@ struct findings;
 struct topology {
     const char *name;
     bool single_phase;
-    bool cores_apart; /* different cores are meant not to touch */
+    bool cores_apart;        /* different cores are meant not to touch */
     const char *const *keys; /* of the deck, ended by NULL */
     void (*read)(struct deck_node domain, struct recipe *recipe);
     struct cores (*place)(const struct recipe *recipe);

@@ -11,10 +11,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const char *const keys[] = {
-    "specimen",      "size",   "spacing",      "topology", "phases",        "lattice",  "core",
-    "core_distance", "jitter", "ufg_fraction", "match",    "minimum_shell", "override", "seed",
-    "grips",         "gauge",  "sets",         "cores",    NULL};
+static const char *const keys[] = {"specimen", "size",         "spacing", "topology",
+                                   "phases",   "lattice",      "core",    "core_distance",
+                                   "jitter",   "ufg_fraction", "match",   "minimum_shell",
+                                   "override", "seed",         "grips",   "gauge",
+                                   "sets",     "cores",        NULL};
 
 enum { MOST_FILM = 10 }; /* spacings that minimum_shell may ask for */
 
@@ -26,15 +27,10 @@ static void read_keys(struct deck_node domain, struct recipe *recipe)
     struct deck_node shell = deck_find(domain, "minimum_shell");
     recipe->minimum_shell =
         shell.index ? deck_length(shell, spacing, spacing, MOST_FILM * spacing) / spacing : 1;
-    const char *const geometry[] = {"lattice", "core_distance", "jitter"};
-    for (int i = 0; recipe->cores_file && i < 3; i++)
-        if (deck_has(domain, geometry[i]))
-            deck_error(deck_get(domain, geometry[i]),
-                       "the file of the key 'cores' says this already");
-    if (recipe->cores_file)
-        return;
+    if (recipe->cores_file) return;
     recipe->lattice = (enum core_lattice)deck_choice(deck_get(domain, "lattice"), lattices, 3);
-    recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing, 1e3);
+    recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing,
+                                   LONGEST_DISTANCE * spacing);
     if (deck_has(domain, "jitter"))
         recipe->jitter = deck_number(deck_get(domain, "jitter"), "1", 0, 1);
 }
@@ -64,8 +60,7 @@ static double film_needed(double minimum_shell)
         for (int j = 0; j <= i; j++)
             for (int k = 0; k <= j; k++) {
                 int square = i * i + j * j + k * k;
-                if (square < limit && square > largest)
-                    largest = square;
+                if (square < limit && square > largest) largest = square;
             }
     return sqrt(largest);
 }
@@ -92,8 +87,7 @@ static char *fault(const struct recipe *recipe, const struct findings *findings)
     const struct clusters *ufg = &findings->ufg;
     bool shell = ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2];
     const struct contact *contact = &findings->contact;
-    if (shell && contact->film >= recipe->minimum_shell - 1e-9)
-        return NULL;
+    if (shell && contact->film >= recipe->minimum_shell - 1e-9) return NULL;
     char *help = remedy(recipe, findings);
     char *text;
     if (contact->touching > 0)

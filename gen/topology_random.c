@@ -19,25 +19,22 @@ static const char *const keys[] = {
 
 static void read_keys(struct deck_node domain, struct recipe *recipe)
 {
-    double spacing = recipe->specimen.spacing;
+    double spacing = recipe->specimen.spacing, longest = LONGEST_DISTANCE * spacing;
     struct deck_node distance = deck_find(domain, "core_distance");
     struct deck_node diameter = deck_find(domain, "core_diameter");
-    if (recipe->cores_file) {
-        if (distance.index || diameter.index)
-            deck_error(distance.index ? distance : diameter,
-                       "the file of the key 'cores' says this already");
-        return;
-    }
+    if (recipe->cores_file) return;
     if (recipe->shape == CORE_SPHERE) {
         if (distance.index)
             deck_error(distance, "random spheres take core_diameter; their number follows from "
                                  "ufg_fraction");
-        recipe->diameter = deck_length(deck_get(domain, "core_diameter"), spacing, spacing, 1e3);
+        recipe->diameter =
+            deck_length(deck_get(domain, "core_diameter"), spacing, spacing, longest);
     } else {
         if (diameter.index)
             deck_error(diameter, "random cells take core_distance, the cube root of their mean "
                                  "volume");
-        recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing, 1e3);
+        recipe->distance =
+            deck_length(deck_get(domain, "core_distance"), spacing, spacing, longest);
     }
 }
 
@@ -60,10 +57,8 @@ static int64_t score(const struct recipe *recipe, const struct cores *cores, con
     struct core_place at = cores_place(cores, point, with_depth);
     *core = (int32_t)at.core;
     double unit = SCORE_UNIT * recipe->specimen.spacing;
-    if (cores->shape == CORE_SPHERE)
-        return llround(at.distance / unit);
-    if (!with_depth)
-        return cores->order[at.core];
+    if (cores->shape == CORE_SPHERE) return llround(at.distance / unit);
+    if (!with_depth) return cores->order[at.core];
     /* Deeper nodes first; no depth fills the gap between two cells' scores. */
     const int64_t gap = INT64_C(1000000000000);
     return cores->order[at.core] * gap - (int64_t)fmin(round(at.depth / unit), 1e12 - 1);
@@ -77,14 +72,12 @@ static bool everywhere(const struct clusters *clusters)
 static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
     bool cg = everywhere(&findings->cg), ufg = everywhere(&findings->ufg);
-    if (cg && ufg)
-        return NULL;
+    if (cg && ufg) return NULL;
     return memory_print("not a random bimodal structure: %s%s%s must percolate along x, y and z "
                         "and %s not; use smaller cells or cores (core_distance, core_diameter) or "
                         "another seed",
                         cg ? "" : recipe->phase_names[PHASE_CG], cg || ufg ? "" : " and ",
-                        ufg ? "" : recipe->phase_names[PHASE_UFG],
-                        cg || ufg ? "does" : "do");
+                        ufg ? "" : recipe->phase_names[PHASE_UFG], cg || ufg ? "does" : "do");
 }
 
 static char *describe(const struct recipe *recipe, const struct findings *findings)
