@@ -29,9 +29,9 @@ STANDARD := -std=c11 -D_GNU_SOURCE
 OPTIMISE := -O3 -g -fno-math-errno -fno-trapping-math -ffp-contract=off -fopenmp-simd
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
             -Wmissing-prototypes -Wvla $(if $(WERROR),-Werror)
+comma := ,
 SANITIZERS := $(if $(SANITIZE),-fsanitize=address$(comma)undefined -fno-omit-frame-pointer -O1 \
               -DHS_SANITIZE)
-comma := ,
 
 PKG_CONFIG ?= pkg-config
 package = $(or $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null),$(3))

@@ -64,11 +64,11 @@ double deck_length(struct deck_node node, double spacing, double low, double hig
 long deck_integer(struct deck_node node, long low, long high)
 {
     const char *text = deck_string(node);
-    size_t sign = strspn(text, "+-") > 0;
-    size_t digits = strspn(text + sign, "0123456789");
+    const char *digits = text + (*text == '+' || *text == '-');
+    size_t count = strspn(digits, "0123456789");
     errno = 0;
     long value = strtol(text, NULL, 10);
-    if (digits == 0 || text[sign + digits] != '\0' || sign > 1)
+    if (count == 0 || digits[count] != '\0')
         deck_error(node, "'%.40s' is not a whole number", text);
     if (errno == ERANGE || value < low || value > high)
         deck_error(node, "%.40s is out of range, expected %ld to %ld", text, low, high);

@@ -20,7 +20,7 @@ enum { DIMENSIONS = 10, VARIABLES = 11, ATTRIBUTES = 12, TYPES = 12 };
 
 static _Noreturn void damaged(const struct head *head, const char *what)
 {
-    die_user("%s: not a netCDF file, or a damaged one (%s)", head->shown, what);
+    die_user("%s: not a netCDF file, or a truncated or damaged one (%s)", head->shown, what);
 }
 
 static uint64_t get_number(const struct head *head, int width)

@@ -17,13 +17,18 @@ enum { MOST_OUTPUTS = 16, CHUNK = 1 << 18 };
 
 /* --- unfinished files ------------------------------------------------------------------------- */
 
-/* What has to go when the process dies; read in signal handlers, too. */
-static char *volatile unfinished[MOST_OUTPUTS];
+/* What has to go when the process dies, but not when a child of it does; read in signal handlers,
+ * too. */
+static struct {
+    char *volatile path;
+    pid_t owner;
+} unfinished[MOST_OUTPUTS];
 
 static void remove_unfinished(void)
 {
     for (int i = 0; i < MOST_OUTPUTS; i++)
-        if (unfinished[i] != NULL) unlink(unfinished[i]);
+        if (unfinished[i].path != NULL && unfinished[i].owner == getpid())
+            unlink(unfinished[i].path);
 }
 
 static void remove_and_die(int signal_number)
@@ -47,8 +52,9 @@ static void remove_on_signals(void)
 static void keep_track(char *path)
 {
     for (int i = 0; i < MOST_OUTPUTS; i++) {
-        if (unfinished[i] != NULL) continue;
-        unfinished[i] = path;
+        if (unfinished[i].path != NULL) continue;
+        unfinished[i].owner = getpid();
+        unfinished[i].path = path;
         die_at_exit(remove_unfinished);
         remove_on_signals();
         return;
@@ -59,7 +65,7 @@ static void keep_track(char *path)
 static void lose_track(const char *path)
 {
     for (int i = 0; i < MOST_OUTPUTS; i++)
-        if (unfinished[i] == path) unfinished[i] = NULL;
+        if (unfinished[i].path == path) unfinished[i].path = NULL;
 }
 
 /* --- copying ---------------------------------------------------------------------------------- */

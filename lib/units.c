@@ -81,7 +81,7 @@ static const char *wanted(const char *expected)
  * take nan, inf and hexadecimal numbers. */
 static size_t number_length(const char *text)
 {
-    size_t length = strspn(text, "+-") > 0;
+    size_t length = *text == '+' || *text == '-';
     size_t whole = strspn(text + length, "0123456789"), part = 0;
     length += whole;
     if (text[length] == '.') {
@@ -90,7 +90,7 @@ static size_t number_length(const char *text)
     }
     if (whole + part == 0) return 0;
     if (tolower((unsigned char)text[length]) == 'e') {
-        size_t sign = strspn(text + length + 1, "+-") > 0;
+        size_t sign = text[length + 1] == '+' || text[length + 1] == '-';
         size_t power = strspn(text + length + 1 + sign, "0123456789");
         if (power > 0) length += 1 + sign + power;
     }
