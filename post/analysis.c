@@ -1,0 +1,84 @@
+#include "analysis.h"
+
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static double plastic_modulus(const struct curve *curve, const struct elastic_line *line,
+                              const struct choices *choices)
+{
+    if (!isnan(choices->modulus)) return choices->modulus;
+    return isnan(line->slope) ? curve->youngs_modulus : line->slope;
+}
+
+/* Force over the smallest section: a mean stress in the neck, with no correction for its
+ * triaxiality. */
+static void add_neck_stress(struct curve *curve)
+{
+    const double *ratio = table_find(&curve->table, "minimum_section_ratio");
+    if (!ratio) return;
+    double *stress = table_add(&curve->table, "neck_stress_Pa");
+    for (long i = 0; i < curve->n; i++)
+        if (ratio[i] > 0) stress[i] = curve->stress[i] / ratio[i];
+}
+
+static void note_rules(struct curve *curve, const struct analysis *analysis,
+                       const struct choices *choices)
+{
+    struct attributes *notes = &curve->provenance;
+    const struct elastic_line *line = &analysis->line;
+    if (line->count > 0) {
+        char *rows = memory_print("%ld to %ld", line->first + 1, line->last + 1);
+        attributes_set_text(notes, "slope_rows", rows);
+        free(rows);
+    }
+    if (!isnan(line->slope)) {
+        attributes_set_number(notes, "slope_Pa", line->slope);
+        attributes_set_number(notes, "toe_strain", line->toe);
+    }
+    if (!isnan(analysis->modulus))
+        attributes_set_number(notes, "plastic_strain_modulus_Pa", analysis->modulus);
+    if (!isnan(choices->true_modulus))
+        attributes_set_number(notes, "true_modulus_Pa", choices->true_modulus);
+    attributes_set_text(notes, "true_curve", "toe removed; up to the maximum force");
+    attributes_set_number(notes, "slope_window", choices->window);
+}
+
+static struct power_law harden(const struct curve *curve, struct analysis *analysis,
+                               const struct choices *choices)
+{
+    const struct elastic_line *line = &analysis->line;
+    const struct strength_maximum *maximum = &analysis->maximum;
+    double uniform = maximum->strain - line->toe - maximum->stress / line->slope;
+    double low = choices->hardening_range[0], high = choices->hardening_range[1];
+    analysis->cut_at_maximum = uniform < high;
+    return true_curve_power_law(curve, line, maximum->row, low, fmin(high, uniform));
+}
+
+struct analysis analysis_make(struct curve *curve, const struct choices *choices)
+{
+    struct analysis analysis = {.line = strength_line(curve, choices)};
+    if (!isnan(choices->true_modulus)) {
+        strength_correct(curve, &analysis.line, choices->true_modulus);
+        analysis.line.error *= choices->true_modulus / analysis.line.slope;
+        analysis.line.slope = choices->true_modulus;
+        analysis.line.toe = 0;
+        analysis.line.flag = "machine_compliance_removed";
+    }
+    analysis.maximum = strength_maximum(curve);
+    analysis.fracture = strength_fracture_row(curve, choices->fracture_share, &analysis.broken);
+    analysis.modulus = plastic_modulus(curve, &analysis.line, choices);
+
+    long last = analysis.maximum.row;
+    true_curve_fill(curve, &analysis.line, analysis.modulus, last, choices->window);
+    analysis.considere = true_curve_considere(curve, analysis.modulus, last);
+    analysis.power_law = harden(curve, &analysis, choices);
+    for (int k = 0; k < LAW_COUNT; k++)
+        analysis.fits[k] =
+            true_curve_fit(curve, law_of((enum law_index)k), last, choices->fit_range);
+    add_neck_stress(curve);
+    phases_add_factor(curve);
+    note_rules(curve, &analysis, choices);
+    return analysis;
+}

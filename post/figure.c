@@ -1,0 +1,160 @@
+#include "figure.h"
+
+#include "die.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+
+static const double mega = 1e6, percent = 100;
+
+/* 12 cm by 9 cm in print; the PNG has 600 dots an inch less one half. */
+static const struct {
+    const char *ending, *terminal;
+} formats[] = {
+    {".svg", "svg size 640,480 font 'Helvetica,15' linewidth 1.2 background 'white' enhanced"},
+    {".png", "pngcairo size 1600,1200 font 'Helvetica,32' linewidth 3 enhanced"},
+    {".pdf", "pdfcairo size 12cm,9cm font 'Helvetica,11' linewidth 1.6 enhanced"},
+};
+enum { FORMATS = sizeof formats / sizeof *formats };
+
+/* Distinguishable for all readers: Okabe and Ito (2008). */
+static const char *const colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
+                                      "#CC79A7", "#56B4E9", "#E69F00"};
+enum { COLOURS = sizeof colours / sizeof *colours };
+
+static const char *terminal_of(const char *name)
+{
+    for (int i = 0; i < FORMATS; i++) {
+        size_t n = strlen(name), m = strlen(formats[i].ending);
+        if (n > m && strcmp(name + n - m, formats[i].ending) == 0) return formats[i].terminal;
+    }
+    die_user("%s: the name of a figure ends in .svg, .png or .pdf", name);
+}
+
+void figure_check_name(const char *name)
+{
+    terminal_of(name);
+}
+
+/* gnuplot's single quotes: nothing is special in them but the quote, which is doubled. */
+static void write_quoted(FILE *gnuplot, const char *text)
+{
+    fputc('\'', gnuplot);
+    for (; *text; text++) {
+        if (*text == '\'') fputc('\'', gnuplot);
+        fputc((unsigned char)*text < 0x20 ? ' ' : *text, gnuplot);
+    }
+    fputc('\'', gnuplot);
+}
+
+static void write_points(FILE *gnuplot, int index, const struct curve *curve, bool true_curve)
+{
+    const double *strain = true_curve ? curve->true_strain : curve->strain;
+    const double *stress = true_curve ? curve->true_stress : curve->stress;
+    fprintf(gnuplot, "$curve%d << EOD\n", index);
+    for (long i = 0; i < curve->n; i++) {
+        if (isnan(strain[i]) || isnan(stress[i])) continue;
+        double x = true_curve ? strain[i] : percent * strain[i];
+        fprintf(gnuplot, "%.10g %.10g\n", x, stress[i] / mega);
+    }
+    fputs("EOD\n", gnuplot);
+}
+
+/* Rm on the engineering curve, Considere's point on the true one. */
+static bool mark_of(const struct figure_series *series, bool true_curve, double *x, double *y)
+{
+    const struct analysis *analysis = series->analysis;
+    if (!analysis) return false;
+    *x = true_curve ? analysis->considere.strain : percent * analysis->maximum.strain;
+    *y = (true_curve ? analysis->considere.stress : analysis->maximum.stress) / mega;
+    return (true_curve || analysis->maximum.reached) && !isnan(*x);
+}
+
+static bool write_marks(FILE *gnuplot, const struct figure_series series[], int count,
+                        bool true_curve)
+{
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        double x, y;
+        if (!mark_of(&series[i], true_curve, &x, &y)) continue;
+        if (!any) fputs("$marks << EOD\n", gnuplot);
+        any = true;
+        fprintf(gnuplot, "%.10g %.10g\n", x, y);
+    }
+    if (any) fputs("EOD\n", gnuplot);
+    return any;
+}
+
+static void write_axes(FILE *gnuplot, bool true_curve)
+{
+    fputs("set encoding utf8\n"
+          "set border 3 lw 0.8\n"
+          "set tics nomirror out scale 0.7\n"
+          "set grid lw 0.4 lc rgb '#d9d9d9'\n"
+          "set key bottom right Left reverse samplen 2 spacing 1.1\n"
+          "set xrange [0:*]\n"
+          "set yrange [0:*]\n"
+          "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n",
+          gnuplot);
+    fputs(true_curve ? "set xlabel 'True strain ε'\nset ylabel 'True stress σ (MPa)'\n"
+                     : "set xlabel 'Engineering strain (%)'\n"
+                       "set ylabel 'Engineering stress (MPa)'\n",
+          gnuplot);
+}
+
+static void write_plot(FILE *gnuplot, const struct figure_series series[], int count,
+                       bool true_curve, bool marks)
+{
+    fputs("plot ", gnuplot);
+    for (int i = 0; i < count; i++) {
+        const struct curve *curve = series[i].curve;
+        const char *style = !series[i].analysis ? "lines dt 2"
+                            : curve->measured   ? "linespoints pt 6 ps 0.5"
+                                                : "lines";
+        fprintf(gnuplot, "%s$curve%d with %s lw 1.5 lc rgb '%s' title ", i ? ", " : "", i, style,
+                colours[i % COLOURS]);
+        write_quoted(gnuplot, curve->title);
+        fputs(" noenhanced", gnuplot);
+    }
+    if (marks)
+        fprintf(gnuplot, ", $marks with points pt 7 ps 0.9 lc rgb '#555555' title '%s'",
+                true_curve ? "dσ/dε = σ" : "{/:Italic R}_m");
+    fputc('\n', gnuplot);
+}
+
+static void write_script(FILE *gnuplot, const char *terminal, const char *path,
+                         const struct figure_series series[], int count, bool true_curve)
+{
+    fprintf(gnuplot, "set terminal %s\nset output ", terminal);
+    write_quoted(gnuplot, path);
+    fputc('\n', gnuplot);
+    for (int i = 0; i < count; i++) write_points(gnuplot, i, series[i].curve, true_curve);
+    bool marks = write_marks(gnuplot, series, count, true_curve);
+    write_axes(gnuplot, true_curve);
+    write_plot(gnuplot, series, count, true_curve, marks);
+    fputs("set output\n", gnuplot);
+}
+
+void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
+                 bool true_curve)
+{
+    const char *terminal = terminal_of(name);
+    /* A gnuplot that is missing or stops early shows in its exit code. */
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+    sigaction(SIGPIPE, &ignore, &before);
+    FILE *gnuplot = popen("exec gnuplot >&2", "w");
+    if (!gnuplot) die_run("%s: cannot start gnuplot: %s", name, strerror(errno));
+    write_script(gnuplot, terminal, path, series, count, true_curve);
+    bool written = fflush(gnuplot) == 0 && !ferror(gnuplot);
+    int status = pclose(gnuplot);
+    sigaction(SIGPIPE, &before, NULL);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+        die_run("%s: no gnuplot found; install it (gnuplot-nox) or do without --plot", name);
+    if (!written || status != 0)
+        die_run("%s: gnuplot failed (status %d)", name,
+                WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+}

@@ -1,0 +1,22 @@
+/* figure.h - stress-strain figures by gnuplot, through a pipe. */
+#ifndef HS_FIGURE_H
+#define HS_FIGURE_H
+
+#include "analysis.h"
+
+#include <stdbool.h>
+
+struct figure_series {
+    const struct curve *curve;
+    const struct analysis *analysis; /* NULL: a computed bound, no marks, dashed */
+};
+
+/* Dies (exit 2) unless the name ends in .svg, .png or .pdf. */
+void figure_check_name(const char *name);
+
+/* Engineering stress against strain with Rm marked, or true stress against strain up to maximum force
+ * with Considere's point marked.  name tells the format, path is where gnuplot writes. */
+void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
+                 bool true_curve);
+
+#endif

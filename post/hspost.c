@@ -1,0 +1,186 @@
+/* hspost - tensile curves, properties and figures from histories and tables. */
+#include "bounds.h"
+#include "deck.h"
+#include "die.h"
+#include "difference.h"
+#include "figure.h"
+#include "memory.h"
+#include "request.h"
+#include "spool.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One curve with all that is known of it. */
+struct study {
+    struct curve *curves;          /* [count] */
+    struct choices *choices;       /* [count] */
+    struct analysis *analyses;     /* [count] */
+    struct properties *properties; /* [count] */
+    const char **titles;           /* [count] */
+    int count;
+    char *maker; /* "# program: ..." and "# command: ..." lines */
+};
+
+static char *describe_maker(int argc, char **argv)
+{
+    char *command = options_command(argc, argv);
+    const char *version = options_version();
+    char *text = memory_print("# program: %.*s\n# command: %s\n", (int)strcspn(version, "\n"),
+                              version, command);
+    free(command);
+    return text;
+}
+
+static struct choices choose(const struct request *request, const struct input *input)
+{
+    struct choices choices = choices_default();
+    const char *within = attributes_text(&input->attributes, "deck");
+    const char *name = attributes_text(&input->attributes, "deck_name");
+    struct deck *deck = NULL;
+    if (request->deck)
+        deck = deck_read(request->deck);
+    else if (within)
+        deck = deck_parse(within, strlen(within), name ? name : "the deck within the history");
+    if (deck) choices_read_deck(&choices, deck);
+    deck_free(deck);
+    choices_read_options(&choices, request->choices);
+    return choices;
+}
+
+static struct study read_and_analyse(const struct request *request, char *maker)
+{
+    size_t n = (size_t)request->n_files;
+    struct study study = {.count = request->n_files, .maker = maker};
+    study.curves = memory_new(n, sizeof *study.curves);
+    study.choices = memory_new(n, sizeof *study.choices);
+    study.analyses = memory_new(n, sizeof *study.analyses);
+    study.properties = memory_new(n, sizeof *study.properties);
+    study.titles = memory_new(n, sizeof *study.titles);
+    for (size_t i = 0; i < n; i++) {
+        struct input input = input_read(request->files[i]);
+        study.choices[i] = choose(request, &input);
+        study.curves[i] = curve_make(&input, &study.choices[i]);
+        input_free(&input);
+        study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
+        study.properties[i] =
+            analysis_report(&study.curves[i], &study.analyses[i], &study.choices[i]);
+        study.titles[i] = study.curves[i].title;
+    }
+    return study;
+}
+
+static FILE *open_file(const struct spool *spool)
+{
+    FILE *file = fopen(spool->path, "w");
+    if (!file) die_run("cannot write %s: %s", spool->path, strerror(errno));
+    return file;
+}
+
+static void finish_file(FILE *file, struct spool *spool, const char *name)
+{
+    bool written = fflush(file) == 0 && !ferror(file);
+    if (fclose(file) != 0 || !written) die_run("cannot write %s: %s", name, strerror(errno));
+    spool_finish(spool);
+}
+
+static void write_curve(const struct study *study, const struct curve *curve, const char *name)
+{
+    if (!name || strcmp(name, "-") == 0) {
+        fputs(study->maker, stdout);
+        curve_write(stdout, curve);
+        return;
+    }
+    struct spool spool = spool_output(name);
+    FILE *file = open_file(&spool);
+    fputs(study->maker, file);
+    curve_write(file, curve);
+    finish_file(file, &spool, name);
+}
+
+static void write_properties(const struct study *study, const char *name,
+                             void (*write)(FILE *, const struct properties[], const char *const[],
+                                           int))
+{
+    if (!name) return;
+    struct spool spool = spool_output(name);
+    FILE *file = open_file(&spool);
+    write(file, study->properties, study->titles, study->count);
+    finish_file(file, &spool, name);
+}
+
+/* Fills bounds[] with the mixtures asked for, writes them, and returns their number. */
+static int make_bounds(const struct request *request, const struct study *study,
+                       struct curve bounds[2])
+{
+    const char *const names[] = {request->voigt, request->reuss};
+    int count = 0;
+    for (int k = 0; k < 2; k++) {
+        if (!names[k]) continue;
+        bounds[count] =
+            bounds_curve(k == 0 ? BOUND_VOIGT : BOUND_REUSS, study->curves, study->analyses,
+                         request->law, request->fraction, request->strain_range);
+        write_curve(study, &bounds[count++], names[k]);
+    }
+    return count;
+}
+
+static void draw(const struct request *request, const struct study *study,
+                 const struct curve bounds[], int n_bounds)
+{
+    if (!request->plot) return;
+    int count = study->count;
+    struct figure_series *series = memory_new((size_t)(count + n_bounds), sizeof *series);
+    for (int i = 0; i < count; i++)
+        series[i] = (struct figure_series){&study->curves[i], &study->analyses[i]};
+    for (int i = 0; i < n_bounds; i++) series[count++] = (struct figure_series){&bounds[i], NULL};
+    struct spool spool = spool_output(request->plot);
+    figure_draw(request->plot, spool.path, series, count, request->true_curve);
+    spool_finish(&spool);
+    free(series);
+}
+
+static void compare(const struct request *request, const struct study *study)
+{
+    struct difference difference =
+        difference_of(&study->curves[0], &study->curves[1], request->strain_range);
+    difference_write(stdout, &difference);
+}
+
+static void study_free(struct study *study)
+{
+    for (int i = 0; i < study->count; i++) {
+        curve_free(&study->curves[i]);
+        choices_free(&study->choices[i]);
+        properties_free(&study->properties[i]);
+    }
+    free(study->curves);
+    free(study->choices);
+    free(study->analyses);
+    free(study->properties);
+    free(study->titles);
+    free(study->maker);
+}
+
+int main(int argc, char **argv)
+{
+    die_set_program("hspost");
+    struct request request = request_read(argc, argv);
+    note_set_quiet(request.quiet);
+    struct study study = read_and_analyse(&request, describe_maker(argc, argv));
+
+    for (int i = 0; i < study.count; i++) properties_print(&study.properties[i], study.titles[i]);
+    write_properties(&study, request.properties, properties_write_csv);
+    write_properties(&study, request.json, properties_write_json);
+    struct curve bounds[2];
+    int n_bounds = make_bounds(&request, &study, bounds);
+    draw(&request, &study, bounds, n_bounds);
+    if (request.difference) compare(&request, &study);
+    if (study.count == 1) write_curve(&study, &study.curves[0], request.output);
+
+    if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
+    for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
+    study_free(&study);
+    return 0;
+}

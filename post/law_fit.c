@@ -1,0 +1,162 @@
+#include "law.h"
+
+#include "memory.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { GRID = 24, MOST_ITERATIONS = 500 };
+
+static const double pascals = 1e6; /* MPa inside, so that all unknowns are of a size */
+
+struct data {
+    const struct law *law;
+    const double *p, *stress; /* [n] */
+    size_t n;
+};
+
+/* Unknowns of the polish: linear parameters in MPa, then logarithms of the shapes, which keeps them
+ * positive. */
+static void unpack(const struct law *law, const gsl_vector *x, struct law_fit *fit)
+{
+    int n = law->n_linear;
+    for (int k = 0; k < n; k++) fit->parameter[k] = gsl_vector_get(x, (size_t)k) * pascals;
+    for (int k = n; k < n + law->n_shapes; k++)
+        fit->parameter[k] = exp(gsl_vector_get(x, (size_t)k));
+}
+
+static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
+{
+    const struct data *data = context;
+    struct law_fit fit = {.law = data->law};
+    unpack(data->law, x, &fit);
+    for (size_t i = 0; i < data->n; i++) {
+        double difference = (law_stress(&fit, data->p[i]) - data->stress[i]) / pascals;
+        if (!isfinite(difference)) return GSL_EDOM;
+        gsl_vector_set(f, i, difference);
+    }
+    return GSL_SUCCESS;
+}
+
+/* The linear parameters that suit given shapes best; returns the sum of squares in MPa^2. */
+static double fit_linear(const struct data *data, const double shape[], double linear[])
+{
+    size_t n = data->n, m = (size_t)data->law->n_linear;
+    gsl_matrix *basis = gsl_matrix_alloc(n, m), *covariance = gsl_matrix_alloc(m, m);
+    gsl_vector *stress = gsl_vector_alloc(n), *solution = gsl_vector_alloc(m);
+    gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(n, m);
+    for (size_t i = 0; i < n; i++) {
+        double value[LAW_LINEAR];
+        data->law->basis(shape, data->p[i], value);
+        for (size_t k = 0; k < m; k++) gsl_matrix_set(basis, i, k, value[k]);
+        gsl_vector_set(stress, i, data->stress[i] / pascals);
+    }
+    double squares = INFINITY;
+    if (gsl_multifit_linear(basis, stress, solution, covariance, &squares, work) != GSL_SUCCESS)
+        squares = INFINITY;
+    for (size_t k = 0; k < m; k++) linear[k] = gsl_vector_get(solution, k);
+    gsl_multifit_linear_free(work);
+    gsl_vector_free(solution);
+    gsl_vector_free(stress);
+    gsl_matrix_free(covariance);
+    gsl_matrix_free(basis);
+    return squares;
+}
+
+static double grid_value(const struct law_parameter *parameter, int i)
+{
+    return parameter->low * pow(parameter->high / parameter->low, i / (GRID - 1.0));
+}
+
+/* Best point of the grid over the shapes, as a start for the polish. */
+static void search(const struct data *data, gsl_vector *start)
+{
+    const struct law *law = data->law;
+    const struct law_parameter *shapes = law->parameters + law->n_linear;
+    int outer = law->n_shapes > 0 ? GRID : 1, inner = law->n_shapes > 1 ? GRID : 1;
+    double best = INFINITY;
+    for (int i = 0; i < outer; i++)
+        for (int j = 0; j < inner; j++) {
+            double shape[LAW_SHAPES] = {1, 1}, linear[LAW_LINEAR] = {0};
+            if (law->n_shapes > 0) shape[0] = grid_value(&shapes[0], i);
+            if (law->n_shapes > 1) shape[1] = grid_value(&shapes[1], j);
+            /* Two equal terms: their order is free, the first is the faster one. */
+            if (law == law_of(LAW_TWO_VOCE) && j >= i) continue;
+            double squares = fit_linear(data, shape, linear);
+            if (!(squares < best)) continue;
+            best = squares;
+            for (int k = 0; k < law->n_linear; k++) gsl_vector_set(start, (size_t)k, linear[k]);
+            for (int k = 0; k < law->n_shapes; k++)
+                gsl_vector_set(start, (size_t)(law->n_linear + k), log(shape[k]));
+        }
+}
+
+static void polish(struct data *data, gsl_vector *x, struct law_fit *fit)
+{
+    size_t parameters = x->size;
+    gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
+    gsl_multifit_nlinear_workspace *work =
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, data->n, parameters);
+    gsl_multifit_nlinear_fdf system = {
+        .f = residuals, .n = data->n, .p = parameters, .params = data};
+    int reason = 0;
+    gsl_multifit_nlinear_init(x, &system, work);
+    int status =
+        gsl_multifit_nlinear_driver(MOST_ITERATIONS, 1e-12, 1e-12, 0, NULL, NULL, &reason, work);
+    /* No progress possible is where a fit without residual ends. */
+    fit->converged = status == GSL_SUCCESS || status == GSL_ENOPROG;
+    unpack(data->law, work->x, fit);
+
+    gsl_matrix *covariance = gsl_matrix_alloc(parameters, parameters);
+    gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work), 0, covariance);
+    double squares;
+    gsl_blas_ddot(work->f, work->f, &squares);
+    for (size_t k = 0; k < parameters; k++) {
+        double error =
+            sqrt(gsl_matrix_get(covariance, k, k) * squares / (double)(data->n - parameters));
+        bool is_linear = (int)k < data->law->n_linear;
+        fit->error[k] = is_linear ? error * pascals : error * fit->parameter[k];
+    }
+    gsl_matrix_free(covariance);
+    gsl_multifit_nlinear_free(work);
+}
+
+static void judge(const struct data *data, struct law_fit *fit)
+{
+    double squares = 0;
+    for (size_t i = 0; i < data->n; i++) {
+        double difference = law_stress(fit, data->p[i]) - data->stress[i];
+        squares += difference * difference;
+        fit->largest = fmax(fit->largest, fabs(difference));
+    }
+    double n = (double)data->n, mean = squares / n;
+    int parameters = fit->law->n_linear + fit->law->n_shapes;
+    fit->root_mean_square = sqrt(mean);
+    fit->akaike = n * log(mean / (pascals * pascals)) + 2 * (parameters + 1);
+    fit->count = (long)data->n;
+    fit->first = data->p[0];
+    fit->last = data->p[data->n - 1];
+}
+
+struct law_fit law_fit(const struct law *law, const double p[], const double stress[], long n)
+{
+    struct law_fit fit = {.law = law};
+    struct data data = {law, p, stress, (size_t)n};
+    int parameters = law->n_linear + law->n_shapes;
+    for (int k = 0; k < LAW_PARAMETERS; k++) fit.parameter[k] = fit.error[k] = NAN;
+    if (n <= parameters) return fit;
+
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    gsl_vector *start = gsl_vector_calloc((size_t)parameters);
+    search(&data, start);
+    polish(&data, start, &fit);
+    gsl_vector_free(start);
+    gsl_set_error_handler(handler);
+    judge(&data, &fit);
+    fit.done = isfinite(fit.root_mean_square);
+    return fit;
+}

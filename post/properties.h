@@ -1,0 +1,40 @@
+/* properties.h - a list of named values with unit, uncertainty and definition. */
+#ifndef HS_PROPERTIES_H
+#define HS_PROPERTIES_H
+
+#include <stdio.h>
+
+struct property {
+    char *name, *symbol;
+    double value; /* in the unit; NAN: not valid, written as an empty field */
+    const char *unit;
+    double uncertainty; /* standard error in the unit; NAN where there is none */
+    char *definition;
+    const char *flag; /* NULL, or a word that limits the value: not_reached, few_points */
+};
+
+struct properties {
+    int count, room;
+    struct property *items;
+};
+
+/* Appends a row.  definition is a printf format. */
+struct property *properties_add(struct properties *list, const char *name, const char *symbol,
+                                double value, const char *unit, double uncertainty,
+                                const char *definition, ...) __attribute__((format(printf, 7, 8)));
+
+/* NAN where there is none of that name. */
+double properties_value(const struct properties *list, const char *name);
+
+/* Lists of one curve or several; with several, a leading column (a member in JSON) names the curve. */
+void properties_write_csv(FILE *file, const struct properties lists[], const char *const titles[],
+                          int count);
+void properties_write_json(FILE *file, const struct properties lists[], const char *const titles[],
+                           int count);
+
+/* The rows that people look at first, rounded, by note(). */
+void properties_print(const struct properties *list, const char *title);
+
+void properties_free(struct properties *list);
+
+#endif

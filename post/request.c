@@ -1,0 +1,110 @@
+#include "request.h"
+
+#include "die.h"
+#include "figure.h"
+#include "memory.h"
+#include "units.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct texts {
+    const char *fraction, *strain_range, *law;
+};
+
+static double read_number(const char *option, const char *text, double low, double high)
+{
+    double value;
+    const char *wrong = units_read(text, "1", &value);
+    if (wrong) die_user("--%s: %s", option, wrong);
+    if (!(value >= low && value <= high))
+        die_user("--%s: %s is out of range, expected %g to %g", option, text, low, high);
+    return value;
+}
+
+static void read_strain_range(const char *text, double range[2])
+{
+    char *low = memory_text(text), *colon = strchr(low, ':');
+    if (!colon) die_user("--strain-range: '%s', expected LOW:HIGH", text);
+    *colon = '\0';
+    range[0] = read_number("strain-range", low, 0, 10);
+    range[1] = read_number("strain-range", colon + 1, 0, 10);
+    if (range[0] >= range[1]) die_user("--strain-range: '%s', expected LOW below HIGH", text);
+    free(low);
+}
+
+static const struct law *read_law(const char *name)
+{
+    for (int k = 0; k < LAW_COUNT; k++)
+        if (strcmp(law_of((enum law_index)k)->name, name) == 0) return law_of((enum law_index)k);
+    die_user("--law: no law '%s'; there are hollomon, ludwik, swift, voce, two_voce, linear", name);
+}
+
+static void check(const struct request *request)
+{
+    bool bounds = request->voigt || request->reuss;
+    bool anything = request->properties || request->json || request->plot || request->difference;
+    if (request->plot) figure_check_name(request->plot);
+    if (request->true_curve && !request->plot)
+        die_user("--true chooses the figure of --plot; give --plot FILE");
+    if (request->n_files > 1 && request->output)
+        die_user("-o writes one curve, here are %d files; give --plot, --properties or --json",
+                 request->n_files);
+    if (request->n_files > 1 && !anything && !bounds)
+        die_user("%d files and nothing to do with them; give --plot, --properties, --json, "
+                 "--difference, --voigt or --reuss",
+                 request->n_files);
+    if (request->difference && request->n_files != 2)
+        die_user("--difference takes two files, here are %d", request->n_files);
+    if (bounds && request->n_files != 2)
+        die_user("--voigt and --reuss take the two constituents' files, here are %d",
+                 request->n_files);
+    if (bounds && isnan(request->fraction))
+        die_user("--voigt and --reuss need --fraction, that of the second file");
+    int pipes = 0;
+    for (int i = 0; i < request->n_files; i++) pipes += strcmp(request->files[i], "-") == 0;
+    if (pipes > 1) die_user("standard input ('-') can be read once");
+}
+
+struct request request_read(int argc, char **argv)
+{
+    static const char *const standard_input[] = {"-"};
+    struct request r = {.fraction = NAN, .strain_range = {NAN, NAN}};
+    struct texts texts = {.law = "voce"};
+    const struct option_row own[] = {
+        {'o', "output", "FILE", "curve to a file instead of standard output", NULL, &r.output},
+        {'p', "properties", "FILE", "properties as CSV", NULL, &r.properties},
+        {'j', "json", "FILE", "properties as JSON", NULL, &r.json},
+        {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r.plot},
+        {0, "true", NULL, "figure of the true curve", &r.true_curve, NULL},
+        {0, "difference", NULL, "stress of the first FILE relative to the second", &r.difference,
+         NULL},
+        {0, "voigt", "FILE", "iso-strain mixture of two FILEs, a curve", NULL, &r.voigt},
+        {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r.reuss},
+        {0, "fraction", "SHARE", "of the second FILE in the mixture", NULL, &texts.fraction},
+        {0, "law", "NAME", "hardening law of the constituents (voce)", NULL, &texts.law},
+        {0, "strain-range", "LOW:HIGH", "of --difference and the mixtures", NULL,
+         &texts.strain_range},
+        {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r.deck},
+        {'q', "quiet", NULL, "no table of properties on stderr", &r.quiet, NULL},
+    };
+    enum { OWN = sizeof own / sizeof *own };
+    struct option_row rows[OWN + CHOICE_COUNT];
+    memcpy(rows, own, sizeof own);
+    choices_options(rows + OWN, r.choices);
+    const struct option_table table = {
+        "hspost", "[FILE...] [-o FILE]",
+        "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
+        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.",
+        rows, OWN + CHOICE_COUNT};
+    int first = options_read(&table, argc, argv);
+
+    r.n_files = argc > first ? argc - first : 1;
+    r.files = argc > first ? (const char *const *)(argv + first) : standard_input;
+    if (texts.fraction) r.fraction = read_number("fraction", texts.fraction, 0, 1);
+    if (texts.strain_range) read_strain_range(texts.strain_range, r.strain_range);
+    r.law = read_law(texts.law);
+    check(&r);
+    return r;
+}

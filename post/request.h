@@ -1,0 +1,25 @@
+/* request.h - the command line of hspost. */
+#ifndef HS_REQUEST_H
+#define HS_REQUEST_H
+
+#include "choices.h"
+#include "law.h"
+
+#include <stdbool.h>
+
+struct request {
+    const char *output, *properties, *json, *plot, *voigt, *reuss;
+    const char *deck;
+    bool true_curve, difference, quiet;
+    double fraction;        /* of the second curve; NAN where not given */
+    double strain_range[2]; /* NAN where not given */
+    const struct law *law;  /* of the constituents */
+    const char *choices[CHOICE_COUNT];
+    int n_files;
+    const char *const *files; /* [n_files]; "-": standard input */
+};
+
+/* Reads and checks it; dies (exit 2) where options do not go together. */
+struct request request_read(int argc, char **argv);
+
+#endif

@@ -1,0 +1,182 @@
+#include "strength.h"
+
+#include "die.h"
+
+#include <gsl/gsl_fit.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+
+enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3 };
+
+static const double proof_offset = 0.002; /* of Rp0.2 */
+static const double plateau_share = 1e-4; /* of Rm; a digitised or computed maximum is flat there */
+static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
+
+static struct elastic_line fit_rows(const struct curve *curve, long first, long last)
+{
+    struct elastic_line line = {.first = first, .last = last, .count = last - first + 1};
+    size_t n = (size_t)line.count;
+    const double *e = curve->strain + first, *s = curve->stress + first;
+    double intercept, c00, c01, c11, residual;
+    gsl_fit_linear(e, 1, s, 1, n, &intercept, &line.slope, &c00, &c01, &c11, &residual);
+    line.error = n > 2 ? sqrt(c11) : NAN;
+    line.toe = -intercept / line.slope;
+    line.r_squared = 1 - residual / gsl_stats_tss(s, 1, n);
+    return line;
+}
+
+static bool usable(const struct elastic_line *line)
+{
+    return line->slope > 0 && isfinite(line->slope) && isfinite(line->toe);
+}
+
+/* Rows of the rising part between two stresses; *first > *last where there are none. */
+static void rows_between(const struct curve *curve, double low, double high, long *first,
+                         long *last)
+{
+    long end = 0;
+    while (end < curve->n && curve->stress[end] <= high) end++;
+    *last = end - 1;
+    *first = 0;
+    while (*first < end && curve->stress[*first] < low) (*first)++;
+}
+
+static struct elastic_line known_line(const struct curve *curve, const struct choices *choices)
+{
+    double modulus = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
+    return (struct elastic_line){.slope = modulus,
+                                 .error = NAN,
+                                 .r_squared = NAN,
+                                 .first = -1,
+                                 .last = -1,
+                                 .flag = isnan(modulus) ? "no_elastic_part" : "slope_not_measured"};
+}
+
+/* Fit for one guess of Rp0.2. */
+static struct elastic_line fit_shares(const struct curve *curve, const double shares[2],
+                                      double proof)
+{
+    long first, last;
+    rows_between(curve, shares[0] * proof, shares[1] * proof, &first, &last);
+    bool few = last - first + 1 < FEWEST_POINTS;
+    if (few) first = 0;
+    if (last - first + 1 < 2) return (struct elastic_line){.slope = NAN};
+    struct elastic_line line = fit_rows(curve, first, last);
+    if (few) line.flag = "few_points";
+    return line;
+}
+
+static struct elastic_line iterate(const struct curve *curve, const struct choices *choices)
+{
+    double proof = first_guess_share * strength_maximum(curve).stress;
+    struct elastic_line line = {.slope = NAN, .first = -1};
+    for (int i = 0; i < MOST_ITERATIONS; i++) {
+        struct elastic_line next = fit_shares(curve, choices->modulus_range, proof);
+        if (!usable(&next)) return known_line(curve, choices);
+        bool settled = next.first == line.first && next.last == line.last;
+        line = next;
+        proof = strength_proof(curve, &line, proof_offset);
+        if (settled) break;
+        /* A curve that ends before 0.2 % offset is elastic to its last point. */
+        if (isnan(proof)) proof = strength_maximum(curve).stress;
+    }
+    return line;
+}
+
+static struct elastic_line fit_given_rows(const struct curve *curve, const double rows[2])
+{
+    if (rows[1] > (double)curve->n)
+        die_user("modulus_rows: row %g of a curve of %ld", rows[1], curve->n);
+    struct elastic_line line = fit_rows(curve, (long)rows[0] - 1, (long)rows[1] - 1);
+    if (!usable(&line))
+        die_user("modulus_rows: no rising line through rows %g to %g", rows[0], rows[1]);
+    return line;
+}
+
+struct elastic_line strength_line(const struct curve *curve, const struct choices *choices)
+{
+    struct elastic_line line = isnan(choices->modulus_rows[0])
+                                   ? iterate(curve, choices)
+                                   : fit_given_rows(curve, choices->modulus_rows);
+    if (!isnan(choices->toe)) line.toe = choices->toe;
+    return line;
+}
+
+double strength_proof(const struct curve *curve, const struct elastic_line *line, double offset)
+{
+    double before = NAN;
+    for (long i = 0; i < curve->n; i++) {
+        double above = curve->stress[i] - line->slope * (curve->strain[i] - line->toe - offset);
+        if (before > 0 && above <= 0) {
+            double share = before / (before - above);
+            return curve->stress[i - 1] + share * (curve->stress[i] - curve->stress[i - 1]);
+        }
+        before = above;
+    }
+    return NAN;
+}
+
+struct yield_point strength_yield_point(const struct curve *curve, double yield_drop)
+{
+    const double *s = curve->stress;
+    double upper = 0, lower = INFINITY;
+    for (long i = 0; i < curve->n; i++) {
+        if (s[i] > upper) {
+            if (lower < (1 - yield_drop) * upper) return (struct yield_point){upper, lower};
+            upper = s[i];
+            lower = s[i];
+        }
+        lower = fmin(lower, s[i]);
+    }
+    return (struct yield_point){NAN, NAN};
+}
+
+struct strength_maximum strength_maximum(const struct curve *curve)
+{
+    const double *s = curve->stress, *e = curve->strain;
+    long row = 0;
+    for (long i = 1; i < curve->n; i++)
+        if (s[i] > s[row]) row = i;
+    struct strength_maximum maximum = {row, s[row], e[row], 0, row < curve->n - 1};
+    if (!maximum.reached) return maximum;
+    long first = row, last = row;
+    double level = (1 - plateau_share) * s[row];
+    while (first > 0 && s[first - 1] >= level) first--;
+    while (last < curve->n - 1 && s[last + 1] >= level) last++;
+    maximum.strain = (e[first] + e[last]) / 2;
+    maximum.plateau = e[last] - e[first];
+    return maximum;
+}
+
+long strength_fracture_row(const struct curve *curve, double share, bool *broken)
+{
+    struct strength_maximum maximum = strength_maximum(curve);
+    for (long i = maximum.row + 1; i < curve->n; i++) {
+        *broken = curve->stress[i] < share * maximum.stress;
+        if (*broken) return i - 1;
+    }
+    *broken = false;
+    return curve->n - 1;
+}
+
+double strength_energy(const struct curve *curve, const struct elastic_line *line, long last)
+{
+    const double *s = curve->stress, *e = curve->strain;
+    double toe = isnan(line->slope) ? 0 : line->toe, energy = 0;
+    long i = 0;
+    while (i < last && e[i] < toe) i++;
+    energy = s[i] * (e[i] - toe) / 2;
+    for (i++; i <= last; i++) energy += (s[i] + s[i - 1]) / 2 * (e[i] - e[i - 1]);
+    return energy;
+}
+
+void strength_correct(struct curve *curve, const struct elastic_line *line, double modulus)
+{
+    if (line->count == 0)
+        die_user("%s: true_modulus needs a measured slope to replace; give --modulus-rows",
+                 curve->title);
+    for (long i = 0; i < curve->n; i++) {
+        double plastic = curve->strain[i] - line->toe - curve->stress[i] / line->slope;
+        curve->strain[i] = plastic + curve->stress[i] / modulus;
+    }
+}

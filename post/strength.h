@@ -1,0 +1,54 @@
+/* strength.h - slope, proof strengths and the marked points of an engineering curve.
+ *
+ * Definitions after ISO 6892-1 and ASTM E8/E111 as textbooks give them (Dieter, Mechanical Metallurgy,
+ * 1988, chapter 8); where a standard leaves a choice, docs/tensile.md says what is done here. */
+#ifndef HS_STRENGTH_H
+#define HS_STRENGTH_H
+
+#include "curve.h"
+
+/* The straight part s = slope (e - toe). */
+struct elastic_line {
+    double slope, error; /* Pa; standard error of the slope, NAN where there is none */
+    double toe;          /* strain at zero stress */
+    double r_squared;
+    long first, last, count; /* rows of the fit from 0; -1, -1, 0 where nothing was fitted */
+    const char *flag;        /* NULL, or what is wrong with it */
+};
+
+/* Least squares of s on e over the rows given, else over the part between two shares of Rp0.2, found
+ * by iteration.  Fewer than three points there: from the first point on.  Fewer than two: the modulus
+ * that is known, without a fit; slope = NAN where none is. */
+struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
+
+/* Stress [Pa] where the curve first meets s = slope (e - toe - offset), linear between the points;
+ * NAN where it does not. */
+double strength_proof(const struct curve *curve, const struct elastic_line *line, double offset);
+
+/* Upper and lower yield point: the first maximum from which the stress falls by more than the share
+ * yield_drop before it rises above it again.  NAN, NAN where there is none. */
+struct yield_point {
+    double upper, lower; /* Pa */
+};
+struct yield_point strength_yield_point(const struct curve *curve, double yield_drop);
+
+/* Maximum force.  strain is that of the middle of the plateau within 1e-4 of Rm. */
+struct strength_maximum {
+    long row;
+    double stress, strain, plateau; /* Pa, -, - */
+    bool reached;                   /* false: the maximum is the last point */
+};
+struct strength_maximum strength_maximum(const struct curve *curve);
+
+/* The last row before the stress falls below share * Rm behind the maximum; the last row of the
+ * curve, and *broken = false, where it does not. */
+long strength_fracture_row(const struct curve *curve, double share, bool *broken);
+
+/* Integral of s de [J/m^3] by trapezia from the toe to a row. */
+double strength_energy(const struct curve *curve, const struct elastic_line *line, long last);
+
+/* The plastic strain of a machine's curve put right: e becomes (e - toe - s / slope) + s / modulus.
+ * Dies (exit 2) where the slope is not known. */
+void strength_correct(struct curve *curve, const struct elastic_line *line, double modulus);
+
+#endif

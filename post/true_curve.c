@@ -1,0 +1,164 @@
+#include "true_curve.h"
+
+#include "memory.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_fit.h>
+#include <gsl/gsl_multifit.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEWEST_SLOPE_POINTS = 5, FEWEST_POWER_POINTS = 3 };
+
+static const double first_plastic_strain = 0.002; /* below, d sigma/d eps_p is dominated by E */
+
+/* First row from which the curve counts as plastic; last + 1 where none does. */
+static long plastic_begin(const struct curve *curve, long last)
+{
+    long i = 0;
+    while (i <= last && !(curve->plastic_strain[i] >= first_plastic_strain)) i++;
+    return i;
+}
+
+/* Derivative at x = 0 of the quadratic through n points by least squares. */
+static double quadratic_slope(const double x[], const double y[], size_t n)
+{
+    gsl_matrix *powers = gsl_matrix_alloc(n, 3), *covariance = gsl_matrix_alloc(3, 3);
+    gsl_vector *values = gsl_vector_alloc(n), *solution = gsl_vector_alloc(3);
+    gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(n, 3);
+    for (size_t i = 0; i < n; i++) {
+        gsl_matrix_set(powers, i, 0, 1);
+        gsl_matrix_set(powers, i, 1, x[i]);
+        gsl_matrix_set(powers, i, 2, x[i] * x[i]);
+        gsl_vector_set(values, i, y[i]);
+    }
+    double squares, slope = NAN;
+    size_t rank = 0;
+    if (gsl_multifit_linear_tsvd(powers, values, 1e-10, solution, covariance, &squares, &rank,
+                                 work) == GSL_SUCCESS &&
+        rank == 3)
+        slope = gsl_vector_get(solution, 1);
+    gsl_multifit_linear_free(work);
+    gsl_vector_free(solution);
+    gsl_vector_free(values);
+    gsl_matrix_free(covariance);
+    gsl_matrix_free(powers);
+    return slope;
+}
+
+/* d sigma / d eps at row i from the rows first ... last around it. */
+static double local_slope(const struct curve *curve, long i, long first, long last, double window)
+{
+    const double *eps = curve->true_strain, *sigma = curve->true_stress;
+    long from = i, to = i;
+    while (from > first && eps[i] - eps[from - 1] <= window / 2) from--;
+    while (to < last && eps[to + 1] - eps[i] <= window / 2) to++;
+    while (to - from + 1 < FEWEST_SLOPE_POINTS && (from > first || to < last)) {
+        bool take_lower =
+            to == last || (from > first && eps[i] - eps[from - 1] <= eps[to + 1] - eps[i]);
+        if (take_lower)
+            from--;
+        else
+            to++;
+    }
+    size_t n = (size_t)(to - from + 1);
+    if (n < FEWEST_SLOPE_POINTS) return NAN;
+    double *x = memory_new(n, sizeof *x), *y = memory_new(n, sizeof *y);
+    /* Of order one: strain in windows, stress in that of the row. */
+    double scale = fmax(window, eps[to] - eps[from]);
+    for (size_t k = 0; k < n; k++) {
+        x[k] = (eps[from + (long)k] - eps[i]) / scale;
+        y[k] = sigma[from + (long)k] / sigma[i];
+    }
+    double slope = quadratic_slope(x, y, n) * sigma[i] / scale;
+    free(x);
+    free(y);
+    return slope;
+}
+
+void true_curve_fill(struct curve *curve, const struct elastic_line *line, double modulus,
+                     long last, double window)
+{
+    double toe = isnan(line->slope) ? 0 : line->toe;
+    for (long i = 0; i <= last; i++) {
+        double stretch = 1 + curve->strain[i] - toe;
+        if (!(stretch > 0)) continue;
+        curve->true_strain[i] = log(stretch);
+        curve->true_stress[i] = curve->stress[i] * stretch;
+        curve->plastic_strain[i] = curve->true_strain[i] - curve->true_stress[i] / modulus;
+    }
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    long first = plastic_begin(curve, last);
+    for (long i = first; i <= last; i++) {
+        double slope = local_slope(curve, i, first, last, window);
+        /* d eps_p = d eps - d sigma / E */
+        curve->hardening_rate[i] = slope < modulus ? slope / (1 - slope / modulus) : NAN;
+    }
+    gsl_set_error_handler(handler);
+}
+
+struct considere true_curve_considere(const struct curve *curve, double modulus, long last)
+{
+    double before = NAN;
+    for (long i = plastic_begin(curve, last); i <= last; i++) {
+        const double *eps = curve->true_strain, *sigma = curve->true_stress;
+        double theta = curve->hardening_rate[i];
+        double above = theta / (1 + theta / modulus) - sigma[i];
+        if (before > 0 && above <= 0) {
+            double share = before / (before - above);
+            return (struct considere){eps[i - 1] + share * (eps[i] - eps[i - 1]),
+                                      sigma[i - 1] + share * (sigma[i] - sigma[i - 1])};
+        }
+        before = above;
+    }
+    return (struct considere){NAN, NAN};
+}
+
+static void regress(const double x[], const double y[], struct power_law *law)
+{
+    size_t n = (size_t)law->count;
+    double intercept, c00, c01, c11, squares;
+    gsl_fit_linear(x, 1, y, 1, n, &intercept, &law->exponent, &c00, &c01, &c11, &squares);
+    law->error = sqrt(c11);
+    law->strength = exp(intercept);
+    law->strength_error = law->strength * sqrt(c00);
+    law->r_squared = 1 - squares / gsl_stats_tss(y, 1, n);
+}
+
+struct power_law true_curve_power_law(const struct curve *curve, const struct elastic_line *line,
+                                      long last, double low, double high)
+{
+    struct power_law law = {NAN, NAN, NAN, NAN, NAN, low, high, 0};
+    double *x = memory_new((size_t)last + 1, sizeof *x),
+           *y = memory_new((size_t)last + 1, sizeof *y);
+    for (long i = 0; i <= last; i++) {
+        double plastic = curve->strain[i] - line->toe - curve->stress[i] / line->slope;
+        bool inside = plastic >= low && plastic <= high;
+        if (!inside || !(curve->plastic_strain[i] > 0) || !(curve->true_stress[i] > 0)) continue;
+        x[law.count] = log(curve->plastic_strain[i]);
+        y[law.count++] = log(curve->true_stress[i]);
+    }
+    if (law.count >= FEWEST_POWER_POINTS) regress(x, y, &law);
+    free(x);
+    free(y);
+    return law;
+}
+
+struct law_fit true_curve_fit(const struct curve *curve, const struct law *law, long last,
+                              const double range[2])
+{
+    double *p = memory_new((size_t)last + 1, sizeof *p);
+    double *stress = memory_new((size_t)last + 1, sizeof *stress);
+    long n = 0;
+    for (long i = 0; i <= last; i++) {
+        double plastic = curve->plastic_strain[i];
+        if (!(plastic > 0 && plastic >= range[0] && plastic <= range[1])) continue;
+        p[n] = plastic;
+        stress[n++] = curve->true_stress[i];
+    }
+    struct law_fit fit = law_fit(law, p, stress, n);
+    free(p);
+    free(stress);
+    return fit;
+}
