@@ -2,6 +2,7 @@
 #include "assemble.h"
 #include "die.h"
 #include "exodus.h"
+#include "memory.h"
 #include "options.h"
 #include "peridigm.h"
 #include "picture.h"
@@ -10,6 +11,7 @@
 #include "topology.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 struct choices {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores;
@@ -78,7 +80,12 @@ static void set_provenance(const struct deck *deck, int argc, char **argv,
     char *command = options_command(argc, argv);
     attributes_set_text(attributes, "deck", deck_text(deck));
     attributes_set_text(attributes, "deck_name", deck_name(deck));
-    attributes_set_text(attributes, "program", options_version());
+    /* The version line alone: compiler and libraries leave no trace in the domain, which is the
+     * same on every machine. */
+    const char *version = options_version();
+    char *line = memory_print("%.*s", (int)strcspn(version, "\n"), version);
+    attributes_set_text(attributes, "program", line);
+    free(line);
     attributes_set_text(attributes, "command", command);
     free(command);
 }
