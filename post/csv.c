@@ -51,10 +51,12 @@ static bool read_number(const char *text, double *value)
     return end != text && *end == '\0' && isfinite(*value);
 }
 
+enum { LONGEST_KEY = 40 };
+
 static void read_note(char *line, struct attributes *attributes)
 {
     char *key = line + strspn(line, "# "), *colon = strstr(key, ": ");
-    if (!colon || colon == key || strcspn(key, " ") < (size_t)(colon - key)) return;
+    if (!colon || colon == key || colon - key > LONGEST_KEY) return;
     *colon = '\0';
     double number;
     if (read_number(colon + 2, &number))

@@ -106,9 +106,9 @@ static void polish(struct data *data, gsl_vector *x, struct law_fit *fit)
     int reason = 0;
     gsl_multifit_nlinear_init(x, &system, work);
     int status =
-        gsl_multifit_nlinear_driver(MOST_ITERATIONS, 1e-12, 1e-12, 0, NULL, NULL, &reason, work);
-    /* No progress possible is where a fit without residual ends. */
-    fit->converged = status == GSL_SUCCESS || status == GSL_ENOPROG;
+        gsl_multifit_nlinear_driver(MOST_ITERATIONS, 1e-12, 1e-10, 0, NULL, NULL, &reason, work);
+    /* A start that is the solution, as for linear laws, ends where no step gets any further. */
+    fit->converged = status == GSL_SUCCESS || reason == GSL_ENOPROG;
     unpack(data->law, work->x, fit);
 
     gsl_matrix *covariance = gsl_matrix_alloc(parameters, parameters);
@@ -137,9 +137,6 @@ static void judge(const struct data *data, struct law_fit *fit)
     int parameters = fit->law->n_linear + fit->law->n_shapes;
     fit->root_mean_square = sqrt(mean);
     fit->akaike = n * log(mean / (pascals * pascals)) + 2 * (parameters + 1);
-    fit->count = (long)data->n;
-    fit->first = data->p[0];
-    fit->last = data->p[data->n - 1];
 }
 
 struct law_fit law_fit(const struct law *law, const double p[], const double stress[], long n)
@@ -148,6 +145,9 @@ struct law_fit law_fit(const struct law *law, const double p[], const double str
     struct data data = {law, p, stress, (size_t)n};
     int parameters = law->n_linear + law->n_shapes;
     for (int k = 0; k < LAW_PARAMETERS; k++) fit.parameter[k] = fit.error[k] = NAN;
+    fit.count = n;
+    fit.first = n > 0 ? p[0] : NAN;
+    fit.last = n > 0 ? p[n - 1] : NAN;
     if (n <= parameters) return fit;
 
     gsl_error_handler_t *handler = gsl_set_error_handler_off();

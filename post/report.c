@@ -169,10 +169,31 @@ static void add_hardening(struct properties *list, const struct analysis *analys
         ->flag = analysis->maximum.reached ? NULL : "lower_bound";
 }
 
+/* The data do not fix a parameter that is smaller than its standard error, or a shape that has left
+ * the range where such laws are found. */
+static bool ill_determined(const struct law_fit *fit)
+{
+    const struct law *law = fit->law;
+    for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
+        const struct law_parameter *limits = &law->parameters[k];
+        double value = fit->parameter[k];
+        if (fit->error[k] > fabs(value)) return true;
+        if (k >= law->n_linear && (value < limits->low || value > limits->high)) return true;
+    }
+    return false;
+}
+
+static const char *flag_of(const struct law_fit *fit)
+{
+    if (!fit->done) return "too_few_points";
+    if (!fit->converged) return "not_converged";
+    return ill_determined(fit) ? "ill_determined" : NULL;
+}
+
 static void add_fit(struct properties *list, const struct law_fit *fit)
 {
     const struct law *law = fit->law;
-    const char *flag = !fit->done ? "too_few_points" : fit->converged ? NULL : "not_converged";
+    const char *flag = flag_of(fit);
     for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
         bool stress = k < law->n_linear;
         double scale = stress ? mega : 1;

@@ -11,7 +11,7 @@
 
 enum { FEWEST_SLOPE_POINTS = 5, FEWEST_POWER_POINTS = 3 };
 
-static const double first_plastic_strain = 0.002; /* below, d sigma/d eps_p is dominated by E */
+static const double first_plastic_strain = 0.001; /* below, d sigma/d eps_p is dominated by E */
 
 /* First row from which the curve counts as plastic; last + 1 where none does. */
 static long plastic_begin(const struct curve *curve, long last)

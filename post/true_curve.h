@@ -9,7 +9,7 @@
  * hardening rate theta = d sigma / d eps_p of the curve, up to row last; NAN behind it, where the
  * deformation is no longer uniform.  modulus [Pa] is the E of the plastic strain; NAN leaves plastic
  * strain and theta open.  theta is that of a quadratic fitted over a width of window [true strain] and
- * at least five points, from 0.2 % of plastic strain on. */
+ * at least five points, from 0.1 % of plastic strain on. */
 void true_curve_fill(struct curve *curve, const struct elastic_line *line, double modulus,
                      long last, double window);
 
