@@ -7,14 +7,15 @@
 
 enum { CLEANERS = 16, LONGEST_MESSAGE = 8192 };
 
-/* The one place where a process keeps what concerns its end. */
+/* The one place where a process keeps what concerns its end.  It leaves by _Exit: functions that
+ * die free nothing, which is no leak to be reported. */
 static struct {
     const char *program;
     void (*leave)(int code);
     void (*clean[CLEANERS])(void);
     int n_clean;
     bool quiet;
-} process = {.program = "hstools", .leave = exit};
+} process = {.program = "hstools", .leave = _Exit};
 
 void die_set_program(const char *name)
 {

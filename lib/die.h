@@ -14,11 +14,12 @@ enum { EXIT_RUN = 1, EXIT_USER = 2 };
 void die_set_program(const char *name);
 const char *die_program(void);
 
-/* Called instead of exit() by the functions below; the solver sets it to end all ranks.
+/* Called instead of _Exit() by the functions below; the solver sets it to end all ranks.
  * It must not return. */
 void die_set_exit(void (*leave)(int code));
 
-/* One more function to run before leaving (remove an unfinished output file). */
+/* One more function to run before leaving (remove an unfinished output file); the last given runs
+ * first. */
 void die_at_exit(void (*clean)(void));
 
 /* The user's error, exit 2.  Say what was wrong, where, and what was expected. */

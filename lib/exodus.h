@@ -45,7 +45,9 @@ int history_column(const struct history *history, const char *name);
 struct exodus_fields;
 struct exodus_fields *exodus_fields_open(const struct spool *output, const struct domain *domain,
                                          int n_variables, const char *const names[]);
-/* values[variable] is an array of n_nodes; the frame is on disk when the call returns. */
+/* values[variable] is an array of n_nodes; the frame is on disk when the call returns.  A run that
+ * fails keeps its last good frame if a function given to die_at_exit (after spool_output) calls
+ * exodus_fields_close and spool_finish. */
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
 void exodus_fields_close(struct exodus_fields *fields);
 
