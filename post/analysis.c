@@ -9,6 +9,9 @@ static double plastic_modulus(const struct curve *curve, const struct elastic_li
                               const struct choices *choices)
 {
     if (!isnan(choices->modulus)) return choices->modulus;
+    double recorded = attributes_number(&curve->provenance, "plastic_strain_modulus_Pa", NAN);
+    bool from_file = isnan(choices->modulus_rows[0]) && isnan(choices->modulus_range[0]);
+    if (from_file && recorded > 0) return recorded;
     return isnan(line->slope) ? curve->youngs_modulus : line->slope;
 }
 

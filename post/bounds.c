@@ -47,7 +47,7 @@ struct curve bounds_curve(enum bound bound, const struct curve pair[2],
     struct constituent constituents[2] = {constituent_of(&pair[0], &analyses[0], law),
                                           constituent_of(&pair[1], &analyses[1], law)};
     const char *name = bound == BOUND_VOIGT ? "Voigt" : "Reuss";
-    char *title = memory_print("%s, %g %% %s", name, 100 * fraction, pair[1].title);
+    char *title = memory_print("%s (%g %% %s)", name, 100 * fraction, pair[1].title);
     struct curve curve = curve_new(POINTS, title);
     free(title);
     attributes_set_text(&curve.provenance, "title", curve.title);

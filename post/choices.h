@@ -12,10 +12,11 @@ struct deck;
 enum { CHOICE_COUNT = 13 };
 
 struct choices {
-    char *title;               /* name of the curve; NULL: the file's */
-    double gauge_length;       /* m; NAN: as the history says */
-    double section;            /* m^2; NAN: as the history says */
-    double modulus_range[2];   /* the slope's fit, shares of Rp0.2 */
+    char *title;         /* name of the curve; NULL: the file's */
+    double gauge_length; /* m; NAN: as the history says */
+    double section;      /* m^2; NAN: as the history says */
+    double modulus_range
+        [2]; /* the slope's fit, shares of Rp0.2; NAN: as the file says, else 0.1, 0.4 */
     double modulus_rows[2];    /* the slope's fit, rows counted from 1; NAN: by range */
     double toe;                /* strain at zero stress; NAN: from the slope's fit */
     double modulus;            /* Pa, E of the plastic strain; NAN: the measured slope */

@@ -70,7 +70,10 @@ static void balance_forces(struct curve *curve)
     const double *right = table_find(&curve->table, "force_right_N");
     double *balance = table_find(&curve->table, "force_balance");
     double largest = 0;
-    for (long i = 0; i < curve->n; i++) largest = fmax(largest, fabs(right[i] - left[i]) / 2);
+    for (long i = 0; i < curve->n; i++) {
+        double force = fabs(right[i] - left[i]) / 2;
+        if (force > largest) largest = force;
+    }
     if (!(largest > 0)) return;
     for (long i = 0; i < curve->n; i++) balance[i] = fabs(right[i] + left[i]) / largest;
 }
@@ -188,7 +191,8 @@ struct curve curve_make(const struct input *input, const struct choices *choices
         copy_column(&curve, input, recorded[i]);
     balance_forces(&curve);
     find_phases(&curve, input);
-    curve.measured = !input->is_history && !attributes_text(&input->attributes, "program");
+    curve.measured = isnan(curve_force_imbalance(&curve)) && !input->is_history &&
+                     !attributes_text(&input->attributes, "mixture");
     keep_facts(&curve, input);
     return curve;
 }

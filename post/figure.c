@@ -94,8 +94,8 @@ static void write_axes(FILE *gnuplot, bool true_curve)
     fputs("set encoding utf8\n"
           "set border 3 lw 0.8\n"
           "set tics nomirror out scale 0.7\n"
-          "set grid lw 0.4 lc rgb '#d9d9d9'\n"
-          "set key bottom right Left reverse samplen 2 spacing 1.1\n"
+          "set grid lt 1 lw 0.5 lc rgb '#d0d0d0'\n"
+          "set key outside top center horizontal Left reverse samplen 2 width 1 maxcols 2\n"
           "set xrange [0:*]\n"
           "set yrange [0:*]\n"
           "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n",
@@ -112,16 +112,16 @@ static void write_plot(FILE *gnuplot, const struct figure_series series[], int c
     fputs("plot ", gnuplot);
     for (int i = 0; i < count; i++) {
         const struct curve *curve = series[i].curve;
-        const char *style = !series[i].analysis ? "lines dt 2"
-                            : curve->measured   ? "linespoints pt 6 ps 0.5"
-                                                : "lines";
+        const char *style = attributes_text(&curve->provenance, "mixture") ? "lines dt 2"
+                            : curve->measured ? "linespoints pt 7 ps 0.4"
+                                              : "lines";
         fprintf(gnuplot, "%s$curve%d with %s lw 1.5 lc rgb '%s' title ", i ? ", " : "", i, style,
                 colours[i % COLOURS]);
         write_quoted(gnuplot, curve->title);
         fputs(" noenhanced", gnuplot);
     }
     if (marks)
-        fprintf(gnuplot, ", $marks with points pt 7 ps 0.9 lc rgb '#555555' title '%s'",
+        fprintf(gnuplot, ", $marks with points pt 6 ps 1.2 lw 1.2 lc rgb '#404040' title '%s'",
                 true_curve ? "dσ/dε = σ" : "{/:Italic R}_m");
     fputc('\n', gnuplot);
 }

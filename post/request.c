@@ -26,11 +26,11 @@ static double read_number(const char *option, const char *text, double low, doub
 static void read_strain_range(const char *text, double range[2])
 {
     char *low = memory_text(text), *colon = strchr(low, ':');
-    if (!colon) die_user("--strain-range: '%s', expected LOW:HIGH", text);
+    if (!colon) die_user("--strain-range: '%s', expected A:B", text);
     *colon = '\0';
     range[0] = read_number("strain-range", low, 0, 10);
     range[1] = read_number("strain-range", colon + 1, 0, 10);
-    if (range[0] >= range[1]) die_user("--strain-range: '%s', expected LOW below HIGH", text);
+    if (range[0] >= range[1]) die_user("--strain-range: '%s', expected A below B", text);
     free(low);
 }
 
@@ -84,8 +84,7 @@ struct request request_read(int argc, char **argv)
         {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r.reuss},
         {0, "fraction", "SHARE", "of the second FILE in the mixture", NULL, &texts.fraction},
         {0, "law", "NAME", "hardening law of the constituents (voce)", NULL, &texts.law},
-        {0, "strain-range", "LOW:HIGH", "of --difference and the mixtures", NULL,
-         &texts.strain_range},
+        {0, "strain-range", "A:B", "of --difference and the mixtures", NULL, &texts.strain_range},
         {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r.deck},
         {'q', "quiet", NULL, "no table of properties on stderr", &r.quiet, NULL},
     };

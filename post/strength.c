@@ -11,6 +11,7 @@ enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3 };
 static const double proof_offset = 0.002; /* of Rp0.2 */
 static const double plateau_share = 1e-4; /* of Rm; a digitised or computed maximum is flat there */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
+static const double default_shares[2] = {0.1, 0.4};
 
 static struct elastic_line fit_rows(const struct curve *curve, long first, long last)
 {
@@ -41,15 +42,22 @@ static void rows_between(const struct curve *curve, double low, double high, lon
     while (*first < end && curve->stress[*first] < low) (*first)++;
 }
 
-static struct elastic_line known_line(const struct curve *curve, const struct choices *choices)
+/* A line that is not fitted here. */
+static struct elastic_line given_line(double slope, double toe, const char *flag)
 {
-    double modulus = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
-    return (struct elastic_line){.slope = modulus,
+    return (struct elastic_line){.slope = slope,
                                  .error = NAN,
+                                 .toe = toe,
                                  .r_squared = NAN,
                                  .first = -1,
                                  .last = -1,
-                                 .flag = isnan(modulus) ? "no_elastic_part" : "slope_not_measured"};
+                                 .flag = isnan(slope) ? "no_elastic_part" : flag};
+}
+
+static struct elastic_line known_line(const struct curve *curve, const struct choices *choices)
+{
+    double modulus = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
+    return given_line(modulus, 0, "slope_not_measured");
 }
 
 /* Fit for one guess of Rp0.2. */
@@ -68,10 +76,12 @@ static struct elastic_line fit_shares(const struct curve *curve, const double sh
 
 static struct elastic_line iterate(const struct curve *curve, const struct choices *choices)
 {
+    const double *shares =
+        isnan(choices->modulus_range[0]) ? default_shares : choices->modulus_range;
     double proof = first_guess_share * strength_maximum(curve).stress;
     struct elastic_line line = {.slope = NAN, .first = -1};
     for (int i = 0; i < MOST_ITERATIONS; i++) {
-        struct elastic_line next = fit_shares(curve, choices->modulus_range, proof);
+        struct elastic_line next = fit_shares(curve, shares, proof);
         if (!usable(&next)) return known_line(curve, choices);
         bool settled = next.first == line.first && next.last == line.last;
         line = next;
@@ -93,11 +103,19 @@ static struct elastic_line fit_given_rows(const struct curve *curve, const doubl
     return line;
 }
 
+static struct elastic_line find_line(const struct curve *curve, const struct choices *choices)
+{
+    if (!isnan(choices->modulus_rows[0])) return fit_given_rows(curve, choices->modulus_rows);
+    double slope = attributes_number(&curve->provenance, "slope_Pa", NAN);
+    double toe = attributes_number(&curve->provenance, "toe_strain", 0);
+    if (isnan(choices->modulus_range[0]) && slope > 0)
+        return given_line(slope, toe, "slope_from_file");
+    return iterate(curve, choices);
+}
+
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices)
 {
-    struct elastic_line line = isnan(choices->modulus_rows[0])
-                                   ? iterate(curve, choices)
-                                   : fit_given_rows(curve, choices->modulus_rows);
+    struct elastic_line line = find_line(curve, choices);
     if (!isnan(choices->toe)) line.toe = choices->toe;
     return line;
 }

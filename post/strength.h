@@ -16,8 +16,8 @@ struct elastic_line {
     const char *flag;        /* NULL, or what is wrong with it */
 };
 
-/* Least squares of s on e over the rows given, else over the part between two shares of Rp0.2, found
- * by iteration.  Fewer than three points there: from the first point on.  Fewer than two: the modulus
+/* Least squares of s on e over the rows given; else the line that a curve file of hspost carries, where
+ * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three points there: from the first point on.  Fewer than two: the modulus
  * that is known, without a fit; slope = NAN where none is. */
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
 
@@ -32,7 +32,7 @@ struct yield_point {
 };
 struct yield_point strength_yield_point(const struct curve *curve, double yield_drop);
 
-/* Maximum force.  strain is that of the middle of the plateau within 1e-4 of Rm. */
+/* Maximum force.  strain is that of the middle of the plateau within 1e-6 of Rm. */
 struct strength_maximum {
     long row;
     double stress, strain, plateau; /* Pa, -, - */
