@@ -112,18 +112,30 @@ static ex_init_params read_sizes(const struct exodus_file *file)
     return sizes;
 }
 
+/* The place of the volume among the attributes of an element. */
 static int volume_attribute(const struct exodus_file *file, const ex_block *block)
 {
-    int found = 0;
+    int found = -1;
     exodus_bound(file, block->num_attribute, 4, "attributes");
     char **names = exodus_names(block->num_attribute);
     exodus_read(file, ex_get_attr_names(file->id, EX_ELEM_BLOCK, block->id, names), "names");
-    for (int i = 0; i < block->num_attribute && found == 0; i++)
-        if (strcasecmp(names[i], volume) == 0) found = i + 1;
+    for (int i = 0; i < block->num_attribute && found < 0; i++)
+        if (strcasecmp(names[i], volume) == 0) found = i;
     free(names);
-    if (found == 0)
+    if (found < 0)
         die_user("%s: block %lld has no attribute VOLUME", file->shown, (long long)block->id);
     return found;
+}
+
+/* All attributes at once: netCDF is slow at picking one out of the interleaved ones. */
+static double *read_volumes(const struct exodus_file *file, const ex_block *block)
+{
+    int64_t place = volume_attribute(file, block), each = block->num_attribute;
+    exodus_bound(file, block->num_entry, 4 * each, "attributes");
+    double *values = memory_new((size_t)(block->num_entry * each), sizeof *values);
+    exodus_read(file, ex_get_attr(file->id, EX_ELEM_BLOCK, block->id, values), "the volumes");
+    for (int64_t i = 0; i < block->num_entry; i++) values[i] = values[i * each + place];
+    return values;
 }
 
 static void read_elements(const struct exodus_file *file, struct domain *domain, uint8_t phase,
@@ -131,13 +143,9 @@ static void read_elements(const struct exodus_file *file, struct domain *domain,
 {
     size_t count = (size_t)block->num_entry;
     int64_t *nodes = memory_new(count, sizeof *nodes);
-    double *volumes = memory_new(count, sizeof *volumes);
+    double *volumes = read_volumes(file, block);
     exodus_read(file, ex_get_conn(file->id, EX_ELEM_BLOCK, block->id, nodes, NULL, NULL),
                 "a block");
-    exodus_read(
-        file,
-        ex_get_one_attr(file->id, EX_ELEM_BLOCK, block->id, volume_attribute(file, block), volumes),
-        "the volumes");
     for (size_t i = 0; i < count; i++) {
         int64_t node = nodes[i] - 1;
         if (node < 0 || node >= domain->n_nodes || domain->phase[node] != UNSEEN)
