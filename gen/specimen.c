@@ -102,7 +102,9 @@ double specimen_half_width(const struct specimen *specimen, double x)
 
 static bool inside(const void *specimen, const double point[3])
 {
-    return fabs(point[1]) <= specimen_half_width(specimen, point[0]);
+    const struct specimen *s = specimen;
+    /* Rounding must not decide about a node on the outline. */
+    return fabs(point[1]) <= specimen_half_width(s, point[0]) + 1e-6 * s->spacing;
 }
 
 struct sites specimen_sites(const struct specimen *specimen)
