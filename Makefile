@@ -42,7 +42,7 @@ LIB_LIBS := $(EXODUS_LIBS) $(call package,--libs,netcdf,-lnetcdf) $(call package
             $(call package,--libs,gsl,-lgsl -lgslcblas) $(call package,--libs,udunits,-ludunits2) -lm
 CAIRO_CFLAGS := $(call package,--cflags,cairo,)
 CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
-MPI_CFLAGS := $(call package,--cflags,ompi-c,)
+MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))
 MPI_LIBS := $(call package,--libs,ompi-c,-lmpi)
 METIS_LIBS ?= -lmetis
 CMOCKA_LIBS := $(call package,--libs,cmocka,-lcmocka)
@@ -57,6 +57,8 @@ solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/
 post_SOURCES := $(sort $(filter-out post/hspost.c,$(wildcard post/*.c)))
 test_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/physics/test_*.c))
 
+SOLVE_INCLUDES := $(addprefix -I,solve solve/body solve/material solve/integrate solve/output)
+
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
@@ -69,8 +71,8 @@ all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
 
 $(BUILD)/gen/%.o: ALL_CFLAGS += -Igen $(CAIRO_CFLAGS)
 $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
-$(BUILD)/solve/%.o: ALL_CFLAGS += -Isolve $(MPI_CFLAGS)
-$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Isolve -Ipost -Itests $(MPI_CFLAGS)
+$(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
+$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
 
 $(BUILD)/%.o: %.c Makefile

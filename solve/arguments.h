@@ -1,0 +1,20 @@
+/* arguments.h - hssolve's command line. */
+#ifndef HS_ARGUMENTS_H
+#define HS_ARGUMENTS_H
+
+#include <stdbool.h>
+
+struct arguments {
+    const char *input;   /* domain; NULL: standard input */
+    const char *deck;    /* NULL: the one inside the domain */
+    const char *fields;  /* NULL: none */
+    const char *history; /* NULL: standard output */
+    const char *spooled; /* a rank's history goes to this open file of its parent */
+    int ranks;           /* of -j */
+    bool quiet;
+    char *command; /* the whole line, for provenance */
+};
+
+struct arguments arguments_read(int argc, char **argv);
+
+#endif

@@ -1,0 +1,131 @@
+#include "body.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <mpi.h>
+#include <stdlib.h>
+
+static void make_fields(double *fields[], int count, int64_t n_sites)
+{
+    for (int k = 0; k < count; k++) fields[k] = memory_new((size_t)n_sites, sizeof(double));
+}
+
+static void free_fields(double *fields[], int count)
+{
+    for (int k = 0; k < count; k++) free(fields[k]);
+}
+
+static void shape_tensors(struct body *body)
+{
+    struct exact_sum unsupported = exact_sum_new((double)body->lattice->n_nodes);
+    for (int64_t s = 0; s < body->near.count; s++) {
+        const struct strip *strip = &body->near.items[s];
+        for (int i = 0; i < strip->count; i++) {
+            int64_t site = strip->site + i;
+            int at[3];
+            double inverse[6], first[3];
+            grid_position(&body->grid, site, at);
+            bool spans = family_shape(body->family, body->lattice, at, inverse, first);
+            for (int k = 0; k < 6; k++) body->inverse[k][site] = inverse[k];
+            for (int k = 0; k < 3; k++) body->first[k][site] = first[k];
+            if (!spans && (body->grid.flags[site] & SITE_OWNED)) exact_sum_add(&unsupported, 1);
+        }
+    }
+    double count;
+    exact_sum_finish(&unsupported, 1, &count);
+    body->unsupported = (int64_t)count;
+}
+
+struct body body_new(const struct lattice *lattice, const struct family *family,
+                     const struct offset *bonds, int n_bonds, struct ranks ranks)
+{
+    struct body body = {.ranks = ranks, .lattice = lattice, .family = family};
+    body.partition = partition_new(lattice, family->reach, ranks.rank, ranks.size);
+    body.grid = grid_new(lattice, &body.partition, family, bonds, n_bonds, ranks.rank);
+    body.displacement_halo = halo_new(&body.grid, lattice, &body.partition, SITE_MOVES, ranks.size);
+    body.stress_halo = halo_new(&body.grid, lattice, &body.partition, SITE_STRESSED, ranks.size);
+    body.owned = grid_strips(&body.grid, SITE_OWNED);
+    body.near = grid_strips(&body.grid, SITE_NEAR);
+    body.volume = lattice->spacing * lattice->spacing * lattice->spacing;
+    make_fields(body.u, 3, body.grid.n_sites);
+    make_fields(body.v, 3, body.grid.n_sites);
+    make_fields(body.f, 3, body.grid.n_sites);
+    make_fields(body.H, 9, body.grid.n_sites);
+    make_fields(body.S, 9, body.grid.n_sites);
+    make_fields(body.inverse, 6, body.grid.n_sites);
+    make_fields(body.first, 3, body.grid.n_sites);
+    shape_tensors(&body);
+    return body;
+}
+
+void body_free(struct body *body)
+{
+    free_fields(body->u, 3);
+    free_fields(body->v, 3);
+    free_fields(body->f, 3);
+    free_fields(body->H, 9);
+    free_fields(body->S, 9);
+    free_fields(body->inverse, 6);
+    free_fields(body->first, 3);
+    strips_free(&body->owned);
+    strips_free(&body->near);
+    halo_free(body->displacement_halo);
+    halo_free(body->stress_halo);
+    grid_free(&body->grid);
+    partition_free(&body->partition);
+    *body = (struct body){0};
+}
+
+/* Owned values in site order, as this rank sends them. */
+static int64_t pack(const struct body *body, const double *field, double *values, int64_t *sites)
+{
+    int64_t n = 0;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            int at[3];
+            grid_position(&body->grid, body->owned.items[s].site + i, at);
+            values[n] = field[body->owned.items[s].site + i];
+            sites[n++] = lattice_site(body->lattice, at[0], at[1], at[2]);
+        }
+    return n;
+}
+
+void body_gather(const struct body *body, const double *field, double *out)
+{
+    const size_t n = (size_t)body->grid.n_owned;
+    double *values = memory_new(n, sizeof *values);
+    int64_t *sites = memory_new(n, sizeof *sites);
+    pack(body, field, values, sites);
+    if (body->ranks.rank != 0) {
+        MPI_Send(sites, (int)n, MPI_INT64_T, 0, 1, MPI_COMM_WORLD);
+        MPI_Send(values, (int)n, MPI_DOUBLE, 0, 2, MPI_COMM_WORLD);
+    } else {
+        const struct lattice *lattice = body->lattice;
+        double *all = memory_new((size_t)lattice->n_sites, sizeof *all);
+        for (size_t i = 0; i < n; i++) all[sites[i]] = values[i];
+        for (int r = 1; r < body->ranks.size; r++) {
+            MPI_Status status;
+            int count;
+            MPI_Probe(r, 1, MPI_COMM_WORLD, &status);
+            MPI_Get_count(&status, MPI_INT64_T, &count);
+            sites = realloc(sites, (size_t)count * sizeof *sites);
+            values = realloc(values, (size_t)count * sizeof *values);
+            if (!sites || !values) die_run("no memory to gather a field");
+            MPI_Recv(sites, count, MPI_INT64_T, r, 1, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+            MPI_Recv(values, count, MPI_DOUBLE, r, 2, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+            for (int i = 0; i < count; i++) all[sites[i]] = values[i];
+        }
+        int64_t node = 0;
+        for (int64_t site = 0; site < lattice->n_sites; site++)
+            if (lattice->phase[site] != ABSENT) out[node++] = all[site];
+        free(all);
+    }
+    free(values);
+    free(sites);
+}
+
+int64_t body_memory(const struct body *body)
+{
+    return body->grid.n_sites * (int64_t)(42 * sizeof(double) + 2);
+}

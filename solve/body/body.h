@@ -1,0 +1,52 @@
+/* body.h - the particles of one rank: where they are, how they move, what acts on them. */
+#ifndef HS_BODY_H
+#define HS_BODY_H
+
+#include "exact_sum.h"
+#include "family.h"
+#include "grid.h"
+#include "halo.h"
+#include "lattice.h"
+#include "partition.h"
+#include "ranks.h"
+
+struct body {
+    struct ranks ranks;
+    const struct lattice *lattice;
+    const struct family *family;
+    struct partition partition;
+    struct grid grid;
+    struct halo *displacement_halo, *stress_halo;
+    struct strips owned, near;
+    double volume;       /* of a node, m^3 */
+    int64_t unsupported; /* nodes of the whole body without a deformation gradient */
+
+    /* Fields over the grid's box. */
+    double *u[3];       /* displacement, m */
+    double *v[3];       /* velocity, m/s */
+    double *f[3];       /* internal force density, N/m^3 */
+    double *H[9];       /* displacement gradient F - 1, row by row; valid at near sites */
+    double *S[9];       /* work-conjugate stress, then S K^-1 */
+    double *inverse[6]; /* inverse shape tensor, lattice units */
+    double *first[3];   /* s_i of family.2, lattice units */
+};
+
+/* bonds: the half offsets of the stabilisation, which decide what lies near. */
+struct body body_new(const struct lattice *lattice, const struct family *family,
+                     const struct offset *bonds, int n_bonds, struct ranks ranks);
+void body_free(struct body *body);
+
+/* Gathers an owned field to rank 0 in node order: out[n_nodes] there (NULL elsewhere).  Collective. */
+void body_gather(const struct body *body, const double *field, double *out);
+
+/* terms[i] becomes 0 where site + i is not owned: another rank counts it. */
+static inline void body_only_owned(const struct body *body, int64_t site, int count, double *terms)
+{
+    for (int i = 0; i < count; i++)
+        terms[i] = (body->grid.flags[site + i] & SITE_OWNED) ? terms[i] : 0;
+}
+
+/* Bytes a rank holds in arrays over its box. */
+int64_t body_memory(const struct body *body);
+
+#endif

@@ -1,0 +1,45 @@
+/* family.h - who belongs to a node's family: one table of lattice offsets for all nodes.
+ *
+ *   family of i: sites with 0 < |xi| <= horizon                                     (family.1)
+ *   K_i = sum_j w V xi (x) xi,  s_i = sum_j w V xi                                  (family.2)
+ *
+ * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, eq. (112) (shape tensor).  All in
+ * lattice units (spacing 1, V = 1): V cancels in the deformation gradient and in the force. */
+#ifndef HS_FAMILY_H
+#define HS_FAMILY_H
+
+#include "deck.h"
+#include "lattice.h"
+
+#include <stdbool.h>
+
+/* One member of the half family: xi in spacings, its weight. */
+struct offset {
+    int step[3];
+    double weight;
+};
+
+struct family {
+    double horizon; /* in spacings */
+    int reach;      /* largest |step| along an axis */
+    int n_half;     /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
+    struct offset *half;
+    const char *influence;
+};
+
+/* influence: a name of the table in family.c. */
+struct family family_new(double horizon, int influence);
+void family_free(struct family *family);
+extern const char *const family_influences[];
+extern const int family_influence_count;
+
+/* Inverse shape tensor (xx yy zz xy yz zx) and s_i of the site at (x, y, z).  Where the members
+ * present do not span space (det K < 1e-4 (tr K/3)^3) the inverse is zero and the answer false: such
+ * a node has no deformation gradient and carries no stress. */
+bool family_shape(const struct family *family, const struct lattice *lattice, const int at[3],
+                  double inverse[6], double first[3]);
+
+/* Bonds (ordered pairs / 2) of the whole body. */
+int64_t family_bonds(const struct family *family, const struct lattice *lattice);
+
+#endif

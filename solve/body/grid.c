@@ -1,0 +1,176 @@
+#include "grid.h"
+
+#include "memory.h"
+#include "simd.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The box of the cells that a rank owns, in sites. */
+static void owned_box(const struct lattice *lattice, const struct partition *p, int rank,
+                      int low[3], int high[3])
+{
+    for (int a = 0; a < 3; a++) low[a] = lattice->size[a], high[a] = 0;
+    const int *owner = p->owner;
+    for (int z = 0; z < p->cells[2]; z++)
+        for (int y = 0; y < p->cells[1]; y++)
+            for (int x = 0; x < p->cells[0]; x++) {
+                if (*owner++ != rank) continue;
+                const int cell[3] = {x, y, z};
+                for (int a = 0; a < 3; a++) {
+                    int first = cell[a] * p->edge, end = first + p->edge;
+                    if (first < low[a]) low[a] = first;
+                    if (end > high[a]) high[a] = end;
+                }
+            }
+    for (int a = 0; a < 3; a++)
+        if (high[a] > lattice->size[a]) high[a] = lattice->size[a];
+}
+
+static void fill(struct grid *grid, const struct lattice *lattice, const struct partition *p)
+{
+    int64_t site = 0;
+    for (int z = 0; z < grid->size[2]; z++)
+        for (int y = 0; y < grid->size[1]; y++)
+            for (int x = 0; x < grid->size[0]; x++, site++) {
+                const int at[3] = {grid->origin[0] + x, grid->origin[1] + y, grid->origin[2] + z};
+                grid->phase[site] = lattice_phase(lattice, at[0], at[1], at[2]);
+                if (grid->phase[site] == ABSENT) continue;
+                if (partition_owner(p, at[0], at[1], at[2]) != grid->rank) continue;
+                grid->flags[site] = SITE_OWNED | SITE_NEAR;
+                grid->n_owned++;
+            }
+}
+
+/* Marks what lies within the offsets (both signs) of the sites that have the flag. */
+static void mark_around(struct grid *grid, int around, const struct offset *offsets, int count,
+                        uint8_t mark)
+{
+    uint8_t *marked = memory_new((size_t)grid->n_sites, 1);
+    for (int64_t site = 0; site < grid->n_sites; site++) {
+        if (!(grid->flags[site] & around)) continue;
+        for (int o = 0; o < count; o++) {
+            int64_t shift = grid_shift(grid, offsets[o].step);
+            marked[site + shift] = marked[site - shift] = 1;
+        }
+    }
+    for (int64_t site = 0; site < grid->n_sites; site++)
+        if (marked[site] && grid->phase[site] != ABSENT) grid->flags[site] |= mark;
+    free(marked);
+}
+
+static void drop_owned(struct grid *grid, uint8_t mark)
+{
+    for (int64_t site = 0; site < grid->n_sites; site++)
+        if (grid->flags[site] & SITE_OWNED) grid->flags[site] &= (uint8_t)~mark;
+}
+
+struct grid grid_new(const struct lattice *lattice, const struct partition *partition,
+                     const struct family *family, const struct offset *bonds, int n_bonds, int rank)
+{
+    struct grid grid = {.rank = rank};
+    int low[3], high[3];
+    owned_box(lattice, partition, rank, low, high);
+    /* Twice the reach: a near site is one reach away, its family another. */
+    const int pad = 2 * family->reach;
+    for (int a = 0; a < 3; a++) {
+        grid.origin[a] = low[a] - pad;
+        grid.size[a] = high[a] - low[a] + 2 * pad;
+    }
+    grid.size[0] = (grid.size[0] + 7) / 8 * 8; /* lines start on cache lines */
+    grid.step[0] = 1;
+    grid.step[1] = grid.size[0];
+    grid.step[2] = grid.step[1] * grid.size[1];
+    grid.n_sites = grid.step[2] * grid.size[2];
+    grid.phase = memory_new((size_t)grid.n_sites, 1);
+    grid.flags = memory_new((size_t)grid.n_sites, 1);
+    fill(&grid, lattice, partition);
+    if (grid.n_owned == lattice->n_nodes) return grid;
+
+    mark_around(&grid, SITE_OWNED, bonds, n_bonds, SITE_NEAR);
+    mark_around(&grid, SITE_OWNED, family->half, family->n_half, SITE_STRESSED);
+    mark_around(&grid, SITE_NEAR, family->half, family->n_half, SITE_MOVES);
+    drop_owned(&grid, SITE_STRESSED | SITE_MOVES);
+    for (int64_t site = 0; site < grid.n_sites; site++)
+        if ((grid.flags[site] & (SITE_OWNED | SITE_NEAR)) == SITE_NEAR)
+            grid.flags[site] |= SITE_MOVES;
+    return grid;
+}
+
+void grid_free(struct grid *grid)
+{
+    free(grid->phase);
+    free(grid->flags);
+    *grid = (struct grid){0};
+}
+
+int64_t grid_site(const struct grid *grid, const int at[3])
+{
+    int64_t site = 0;
+    for (int a = 0; a < 3; a++) {
+        int local = at[a] - grid->origin[a];
+        if (local < 0 || local >= grid->size[a]) return -1;
+        site += local * grid->step[a];
+    }
+    return site;
+}
+
+void grid_position(const struct grid *grid, int64_t site, int at[3])
+{
+    at[2] = grid->origin[2] + (int)(site / grid->step[2]);
+    at[1] = grid->origin[1] + (int)(site % grid->step[2] / grid->step[1]);
+    at[0] = grid->origin[0] + (int)(site % grid->step[1]);
+}
+
+/* Strips of the sites where listed[site] is set. */
+static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
+{
+    struct strips strips = {0};
+    for (int pass = 0; pass < 2; pass++) {
+        strips.count = 0;
+        for (int64_t line = 0; line < grid->n_sites; line += grid->step[1])
+            for (int x = 0; x < grid->size[0];) {
+                int first = x++;
+                if (!listed[line + first]) continue;
+                while (x < grid->size[0] && listed[line + x] && (grid->origin[0] + x) % LANES != 0)
+                    x++;
+                if (pass)
+                    strips.items[strips.count] =
+                        (struct strip){line + first, x - first, grid->origin[0] + first};
+                strips.count++;
+            }
+        if (!pass) strips.items = memory_new((size_t)strips.count, sizeof(struct strip));
+    }
+    return strips;
+}
+
+struct strips grid_strips(const struct grid *grid, int flags)
+{
+    uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
+    for (int64_t site = 0; site < grid->n_sites; site++)
+        listed[site] = (grid->flags[site] & flags) != 0;
+    struct strips strips = make_strips(grid, listed);
+    free(listed);
+    return strips;
+}
+
+struct strips grid_bond_strips(const struct grid *grid, const int step[3])
+{
+    uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
+    const int64_t shift = grid_shift(grid, step);
+    for (int64_t i = 0; i < grid->n_sites; i++) {
+        int64_t j = i + shift;
+        if (j < 0 || j >= grid->n_sites || grid->phase[i] == ABSENT || grid->phase[j] == ABSENT)
+            continue;
+        listed[i] = ((grid->flags[i] | grid->flags[j]) & SITE_OWNED) != 0;
+    }
+    struct strips strips = make_strips(grid, listed);
+    free(listed);
+    return strips;
+}
+
+void strips_free(struct strips *strips)
+{
+    free(strips->items);
+    *strips = (struct strips){0};
+}

@@ -1,0 +1,17 @@
+/* halo.h - values of sites that other ranks own. */
+#ifndef HS_HALO_H
+#define HS_HALO_H
+
+#include "grid.h"
+
+struct halo;
+
+/* Plans the exchange for the sites that carry the flag (SITE_MOVES, SITE_STRESSED).  Collective. */
+struct halo *halo_new(const struct grid *grid, const struct lattice *lattice,
+                      const struct partition *partition, int flag, int size);
+void halo_free(struct halo *halo);
+
+/* Brings fields[k][site], k < count (at most 9), of those sites up to date.  Collective. */
+void halo_exchange(struct halo *halo, double *const fields[], int count);
+
+#endif

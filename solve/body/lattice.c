@@ -1,0 +1,88 @@
+#include "lattice.h"
+
+#include "die.h"
+#include "memory.h"
+#include "ranks.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static double smallest(const double *values, int64_t count)
+{
+    double low = values[0];
+    for (int64_t i = 1; i < count; i++) low = fmin(low, values[i]);
+    return low;
+}
+
+static double largest(const double *values, int64_t count)
+{
+    double high = values[0];
+    for (int64_t i = 1; i < count; i++) high = fmax(high, values[i]);
+    return high;
+}
+
+struct lattice lattice_find(const struct domain *domain)
+{
+    struct lattice lattice = {.n_nodes = domain->n_nodes};
+    const double *const position[3] = {domain->x, domain->y, domain->z};
+    lattice.spacing = attributes_number(&domain->attributes, "spacing_m", cbrt(domain->volume[0]));
+    lattice.n_sites = 1;
+    for (int a = 0; a < 3; a++) {
+        lattice.origin[a] = smallest(position[a], domain->n_nodes);
+        double length = largest(position[a], domain->n_nodes) - lattice.origin[a];
+        double steps = length / lattice.spacing;
+        if (!(steps < 1e6)) die_user("the particles span %g m, over a million spacings", length);
+        lattice.size[a] = (int)lround(steps) + 1;
+        lattice.n_sites *= lattice.size[a];
+    }
+    if (lattice.n_sites > 64 * lattice.n_nodes + 1000000)
+        die_user(
+            "the particles fill less than 1/64 of their box: not a lattice with the spacing of "
+            "%g m that their volume gives (scattered particles are not supported)",
+            lattice.spacing);
+    lattice.phase = memory_new((size_t)lattice.n_sites, 1);
+    for (int64_t s = 0; s < lattice.n_sites; s++) lattice.phase[s] = ABSENT;
+
+    const double volume = lattice.spacing * lattice.spacing * lattice.spacing;
+    int64_t before = -1;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        int at[3];
+        for (int a = 0; a < 3; a++) {
+            double x = (position[a][i] - lattice.origin[a]) / lattice.spacing;
+            at[a] = (int)lround(x);
+            if (fabs(x - at[a]) > 1e-6 * fmax(1, lattice.size[a]))
+                die_user("node %lld at (%g, %g, %g) m lies off the lattice of spacing %g m "
+                         "(scattered particles are not supported)",
+                         (long long)i + 1, domain->x[i], domain->y[i], domain->z[i],
+                         lattice.spacing);
+        }
+        if (fabs(domain->volume[i] / volume - 1) > 1e-6)
+            die_user("node %lld has the volume %g m3, but spacing^3 is %g m3: particles of unequal "
+                     "volume are not supported",
+                     (long long)i + 1, domain->volume[i], volume);
+        int64_t site = lattice_site(&lattice, at[0], at[1], at[2]);
+        if (lattice.phase[site] != ABSENT)
+            die_user("node %lld at (%g, %g, %g) m lies on another node", (long long)i + 1,
+                     domain->x[i], domain->y[i], domain->z[i]);
+        if (site < before)
+            die_user("node %lld: the nodes are not in lattice order (x fastest, then y, then z)",
+                     (long long)i + 1);
+        lattice.phase[site] = domain->phase[i];
+        before = site;
+    }
+    return lattice;
+}
+
+void lattice_share(struct lattice *lattice, int rank)
+{
+    uint8_t *phase = lattice->phase;
+    ranks_share(lattice, sizeof *lattice);
+    lattice->phase = rank == 0 ? phase : memory_new((size_t)lattice->n_sites, 1);
+    ranks_share(lattice->phase, (size_t)lattice->n_sites);
+}
+
+void lattice_free(struct lattice *lattice)
+{
+    free(lattice->phase);
+    *lattice = (struct lattice){0};
+}

@@ -1,0 +1,44 @@
+/* lattice.h - the whole body as every rank knows it: one byte a lattice site.
+ *
+ * Sites are numbered x fastest; a site without a particle is ABSENT.  Nodes (particles) are numbered in
+ * site order, as in the domain file. */
+#ifndef HS_LATTICE_H
+#define HS_LATTICE_H
+
+#include "domain.h"
+
+#include <stdint.h>
+
+enum { ABSENT = 255 };
+
+struct lattice {
+    int size[3];
+    double spacing;   /* m */
+    double origin[3]; /* m, position of site (0, 0, 0) */
+    int64_t n_sites, n_nodes;
+    uint8_t *phase; /* [n_sites] or ABSENT */
+};
+
+/* Recognises the lattice in a domain (every rank may call it with rank 0's domain only): positions on
+ * a cubic lattice within 1e-6 spacings, equal volumes spacing^3 within 1e-6, no site twice.  Dies,
+ * naming the first node that does not fit, since scattered particles are not supported. */
+struct lattice lattice_find(const struct domain *domain);
+
+/* Copies rank 0's lattice to all ranks. */
+void lattice_share(struct lattice *lattice, int rank);
+void lattice_free(struct lattice *lattice);
+
+static inline int64_t lattice_site(const struct lattice *lattice, int x, int y, int z)
+{
+    return ((int64_t)z * lattice->size[1] + y) * lattice->size[0] + x;
+}
+
+/* Phase at any integer position, ABSENT outside. */
+static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y, int z)
+{
+    const int *n = lattice->size;
+    if (x < 0 || y < 0 || z < 0 || x >= n[0] || y >= n[1] || z >= n[2]) return ABSENT;
+    return lattice->phase[lattice_site(lattice, x, y, z)];
+}
+
+#endif

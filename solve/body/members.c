@@ -1,0 +1,79 @@
+#include "members.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+_Noreturn static void no_such_set(const struct domain *domain, const char *name)
+{
+    char *known = memory_text("");
+    for (int i = 0; i < domain->n_sets; i++) {
+        char *longer = memory_print("%s%s%s", known, i ? ", " : "", domain->sets[i].name);
+        free(known);
+        known = longer;
+    }
+    die_user("no node set '%s' in the domain (it has: %s)", name, *known ? known : "none");
+}
+
+/* Node numbers of the set, on all ranks. */
+static int64_t *share_nodes(const struct body *body, const struct domain *domain, const char *name,
+                            int64_t *count)
+{
+    const struct node_set *set = NULL;
+    if (body->ranks.rank == 0) {
+        set = domain_set(domain, name);
+        if (!set) no_such_set(domain, name);
+        if (set->count == 0) die_user("node set '%s' is empty", name);
+        *count = set->count;
+    }
+    ranks_share(count, sizeof *count);
+    int64_t *nodes = memory_new((size_t)*count, sizeof *nodes);
+    if (set)
+        for (int64_t i = 0; i < *count; i++) nodes[i] = set->nodes[i];
+    ranks_share(nodes, (size_t)*count * sizeof *nodes);
+    return nodes;
+}
+
+/* Turns ascending node numbers into lattice sites, in place. */
+static void nodes_to_sites(const struct lattice *lattice, int64_t *nodes, int64_t count)
+{
+    int64_t node = 0, next = 0;
+    for (int64_t site = 0; site < lattice->n_sites && next < count; site++) {
+        if (lattice->phase[site] == ABSENT) continue;
+        if (node == nodes[next]) nodes[next++] = site;
+        node++;
+    }
+}
+
+struct members members_new(const struct body *body, const struct domain *domain, const char *name)
+{
+    const struct lattice *lattice = body->lattice;
+    struct members members = {.low_x = INFINITY, .high_x = -INFINITY};
+    int64_t *sites = share_nodes(body, domain, name, &members.n_all);
+    nodes_to_sites(lattice, sites, members.n_all);
+    members.sites = memory_new((size_t)members.n_all, sizeof *members.sites);
+    double sum = 0;
+    for (int64_t i = 0; i < members.n_all; i++) {
+        int64_t line = sites[i] / lattice->size[0];
+        int at[3] = {(int)(sites[i] % lattice->size[0]), (int)(line % lattice->size[1]),
+                     (int)(line / lattice->size[1])};
+        double x = lattice->origin[0] + at[0] * lattice->spacing;
+        sum += x;
+        members.low_x = fmin(members.low_x, x);
+        members.high_x = fmax(members.high_x, x);
+        int64_t site = grid_site(&body->grid, at);
+        if (site >= 0 && (body->grid.flags[site] & SITE_OWNED))
+            members.sites[members.count++] = site;
+    }
+    members.mean_x = sum / (double)members.n_all;
+    free(sites);
+    return members;
+}
+
+void members_free(struct members *members)
+{
+    free(members->sites);
+    *members = (struct members){0};
+}

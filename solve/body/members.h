@@ -1,0 +1,20 @@
+/* members.h - the nodes of a named set that a rank owns. */
+#ifndef HS_MEMBERS_H
+#define HS_MEMBERS_H
+
+#include "body.h"
+#include "domain.h"
+
+struct members {
+    int64_t n_all; /* nodes of the whole set */
+    int64_t count;
+    int64_t *sites;               /* [count] box sites of the owned ones */
+    double mean_x, low_x, high_x; /* of the whole set, m */
+};
+
+/* domain: rank 0's (NULL elsewhere).  Dies, listing the sets there are, where it has none of that name or
+ * an empty one.  Collective. */
+struct members members_new(const struct body *body, const struct domain *domain, const char *name);
+void members_free(struct members *members);
+
+#endif

@@ -1,0 +1,67 @@
+#include "ranks.h"
+
+#include "die.h"
+
+#include <mpi.h>
+#include <stdlib.h>
+
+static void abort_all(int code)
+{
+    int running = 0, size = 1;
+    MPI_Initialized(&running);
+    if (running) MPI_Comm_size(MPI_COMM_WORLD, &size);
+    if (running && size > 1) MPI_Abort(MPI_COMM_WORLD, code);
+    exit(code);
+}
+
+struct ranks ranks_start(int *argc, char ***argv)
+{
+    /* Without a launcher: no daemon, no network.  Under mpirun or srun these change nothing. */
+    if (!getenv("PMIX_RANK") && !getenv("OMPI_COMM_WORLD_SIZE") && !getenv("SLURM_PROCID")) {
+        setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+        setenv("OMPI_MCA_pml", "ob1", 0);
+        setenv("OMPI_MCA_btl", "self,vader", 0);
+        setenv("OMPI_MCA_osc", "^ucx", 0);
+    }
+    if (MPI_Init(argc, argv) != MPI_SUCCESS) die_run("MPI does not start");
+    struct ranks ranks;
+    MPI_Comm_rank(MPI_COMM_WORLD, &ranks.rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks.size);
+    die_set_exit(abort_all);
+    return ranks;
+}
+
+void ranks_stop(void)
+{
+    MPI_Finalize();
+    die_set_exit(exit);
+}
+
+void ranks_share(void *data, size_t bytes)
+{
+    const size_t most = (size_t)1 << 30;
+    for (size_t at = 0; at < bytes; at += most) {
+        size_t part = bytes - at < most ? bytes - at : most;
+        MPI_Bcast((char *)data + at, (int)part, MPI_BYTE, 0, MPI_COMM_WORLD);
+    }
+}
+
+void ranks_sum(double *values, int count)
+{
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+}
+
+void ranks_minimum(double *values, int count)
+{
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+}
+
+void ranks_wait(void)
+{
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+
+double ranks_clock(void)
+{
+    return MPI_Wtime();
+}

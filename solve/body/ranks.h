@@ -1,0 +1,29 @@
+/* ranks.h - the processes that share a run, and sums that do not depend on how many there are. */
+#ifndef HS_RANKS_H
+#define HS_RANKS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct ranks {
+    int rank, size;
+};
+
+/* Starts MPI; alone (no launcher) as an isolated process that needs no daemon.  Makes die() end all
+ * ranks with its code. */
+struct ranks ranks_start(int *argc, char ***argv);
+void ranks_stop(void);
+
+/* Broadcast from rank 0. */
+void ranks_share(void *data, size_t bytes);
+
+/* Sums and minima over all ranks, in place. */
+void ranks_sum(double *values, int count);
+void ranks_minimum(double *values, int count);
+
+void ranks_wait(void); /* until all are here */
+
+double ranks_clock(void); /* s */
+
+#endif

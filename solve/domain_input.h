@@ -1,0 +1,16 @@
+/* domain_input.h - the domain and its deck, from the pipe or from files. */
+#ifndef HS_DOMAIN_INPUT_H
+#define HS_DOMAIN_INPUT_H
+
+#include "arguments.h"
+#include "deck.h"
+#include "domain.h"
+
+/* Genesis (by its first bytes) or Peridigm text ("x y z block volume" a line, with --deck; the grips
+ * and gauge planes then follow from domain.grips.length and domain.gauge.length of the deck, the names
+ * of the phases from the order of the deck's materials: block 1 is the first).  Nodes come back in
+ * lattice order.  Dies with the place of what is wrong. */
+void domain_input_read(const struct arguments *arguments, struct domain *domain,
+                       struct deck **deck);
+
+#endif

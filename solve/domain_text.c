@@ -1,0 +1,223 @@
+#include "domain_text.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- reading the lines --- */
+
+struct particle {
+    double x, y, z, volume;
+    int block;
+};
+
+struct particles {
+    int64_t count, room;
+    struct particle *items;
+};
+
+static void append(struct particles *all, struct particle particle)
+{
+    if (all->count == all->room) {
+        all->room = 2 * all->room + 1024;
+        struct particle *items = memory_new((size_t)all->room, sizeof *items);
+        if (all->count) memcpy(items, all->items, (size_t)all->count * sizeof *items);
+        free(all->items);
+        all->items = items;
+    }
+    all->items[all->count++] = particle;
+}
+
+static struct particle read_line(const char *line, const char *shown, long number)
+{
+    double values[5];
+    const char *at = line;
+    for (int i = 0; i < 5; i++) {
+        char *end;
+        values[i] = strtod(at, &end);
+        if (end == at || !isfinite(values[i]))
+            die_user("%s:%ld: expected 'x y z block volume', found '%s'", shown, number, line);
+        at = end;
+    }
+    if (at[strspn(at, " \t\r")] != '\0')
+        die_user("%s:%ld: more than 'x y z block volume' on the line", shown, number);
+    if (values[3] != floor(values[3]) || values[3] < 1 || values[3] > 16)
+        die_user("%s:%ld: block %g, expected a whole number from 1 to 16", shown, number,
+                 values[3]);
+    if (!(values[4] > 0)) die_user("%s:%ld: volume %g, expected > 0", shown, number, values[4]);
+    return (struct particle){values[0], values[1], values[2], values[4], (int)values[3]};
+}
+
+static struct particles read_particles(const struct spool *input, const char *shown)
+{
+    struct particles all = {0};
+    FILE *file = fopen(input->path, "r");
+    if (!file) die_user("cannot open %s: %s", shown, strerror(errno));
+    char line[1024];
+    for (long number = 1; fgets(line, sizeof line, file); number++) {
+        size_t length = strcspn(line, "#\n");
+        if (line[length] == '\0' && !feof(file)) die_user("%s:%ld: line too long", shown, number);
+        line[length] = '\0';
+        if (line[strspn(line, " \t\r")] != '\0') append(&all, read_line(line, shown, number));
+    }
+    if (ferror(file)) die_run("cannot read %s: %s", shown, strerror(errno));
+    fclose(file);
+    if (all.count == 0) die_user("%s has no particles", shown);
+    return all;
+}
+
+/* --- node sets from lengths --- */
+
+struct layer {
+    const char *name;
+    double from, to; /* m along x */
+};
+
+static void add_layer(struct domain *domain, struct layer layer)
+{
+    int64_t *nodes = memory_new((size_t)domain->n_nodes, sizeof *nodes), count = 0;
+    for (int64_t i = 0; i < domain->n_nodes; i++)
+        if (domain->x[i] >= layer.from && domain->x[i] <= layer.to) nodes[count++] = i;
+    domain_add_set(domain, layer.name, count, nodes);
+    free(nodes);
+}
+
+/* x of the layer of nodes next to a position. */
+static double nearest_layer(const struct domain *domain, double position)
+{
+    double best = domain->x[0];
+    for (int64_t i = 1; i < domain->n_nodes; i++)
+        if (fabs(domain->x[i] - position) < fabs(best - position)) best = domain->x[i];
+    return best;
+}
+
+static void add_sets(struct domain *domain, const struct deck *deck, double spacing)
+{
+    struct deck_node section = deck_get(deck_root(deck), "domain");
+    double grip = deck_length(deck_get(deck_get(section, "grips"), "length"), spacing, 0, 1e6);
+    double gauge = deck_length(deck_get(deck_get(section, "gauge"), "length"), spacing, 0, 1e6);
+    double low = INFINITY, high = -INFINITY;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        low = fmin(low, domain->x[i]);
+        high = fmax(high, domain->x[i]);
+    }
+    const double half = 0.5 * spacing, middle = 0.5 * (low + high), slack = 1e-3 * spacing;
+    double left = nearest_layer(domain, middle - 0.5 * gauge);
+    double right = nearest_layer(domain, middle + 0.5 * gauge);
+    add_layer(domain, (struct layer){"grip_left", low - half, low - half + grip});
+    add_layer(domain, (struct layer){"grip_right", high + half - grip, high + half});
+    add_layer(domain, (struct layer){"gauge_left", left - slack, left + slack});
+    add_layer(domain, (struct layer){"gauge_right", right - slack, right + slack});
+    double volume = 0;
+    for (int64_t i = 0; i < domain->n_nodes; i++)
+        if (domain->x[i] >= left && domain->x[i] < right - slack) volume += domain->volume[i];
+    if (right > left)
+        attributes_set_number(&domain->attributes, "section_m2", volume / (right - left));
+}
+
+struct domain domain_text_read(const struct spool *input, const char *shown,
+                               const struct deck *deck)
+{
+    struct particles all = read_particles(input, shown);
+    const size_t n = (size_t)all.count;
+    struct domain domain = {.n_nodes = all.count,
+                            .x = memory_new(n, sizeof(double)),
+                            .y = memory_new(n, sizeof(double)),
+                            .z = memory_new(n, sizeof(double)),
+                            .volume = memory_new(n, sizeof(double)),
+                            .phase = memory_new(n, 1)};
+    for (size_t i = 0; i < n; i++) {
+        const struct particle *p = &all.items[i];
+        domain.x[i] = p->x;
+        domain.y[i] = p->y;
+        domain.z[i] = p->z;
+        domain.volume[i] = p->volume;
+        domain.phase[i] = (uint8_t)(p->block - 1);
+        if (p->block > domain.n_phases) domain.n_phases = p->block;
+    }
+    free(all.items);
+    struct deck_node materials = deck_get(deck_root(deck), "materials");
+    if (deck_count(materials) < domain.n_phases)
+        deck_error(materials, "%s has %d blocks, but there are %d materials", shown,
+                   domain.n_phases, deck_count(materials));
+    domain.phase_names = memory_new((size_t)domain.n_phases, sizeof(char *));
+    for (int p = 0; p < domain.n_phases; p++)
+        domain.phase_names[p] = memory_text(deck_key(materials, p));
+    double spacing = cbrt(domain.volume[0]);
+    attributes_set_number(&domain.attributes, "spacing_m", spacing);
+    domain_sort(&domain);
+    add_sets(&domain, deck, spacing);
+    return domain;
+}
+
+/* --- lattice order --- */
+
+struct place {
+    int64_t z, y, x; /* in spacings, rounded */
+    int64_t node;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct place *s = a, *t = b;
+    if (s->z != t->z) return s->z < t->z ? -1 : 1;
+    if (s->y != t->y) return s->y < t->y ? -1 : 1;
+    if (s->x != t->x) return s->x < t->x ? -1 : 1;
+    return (s->node > t->node) - (s->node < t->node);
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    int64_t s = *(const int64_t *)a, t = *(const int64_t *)b;
+    return (s > t) - (s < t);
+}
+
+static void permute(double *values, const struct place *order, int64_t count)
+{
+    double *copy = memory_new((size_t)count, sizeof *copy);
+    memcpy(copy, values, (size_t)count * sizeof *copy);
+    for (int64_t i = 0; i < count; i++) values[i] = copy[order[i].node];
+    free(copy);
+}
+
+void domain_sort(struct domain *domain)
+{
+    const int64_t n = domain->n_nodes;
+    const double spacing =
+        attributes_number(&domain->attributes, "spacing_m", cbrt(domain->volume[0]));
+    struct place *order = memory_new((size_t)n, sizeof *order);
+    bool sorted = true;
+    for (int64_t i = 0; i < n; i++) {
+        order[i] =
+            (struct place){llround(domain->z[i] / spacing * 4), llround(domain->y[i] / spacing * 4),
+                           llround(domain->x[i] / spacing * 4), i};
+        sorted &= i == 0 || compare_places(&order[i - 1], &order[i]) < 0;
+    }
+    if (!sorted) {
+        qsort(order, (size_t)n, sizeof *order, compare_places);
+        permute(domain->x, order, n);
+        permute(domain->y, order, n);
+        permute(domain->z, order, n);
+        permute(domain->volume, order, n);
+        uint8_t *phase = memory_new((size_t)n, 1);
+        int64_t *new_number = memory_new((size_t)n, sizeof *new_number);
+        for (int64_t i = 0; i < n; i++) {
+            phase[i] = domain->phase[order[i].node];
+            new_number[order[i].node] = i;
+        }
+        free(domain->phase);
+        domain->phase = phase;
+        for (int k = 0; k < domain->n_sets; k++) {
+            struct node_set *set = &domain->sets[k];
+            for (int64_t i = 0; i < set->count; i++) set->nodes[i] = new_number[set->nodes[i]];
+            qsort(set->nodes, (size_t)set->count, sizeof *set->nodes, compare_numbers);
+        }
+        free(new_number);
+    }
+    free(order);
+}

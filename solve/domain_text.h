@@ -1,0 +1,16 @@
+/* domain_text.h - particles in Peridigm's text format. */
+#ifndef HS_DOMAIN_TEXT_H
+#define HS_DOMAIN_TEXT_H
+
+#include "deck.h"
+#include "domain.h"
+#include "spool.h"
+
+/* "x y z block volume" a line, '#' starts a comment; SI units.  shown: name in messages. */
+struct domain domain_text_read(const struct spool *input, const char *shown,
+                               const struct deck *deck);
+
+/* Puts the nodes into lattice order (z, y, x ascending) and the sets along with them. */
+void domain_sort(struct domain *domain);
+
+#endif

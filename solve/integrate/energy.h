@@ -1,0 +1,22 @@
+/* energy.h - where the work of the grips has gone.
+ *
+ *   kinetic + stored + plastic + stabilisation + damping = initial kinetic + external work
+ *
+ * The drift is the difference of both sides over the largest of their terms.  It measures the
+ * integrator, the law and the output together: the left side is evaluated from the state, the right side
+ * from forces and motion. */
+#ifndef HS_ENERGY_H
+#define HS_ENERGY_H
+
+struct energy_balance {
+    double kinetic, stored, plastic, stabilisation, damping; /* J */
+    double initial, work;                                    /* J */
+};
+
+double energy_drift(const struct energy_balance *balance);
+
+/* Kinetic over internal (stored + plastic + stabilisation) energy: the usual mark of a quasi-static run
+ * (below 1 %); the uniform stretching that the grips impose is part of it. */
+double energy_kinetic_to_internal(const struct energy_balance *balance);
+
+#endif

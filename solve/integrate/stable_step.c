@@ -1,0 +1,179 @@
+#include "stable_step.h"
+
+#include "memory.h"
+#include "random.h"
+
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STEPS = 30 };
+
+/* Three components over the grid's box. */
+struct vector {
+    double *component[3];
+};
+
+struct lanczos {
+    struct correspondence *model;
+    struct body *body;
+    const struct materials *materials;
+    struct vector rest, current, before, image;
+};
+
+static struct vector vector_new(const struct body *body)
+{
+    struct vector vector;
+    for (int a = 0; a < 3; a++)
+        vector.component[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
+    return vector;
+}
+
+static void vector_free(struct vector *vector)
+{
+    for (int a = 0; a < 3; a++) free(vector->component[a]);
+}
+
+/* The mass-weighted product sum rho a . b, in which M^-1 K is symmetric. */
+static double product(const struct lanczos *l, const struct vector *x, const struct vector *y,
+                      double bound)
+{
+    struct exact_sum sum = exact_sum_new(bound);
+    const struct body *body = l->body;
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        double terms[LANES];
+        for (int i = 0; i < strip->count; i++) {
+            int64_t site = strip->site + i;
+            terms[i] = 0;
+            for (int a = 0; a < 3; a++) terms[i] += x->component[a][site] * y->component[a][site];
+            terms[i] *= l->materials->items[body->grid.phase[site]].density;
+        }
+        exact_sum_add_strip(&sum, strip->count, terms, 1);
+    }
+    double value;
+    exact_sum_finish(&sum, 1, &value);
+    return value;
+}
+
+/* y = a x + b y at owned sites */
+static void combine(const struct body *body, double a, const struct vector *x, double b,
+                    struct vector *y)
+{
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int64_t i = body->owned.items[s].site, end = i + body->owned.items[s].count; i < end;
+             i++)
+            for (int c = 0; c < 3; c++)
+                y->component[c][i] = a * x->component[c][i] + b * y->component[c][i];
+}
+
+static void start_vector(const struct lanczos *l)
+{
+    const struct body *body = l->body;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            int at[3];
+            int64_t site = body->owned.items[s].site + i;
+            grid_position(&body->grid, site, at);
+            uint64_t number = (uint64_t)lattice_site(body->lattice, at[0], at[1], at[2]);
+            for (unsigned a = 0; a < 3; a++)
+                l->current.component[a][site] =
+                    (double)(random_hash(1, "stable step", 3 * number + a) >> 11) * 0x1p-53 - 0.5;
+        }
+}
+
+/* image = -M^-1 df/du current, by central differences about rest. */
+static void apply(const struct lanczos *l, double amplitude)
+{
+    struct body *body = l->body;
+    const struct force_mode frozen = {.frozen = true};
+    struct vector u = {{body->u[0], body->u[1], body->u[2]}}, image = l->image;
+    const struct vector force = {{body->f[0], body->f[1], body->f[2]}};
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        for (int a = 0; a < 3; a++)
+            memcpy(u.component[a], l->rest.component[a],
+                   (size_t)body->grid.n_sites * sizeof(double));
+        combine(body, sign * amplitude, &l->current, 1, &u);
+        correspondence_force(l->model, body, frozen, NULL);
+        combine(body, -0.5 * sign / amplitude, &force, sign > 0 ? 0 : 1, &image);
+    }
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int64_t i = body->owned.items[s].site, end = i + body->owned.items[s].count; i < end;
+             i++)
+            for (int a = 0; a < 3; a++)
+                image.component[a][i] /= l->materials->items[body->grid.phase[i]].density;
+}
+
+/* Largest Ritz value of the tridiagonal matrix plus the norm of its residual. */
+static double upper_bound(const double *diagonal, const double *off, int n)
+{
+    gsl_matrix *T = gsl_matrix_calloc((size_t)n, (size_t)n),
+               *vectors = gsl_matrix_alloc((size_t)n, (size_t)n);
+    gsl_vector *values = gsl_vector_alloc((size_t)n);
+    gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc((size_t)n);
+    for (size_t i = 0; i < (size_t)n; i++) {
+        gsl_matrix_set(T, i, i, diagonal[i]);
+        if (i + 1 < (size_t)n) {
+            gsl_matrix_set(T, i, i + 1, off[i]);
+            gsl_matrix_set(T, i + 1, i, off[i]);
+        }
+    }
+    gsl_eigen_symmv(T, values, vectors, work);
+    size_t largest = gsl_vector_max_index(values);
+    double bound = gsl_vector_get(values, largest) +
+                   off[n - 1] * fabs(gsl_matrix_get(vectors, (size_t)n - 1, largest));
+    gsl_eigen_symmv_free(work);
+    gsl_vector_free(values);
+    gsl_matrix_free(vectors);
+    gsl_matrix_free(T);
+    return bound;
+}
+
+static double largest_eigenvalue(struct lanczos *l)
+{
+    const double nodes = (double)l->body->lattice->n_nodes;
+    double heaviest = 0, diagonal[STEPS], off[STEPS];
+    for (int i = 0; i < l->materials->count; i++)
+        heaviest = fmax(heaviest, l->materials->items[i].density);
+    start_vector(l);
+    double norm = sqrt(product(l, &l->current, &l->current, 3 * nodes * heaviest));
+    combine(l->body, 0, &l->current, 1 / norm, &l->current);
+    /* Unit vectors have a root mean square of 1/sqrt(3 nodes density). */
+    const double amplitude = 1e-7 * l->body->lattice->spacing * sqrt(3 * nodes * heaviest);
+    const double speed = materials_wave_speed(l->materials), spacing = l->body->lattice->spacing;
+    const double scale = 1e4 * speed * speed / (spacing * spacing); /* far above any eigenvalue */
+    int n = 0;
+    while (n < STEPS) {
+        apply(l, amplitude);
+        diagonal[n] = product(l, &l->current, &l->image, scale);
+        combine(l->body, -diagonal[n], &l->current, 1, &l->image);
+        if (n > 0) combine(l->body, -off[n - 1], &l->before, 1, &l->image);
+        off[n] = sqrt(product(l, &l->image, &l->image, scale * scale));
+        n++;
+        if (off[n - 1] < 1e-9 * fabs(diagonal[n - 1])) break; /* an invariant space: small bodies */
+        struct vector spare = l->before;
+        l->before = l->current;
+        l->current = l->image;
+        l->image = spare;
+        combine(l->body, 0, &l->before, 1 / off[n - 1], &l->current);
+    }
+    return upper_bound(diagonal, off, n);
+}
+
+double stable_step(struct correspondence *model, struct body *body,
+                   const struct materials *materials)
+{
+    struct lanczos l = {
+        model,           body, materials, vector_new(body), vector_new(body), vector_new(body),
+        vector_new(body)};
+    const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
+    for (int a = 0; a < 3; a++) memcpy(l.rest.component[a], body->u[a], bytes);
+    double eigenvalue = largest_eigenvalue(&l);
+    for (int a = 0; a < 3; a++) memcpy(body->u[a], l.rest.component[a], bytes);
+    vector_free(&l.rest);
+    vector_free(&l.current);
+    vector_free(&l.before);
+    vector_free(&l.image);
+    return 2 / sqrt(eigenvalue);
+}

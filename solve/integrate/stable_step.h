@@ -1,0 +1,18 @@
+/* stable_step.h - the largest stable time step of central differences.
+ *
+ *   dt_critical = 2/omega_max,  omega_max^2 the largest eigenvalue of M^-1 (-df/du)
+ *
+ * of the whole body as it stands, stabilisation included, without yield (plastic flow only softens).
+ * Lanczos' method on differences of the force; the bound theta + |residual| of the largest Ritz pair
+ * (Parlett, The Symmetric Eigenvalue Problem (1998), section 4.5) makes it safe where it has not fully
+ * converged. */
+#ifndef HS_STABLE_STEP_H
+#define HS_STABLE_STEP_H
+
+#include "correspondence.h"
+
+/* [s].  Costs about 60 force evaluations; leaves u as it was.  Collective, the same on every rank. */
+double stable_step(struct correspondence *model, struct body *body,
+                   const struct materials *materials);
+
+#endif

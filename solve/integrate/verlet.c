@@ -1,0 +1,224 @@
+#include "verlet.h"
+
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* v += half_step f/rho at the strip's nodes. */
+HS_SIMD static void kick(int count, const double *restrict f,
+                         const double *restrict inverse_density, double half_step,
+                         double *restrict v)
+{
+    for (int i = 0; i < count; i++) v[i] += half_step * f[i] * inverse_density[i];
+}
+HS_SIMD static void drift(int count, const double *restrict v, double dt, double *restrict u)
+{
+    for (int i = 0; i < count; i++) u[i] += dt * v[i];
+}
+
+static void strip_density(const struct verlet *verlet, const struct body *body,
+                          const struct strip *strip, double inverse_density[LANES])
+{
+    for (int i = 0; i < strip->count; i++)
+        inverse_density[i] = verlet->inverse_density[body->grid.phase[strip->site + i]];
+}
+
+/* The affine motion between the grips at a node: what damping leaves alone. */
+struct affine {
+    double left_velocity, rate, left, right, contraction, centre[3];
+};
+
+static struct affine affine_motion(const struct boundary *boundary, const struct body *body,
+                                   double time)
+{
+    const struct lattice *lattice = body->lattice;
+    const struct boundary_set *left = &boundary->sets[boundary->left];
+    const double factor = boundary_factor(boundary, time);
+    struct affine affine = {.left_velocity = factor * left->velocity,
+                            .rate = factor * boundary_strain_rate(boundary),
+                            .left = left->inner,
+                            .right = boundary->sets[boundary->right].inner,
+                            .contraction = 0.5}; /* of plastic flow, which lasts longest */
+    for (int a = 0; a < 3; a++)
+        affine.centre[a] = lattice->origin[a] + 0.5 * (lattice->size[a] - 1) * lattice->spacing;
+    return affine;
+}
+
+/* Velocity decays towards the affine motion over half a step; returns the energy lost. */
+static void damp(struct verlet *verlet, struct body *body, const struct boundary *boundary,
+                 double time, struct exact_sum *lost)
+{
+    const struct affine affine = affine_motion(boundary, body, time);
+    const struct lattice *lattice = body->lattice;
+    const double keep = exp(-0.5 * verlet->damping * verlet->dt);
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            int64_t site = body->owned.items[s].site + i;
+            int at[3];
+            grid_position(&body->grid, site, at);
+            double mass = body->volume / verlet->inverse_density[body->grid.phase[site]];
+            for (int a = 0; a < 3; a++) {
+                double x = lattice->origin[a] + at[a] * lattice->spacing;
+                double target =
+                    a == 0
+                        ? affine.left_velocity +
+                              affine.rate * (fmin(fmax(x, affine.left), affine.right) - affine.left)
+                        : -affine.contraction * affine.rate * (x - affine.centre[a]);
+                double before = body->v[a][site];
+                double after = target + keep * (before - target);
+                body->v[a][site] = after;
+                exact_sum_add(lost, 0.5 * mass * (before * before - after * after));
+            }
+        }
+}
+
+static void half_kick(const struct verlet *verlet, struct body *body)
+{
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        double inverse_density[LANES];
+        strip_density(verlet, body, strip, inverse_density);
+        for (int a = 0; a < 3; a++)
+            kick(strip->count, body->f[a] + strip->site, inverse_density, 0.5 * verlet->dt,
+                 body->v[a] + strip->site);
+    }
+}
+
+static void move(const struct verlet *verlet, struct body *body)
+{
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int a = 0; a < 3; a++)
+            drift(body->owned.items[s].count, body->v[a] + body->owned.items[s].site, verlet->dt,
+                  body->u[a] + body->owned.items[s].site);
+}
+
+HS_SIMD static void speed_squared(int count, const double *restrict x, const double *restrict y,
+                                  const double *restrict z, const double *restrict inverse_density,
+                                  double *restrict out)
+{
+    for (int i = 0; i < count; i++)
+        out[i] = (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]) / inverse_density[i];
+}
+
+static void sum_kinetic(const struct verlet *verlet, const struct body *body,
+                        struct exact_sum *kinetic)
+{
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        double inverse_density[LANES], terms[LANES];
+        strip_density(verlet, body, strip, inverse_density);
+        speed_squared(strip->count, body->v[0] + strip->site, body->v[1] + strip->site,
+                      body->v[2] + strip->site, inverse_density, terms);
+        exact_sum_add_strip(kinetic, strip->count, terms, 0.5 * body->volume);
+    }
+}
+
+/* Mass of a set [kg] from its phases; the sets are small. */
+static void sum_masses(const struct verlet *verlet, const struct body *body,
+                       const struct boundary *boundary, double *masses)
+{
+    struct exact_sum *sums = memory_new((size_t)boundary->count, sizeof *sums);
+    for (int b = 0; b < boundary->count; b++) {
+        const struct boundary_set *set = &boundary->sets[b];
+        sums[b] = verlet->kinetic_zero;
+        for (int64_t i = 0; i < set->members.count; i++)
+            exact_sum_add(&sums[b],
+                          body->volume /
+                              verlet->inverse_density[body->grid.phase[set->members.sites[i]]]);
+    }
+    exact_sum_finish(sums, boundary->count, masses);
+    free(sums);
+}
+
+static void finish_balance(struct verlet *verlet, const struct body *body,
+                           struct force_energy *energy, const struct exact_sum *damped)
+{
+    struct exact_sum sums[] = {verlet->kinetic_zero, energy->stored, energy->plastic,
+                               energy->stabilisation, *damped};
+    sum_kinetic(verlet, body, &sums[0]);
+    double values[5];
+    exact_sum_finish(sums, 5, values);
+    verlet->balance.kinetic = values[0];
+    verlet->balance.stored = values[1];
+    verlet->balance.plastic = values[2];
+    verlet->balance.stabilisation = values[3];
+    verlet->balance.damping += values[4];
+}
+
+struct verlet verlet_new(double dt, double damping, const struct materials *materials,
+                         struct body *body, struct boundary *boundary, struct correspondence *model)
+{
+    struct verlet verlet = {.dt = dt, .damping = damping};
+    verlet.inverse_density = memory_new((size_t)materials->count, sizeof(double));
+    for (int i = 0; i < materials->count; i++)
+        verlet.inverse_density[i] = 1 / materials->items[i].density;
+    /* No energy density of a metal exceeds its Young's modulus. */
+    const double bound =
+        (double)body->lattice->n_nodes * body->volume * materials_stiffest(materials);
+    const struct exact_sum zero = exact_sum_new(4 * bound);
+    verlet.zero = (struct force_energy){zero, zero, zero};
+    verlet.kinetic_zero = zero;
+
+    double *masses = memory_new((size_t)boundary->count, sizeof *masses);
+    sum_masses(&verlet, body, boundary, masses);
+    for (int b = 0; b < boundary->count; b++) boundary->sets[b].mass = masses[b];
+    free(masses);
+
+    struct force_energy energy = verlet.zero;
+    correspondence_force(model, body, (struct force_mode){.commit = true, .energy = true}, &energy);
+    boundary_reactions(boundary, body);
+    finish_balance(&verlet, body, &energy, &verlet.kinetic_zero);
+    verlet.balance.initial = verlet.balance.kinetic;
+    return verlet;
+}
+
+void verlet_free(struct verlet *verlet)
+{
+    free(verlet->inverse_density);
+    *verlet = (struct verlet){0};
+}
+
+/* Work of the sets over a step: mean force times way, and what their own mass has gained. */
+static void add_work(struct verlet *verlet, struct boundary *boundary, const double *force_before)
+{
+    const double end = verlet->time, start = end - verlet->dt;
+    const double before = boundary_factor(boundary, start), after = boundary_factor(boundary, end),
+                 middle = boundary_factor(boundary, 0.5 * (start + end));
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *set = &boundary->sets[b];
+        double way = middle * set->velocity * verlet->dt;
+        set->moved += way;
+        verlet->balance.work +=
+            0.5 * (force_before[b] + set->total_force) * way +
+            0.5 * set->mass * set->velocity * set->velocity * (after * after - before * before);
+    }
+}
+
+void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
+                 struct correspondence *model, double *axial)
+{
+    double *force_before = memory_new((size_t)boundary->count, sizeof *force_before);
+    for (int b = 0; b < boundary->count; b++) force_before[b] = boundary->sets[b].total_force;
+    struct exact_sum damped = verlet->kinetic_zero;
+
+    half_kick(verlet, body);
+    if (verlet->damping > 0) damp(verlet, body, boundary, verlet->time, &damped);
+    boundary_set_velocities(boundary, body, verlet->time + 0.5 * verlet->dt);
+    move(verlet, body);
+    verlet->step++;
+    verlet->time += verlet->dt;
+
+    struct force_energy energy = verlet->zero;
+    correspondence_force(
+        model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial}, &energy);
+    half_kick(verlet, body);
+    boundary_set_velocities(boundary, body, verlet->time);
+    if (verlet->damping > 0) damp(verlet, body, boundary, verlet->time, &damped);
+    boundary_set_velocities(boundary, body, verlet->time);
+
+    boundary_reactions(boundary, body);
+    add_work(verlet, boundary, force_before);
+    finish_balance(verlet, body, &energy, &damped);
+    free(force_before);
+}

@@ -1,0 +1,92 @@
+#include "launch.h"
+
+#include "die.h"
+#include "memory.h"
+#include "spool.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static int started_by_launcher(void)
+{
+    return getenv("PMIX_RANK") || getenv("OMPI_COMM_WORLD_SIZE") || getenv("SLURM_STEP_ID");
+}
+
+int launch_wanted(const struct arguments *arguments)
+{
+    return arguments->ranks > 1 && !started_by_launcher();
+}
+
+/* A path to a file that only this process has open. */
+static char *seen_by_others(const char *path)
+{
+    const char *own = "/proc/self/";
+    if (strncmp(path, own, strlen(own)) != 0) return memory_text(path);
+    return memory_print("/proc/%ld/%s", (long)getpid(), path + strlen(own));
+}
+
+static void set_environment(void)
+{
+    if (geteuid() == 0) { /* mpirun refuses root unless both are set; -j is the user's own word */
+        setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
+        setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 0);
+    }
+    setenv("OMPI_MCA_pml", "ob1", 0);
+    setenv("OMPI_MCA_btl", "self,vader", 0);
+    setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 0);
+    setenv("OMPI_MCA_osc", "^ucx", 0);
+}
+
+static void become_mpirun(const struct arguments *a, const char *input, const char *history)
+{
+    char *self = realpath("/proc/self/exe", NULL), *ranks = memory_print("%d", a->ranks);
+    const char *argv[24] = {"mpirun", "--quiet", "--oversubscribe", "--bind-to", "none", "-np",
+                            ranks,    self};
+    int n = 8;
+    argv[n++] = "--input";
+    argv[n++] = input;
+    if (a->deck) {
+        argv[n++] = "--deck";
+        argv[n++] = a->deck;
+    }
+    if (a->fields) {
+        argv[n++] = "--output";
+        argv[n++] = a->fields;
+    }
+    argv[n++] = a->history ? "--history" : "--spooled-history";
+    argv[n++] = a->history ? a->history : history;
+    if (a->quiet) argv[n++] = "--quiet";
+    set_environment();
+    setenv("HSSOLVE_COMMAND", a->command, 1);
+    int nothing = open("/dev/null", O_RDONLY);
+    if (nothing >= 0) dup2(nothing, STDIN_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO); /* nothing stray may reach the pipe */
+    execvp("mpirun", (char *const *)argv);
+    die_run("cannot start mpirun: %s", strerror(errno));
+}
+
+int launch_ranks(const struct arguments *a)
+{
+    if (a->deck && strcmp(a->deck, "-") == 0)
+        die_user("-j cannot read the deck from standard input");
+    struct spool input = spool_input(a->input), history = {.descriptor = -1};
+    if (!a->history) history = spool_output(NULL);
+    char *input_path = seen_by_others(input.path);
+    char *history_path = a->history ? NULL : seen_by_others(history.path);
+    pid_t child = fork();
+    if (child < 0) die_run("cannot fork: %s", strerror(errno));
+    if (child == 0) become_mpirun(a, input_path, history_path);
+    int status;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) die_run("waitpid: %s", strerror(errno));
+    int code = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_RUN;
+    if (code == 0 && !a->history) spool_finish(&history);
+    spool_close(&input);
+    free(input_path);
+    free(history_path);
+    return code == 0 || code == EXIT_USER ? code : EXIT_RUN;
+}

@@ -1,0 +1,212 @@
+/* capped.c - a bond spring on the non-uniform part of the motion that yields like the material.
+ *
+ *   z = u_j - u_i - (H_i + H_j)/2 xi - z_p                                              (capped.1)
+ *   energy V^2 c w |z|^2 a bond (unordered);  tau = 2 V c w z                           (capped.2)
+ *   f_i += tau, f_j -= tau;  S_i, S_j -= tau (x) xi / 2
+ *   c = G (lambda + 4 mu)/kappa_0, kappa_0 = K_11 of the full family                    (capped.3)
+ *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
+ *   beyond it z_p takes the excess but 2 %
+ *
+ * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
+ * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
+ * it does not act as a strain-gradient stiffness in plastic flow. */
+#include "j2.h"
+#include "memory.h"
+#include "stabilisation.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct capped {
+    double stiffness, cap; /* G, C */
+    const struct materials *materials;
+    const struct family *family;
+    double shape; /* kappa_0 in lattice units */
+    int64_t n_sites;
+    double *
+        plastic[3]; /* z_p of the bond from the site along each half offset: [n_half * n_sites] m */
+    double *dissipated; /* the same layout: energy lost in the bond so far, J/m^3 */
+};
+
+static const char *const keys[] = {"stiffness", "cap", NULL};
+static const double hardening =
+    0.02; /* share of the excess that stays elastic, for a positive tangent */
+
+static void *capped_read(struct deck_node map, const struct family *family,
+                         const struct materials *materials)
+{
+    struct capped *c = memory_new(1, sizeof *c);
+    c->stiffness =
+        deck_has(map, "stiffness") ? deck_number(deck_get(map, "stiffness"), "1", 1e-3, 10) : 0.3;
+    c->cap = deck_has(map, "cap") ? deck_number(deck_get(map, "cap"), "1", 1e-4, 1e3) : 0.05;
+    c->materials = materials;
+    c->family = family;
+    for (int o = 0; o < family->n_half; o++)
+        c->shape += 2 * family->half[o].weight * family->half[o].step[0] * family->half[o].step[0];
+    return c;
+}
+
+static int capped_bonds(const void *self, const struct family *family,
+                        const struct offset **offsets)
+{
+    (void)self;
+    *offsets = family->half;
+    return family->n_half;
+}
+
+static void capped_start(void *self, const struct body *body)
+{
+    struct capped *c = self;
+    c->n_sites = body->grid.n_sites;
+    const size_t bonds = (size_t)c->n_sites * (size_t)c->family->n_half;
+    for (int a = 0; a < 3; a++) c->plastic[a] = memory_new(bonds, sizeof(double));
+    c->dissipated = memory_new(bonds, sizeof(double));
+}
+
+static double capped_node_share(const void *self)
+{
+    (void)self;
+    return 1;
+}
+
+static bool capped_near_nodes(const void *self)
+{
+    (void)self;
+    return true;
+}
+
+/* What one strip of bonds works on. */
+struct bond_strip {
+    int count;
+    double xi[3], length; /* m */
+    double z[3][LANES], cap[LANES],
+        stiffness[LANES]; /* stiffness: 2 V c w, so that tau = stiffness z */
+};
+
+HS_SIMD static void difference(int count, const double *restrict ui, const double *restrict uj,
+                               double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] = uj[i] - ui[i];
+}
+
+HS_SIMD static void subtract(int count, const double *restrict Hi, const double *restrict Hj,
+                             double half_xi, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] -= half_xi * (Hi[i] + Hj[i]);
+}
+
+/* (capped.4): finds the elastic z; z_p and the energy lost move on only where commit = 1. */
+HS_SIMD static void slip(int count, struct bond_strip *restrict s, double *restrict px,
+                         double *restrict py, double *restrict pz, double *restrict lost,
+                         double cap_on, double commit)
+{
+    for (int i = 0; i < count; i++) {
+        double x = s->z[0][i] - px[i], y = s->z[1][i] - py[i], z = s->z[2][i] - pz[i];
+        double length = sqrt(x * x + y * y + z * z);
+        double excess = (1 - s->cap[i] / (length > 0 ? length : 1)) / (1 + hardening);
+        excess = length > s->cap[i] ? cap_on * excess : 0;
+        s->z[0][i] = (1 - excess) * x;
+        s->z[1][i] = (1 - excess) * y;
+        s->z[2][i] = (1 - excess) * z;
+        px[i] += commit * excess * x;
+        py[i] += commit * excess * y;
+        pz[i] += commit * excess * z;
+        /* work of the mean of the forces before and after the slip */
+        lost[i] += commit * s->stiffness[i] * (1 - 0.5 * excess) * excess * length * length;
+    }
+}
+
+static void find_caps(const struct capped *c, struct bond_strip *s, const struct body *body,
+                      int64_t i, int64_t j, double weight, const double *flow)
+{
+    const struct materials *all = c->materials;
+    const double spacing = body->lattice->spacing;
+    for (int k = 0; k < s->count; k++) {
+        int pair = body->grid.phase[i + k] * all->count + body->grid.phase[j + k];
+        double mu = all->shear[pair], bulk = all->bulk[pair];
+        double modulus = 9 * bulk * mu / (3 * bulk + mu), lambda = bulk - 2 * mu / 3;
+        s->cap[k] = c->cap * (flow[i + k] + flow[j + k]) / (2 * modulus) * s->length;
+        s->stiffness[k] =
+            2 * weight * c->stiffness * (lambda + 4 * mu) / (c->shape * spacing * spacing);
+    }
+}
+
+HS_SIMD static void add_force(int count, const double *restrict z, const double *restrict stiffness,
+                              double factor, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += factor * stiffness[i] * z[i];
+}
+
+static void capped_energy(const struct body *body, const struct bond_strip *s, const double *lost,
+                          int64_t site, struct force_energy *energy)
+{
+    for (int i = 0; i < s->count; i++) {
+        if (!(body->grid.flags[site + i] & SITE_OWNED)) continue; /* counted by the owner */
+        double square = s->z[0][i] * s->z[0][i] + s->z[1][i] * s->z[1][i] + s->z[2][i] * s->z[2][i];
+        exact_sum_add(&energy->stabilisation, 0.5 * body->volume * s->stiffness[i] * square);
+        exact_sum_add(&energy->plastic, body->volume * lost[i]);
+    }
+}
+
+static void capped_add(void *self, struct body *body, int o, const struct strip *strip,
+                       const double *flow, struct force_mode mode, struct force_energy *energy)
+{
+    struct capped *c = self;
+    const struct offset *offset = &c->family->half[o];
+    const int64_t step = grid_shift(&body->grid, offset->step), i = strip->site, j = i + step;
+    const int64_t bond = o * c->n_sites + i;
+    struct bond_strip s = {.count = strip->count};
+    double square = 0;
+    for (int a = 0; a < 3; a++) {
+        s.xi[a] = offset->step[a] * body->lattice->spacing;
+        square += s.xi[a] * s.xi[a];
+    }
+    s.length = sqrt(square);
+    find_caps(c, &s, body, i, j, offset->weight, flow);
+    for (int a = 0; a < 3; a++) {
+        difference(s.count, body->u[a] + i, body->u[a] + j, s.z[a]);
+        for (int b = 0; b < 3; b++)
+            if (offset->step[b])
+                subtract(s.count, body->H[3 * a + b] + i, body->H[3 * a + b] + j, 0.5 * s.xi[b],
+                         s.z[a]);
+    }
+    slip(s.count, &s, c->plastic[0] + bond, c->plastic[1] + bond, c->plastic[2] + bond,
+         c->dissipated + bond, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
+    for (int a = 0; a < 3; a++) {
+        add_force(s.count, s.z[a], s.stiffness, 1, body->f[a] + i);
+        add_force(s.count, s.z[a], s.stiffness, -1, body->f[a] + j);
+        for (int b = 0; b < 3; b++) {
+            if (!offset->step[b]) continue;
+            add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + i);
+            add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + j);
+        }
+    }
+    if (mode.energy) capped_energy(body, &s, c->dissipated + bond, i, energy);
+}
+
+static int64_t capped_memory(const void *self)
+{
+    const struct capped *c = self;
+    return c->n_sites * c->family->n_half * (int64_t)(4 * sizeof(double));
+}
+
+static void capped_free(void *self)
+{
+    struct capped *c = self;
+    for (int a = 0; a < 3; a++) free(c->plastic[a]);
+    free(c->dissipated);
+    free(c);
+}
+
+const struct stabilisation stabilisation_capped = {
+    .name = "capped",
+    .keys = keys,
+    .read = capped_read,
+    .bonds = capped_bonds,
+    .start = capped_start,
+    .node_share = capped_node_share,
+    .near_nodes = capped_near_nodes,
+    .add = capped_add,
+    .memory = capped_memory,
+    .free = capped_free,
+};

@@ -1,0 +1,306 @@
+#include "correspondence.h"
+
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* One strip of the walk over the body: all of a line's nodes, then its bonds along each offset.
+ * Walking line by line in global order fixes the order of every node's sums. */
+struct task {
+    struct strip strip;
+    int line[2]; /* global z, y */
+    int kind;    /* -1: nodes; otherwise the number of the bond offset */
+};
+
+struct correspondence {
+    const struct materials *materials;
+    const struct stabilisation *stabilisation;
+    void *self; /* the stabilisation's parameters and state */
+    double node_share;
+    bool near_nodes;
+    int64_t n_sites, n_tasks;
+    struct task *tasks;
+    double *state; /* [J2_STATE * n_sites] */
+    double *flow;  /* [n_sites] flow stress, where the stabilisation wants it */
+};
+
+static int compare_tasks(const void *a, const void *b)
+{
+    const struct task *s = a, *t = b;
+    const int key_s[] = {s->line[0], s->line[1], s->kind, s->strip.x};
+    const int key_t[] = {t->line[0], t->line[1], t->kind, t->strip.x};
+    for (int k = 0; k < 4; k++)
+        if (key_s[k] != key_t[k]) return key_s[k] < key_t[k] ? -1 : 1;
+    return 0;
+}
+
+static void append_tasks(struct correspondence *model, const struct grid *grid,
+                         const struct strips *strips, int kind)
+{
+    size_t size = (size_t)(model->n_tasks + strips->count) * sizeof *model->tasks;
+    struct task *tasks = memory_new(size, 1);
+    if (model->n_tasks) memcpy(tasks, model->tasks, (size_t)model->n_tasks * sizeof *tasks);
+    free(model->tasks);
+    model->tasks = tasks;
+    for (int64_t s = 0; s < strips->count; s++) {
+        int at[3];
+        grid_position(grid, strips->items[s].site, at);
+        tasks[model->n_tasks++] = (struct task){strips->items[s], {at[2], at[1]}, kind};
+    }
+}
+
+static void list_tasks(struct correspondence *model, const struct body *body)
+{
+    const struct offset *bonds;
+    int count = model->stabilisation->bonds(model->self, body->family, &bonds);
+    if (!model->near_nodes) append_tasks(model, &body->grid, &body->owned, -1);
+    for (int o = 0; o < count; o++) {
+        struct strips strips = grid_bond_strips(&body->grid, bonds[o].step);
+        append_tasks(model, &body->grid, &strips, o);
+        strips_free(&strips);
+    }
+    qsort(model->tasks, (size_t)model->n_tasks, sizeof *model->tasks, compare_tasks);
+}
+
+struct correspondence *correspondence_new(const struct body *body,
+                                          const struct materials *materials,
+                                          const struct stabilisation *stabilisation, void *self)
+{
+    struct correspondence *model = memory_new(1, sizeof *model);
+    model->materials = materials;
+    model->stabilisation = stabilisation;
+    model->self = self;
+    model->n_sites = body->grid.n_sites;
+    model->state = memory_new((size_t)model->n_sites * J2_STATE, sizeof(double));
+    for (int64_t i = 0; i < 3 * model->n_sites; i++) model->state[i] = 1; /* Cp^-1 = 1 */
+    model->node_share = stabilisation->node_share(self);
+    model->near_nodes = stabilisation->near_nodes(self);
+    if (model->near_nodes) model->flow = memory_new((size_t)model->n_sites, sizeof(double));
+    stabilisation->start(self, body);
+    list_tasks(model, body);
+    return model;
+}
+
+void correspondence_free(struct correspondence *model)
+{
+    model->stabilisation->free(model->self);
+    free(model->tasks);
+    free(model->state);
+    free(model->flow);
+    free(model);
+}
+
+/* G_ab += (u_a(+xi) - u_a(-xi)) w xi_b over one pair of family members; u = 0 where there is none. */
+HS_SIMD static void add_pair(int count, const double *restrict plus, const double *restrict minus,
+                             double weight, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += (plus[i] - minus[i]) * weight;
+}
+
+/* row_b = (G_b - u s_b) K^-1, for one row (component) of H */
+HS_SIMD static void gradient_row(int count, const double *restrict u, const double *restrict sx,
+                                 const double *restrict sy, const double *restrict sz,
+                                 const double *restrict xx, const double *restrict yy,
+                                 const double *restrict zz, const double *restrict xy,
+                                 const double *restrict yz, const double *restrict zx,
+                                 double inverse_spacing, const double (*restrict G)[LANES],
+                                 double *restrict hx, double *restrict hy, double *restrict hz)
+{
+    for (int i = 0; i < count; i++) {
+        double gx = (G[0][i] - u[i] * sx[i]) * inverse_spacing,
+               gy = (G[1][i] - u[i] * sy[i]) * inverse_spacing,
+               gz = (G[2][i] - u[i] * sz[i]) * inverse_spacing;
+        hx[i] = gx * xx[i] + gy * xy[i] + gz * zx[i];
+        hy[i] = gx * xy[i] + gy * yy[i] + gz * yz[i];
+        hz[i] = gx * zx[i] + gy * yz[i] + gz * zz[i];
+    }
+}
+
+static void displacement_gradient(struct body *body)
+{
+    const struct family *family = body->family;
+    double *const *K = body->inverse, *const *s = body->first;
+    for (int64_t n = 0; n < body->near.count; n++) {
+        const int count = body->near.items[n].count;
+        const int64_t i = body->near.items[n].site;
+        for (int a = 0; a < 3; a++) {
+            double G[3][LANES] = {{0}};
+            const double *u = body->u[a] + i;
+            for (int o = 0; o < family->n_half; o++) {
+                const struct offset *offset = &family->half[o];
+                const int64_t shift = grid_shift(&body->grid, offset->step);
+                for (int b = 0; b < 3; b++)
+                    if (offset->step[b])
+                        add_pair(count, u + shift, u - shift, offset->weight * offset->step[b],
+                                 G[b]);
+            }
+            gradient_row(count, u, s[0] + i, s[1] + i, s[2] + i, K[0] + i, K[1] + i, K[2] + i,
+                         K[3] + i, K[4] + i, K[5] + i, 1 / body->lattice->spacing,
+                         (const double(*)[LANES])G, body->H[3 * a] + i, body->H[3 * a + 1] + i,
+                         body->H[3 * a + 2] + i);
+        }
+    }
+}
+
+static void load_nodes(const struct correspondence *model, const struct body *body,
+                       const struct strip *strip, struct j2_strip *j2)
+{
+    const struct materials *all = model->materials;
+    j2->count = strip->count;
+    for (int k = 0; k < TENSOR; k++)
+        memcpy(j2->H[k], body->H[k] + strip->site, (size_t)strip->count * sizeof(double));
+    for (int i = 0; i < strip->count; i++) {
+        int pair = body->grid.phase[strip->site + i] * (all->count + 1);
+        j2->mu[i] = all->shear[pair];
+        j2->bulk[i] = all->bulk[pair];
+        j2->curve[i] = pair;
+    }
+}
+
+void correspondence_stress(struct correspondence *model, const struct body *body,
+                           const struct strip *strip, struct j2_strip *j2)
+{
+    load_nodes(model, body, strip, j2);
+    j2_update(j2, model->state + strip->site, model->n_sites, model->materials->curves.table,
+              (struct j2_mode){.frozen = true});
+}
+
+HS_SIMD static void add_scaled(int count, const double *restrict P, double weight,
+                               double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += weight * P[i];
+}
+
+static void node_law(struct correspondence *model, struct body *body, const struct strip *strip,
+                     struct force_mode mode, struct force_energy *energy)
+{
+    const struct materials *all = model->materials;
+    const int64_t site = strip->site;
+    struct j2_strip j2;
+    load_nodes(model, body, strip, &j2);
+    j2_update(&j2, model->state + site, model->n_sites, all->curves.table,
+              (struct j2_mode){mode.commit, mode.frozen, mode.energy});
+    for (int k = 0; k < TENSOR; k++)
+        add_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);
+    if (mode.axial) add_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
+
+    const double *p = model->state + (J2_STATE - 1) * model->n_sites + site;
+    for (int i = 0; model->flow && i < strip->count; i++)
+        model->flow[site + i] = flow_stress(all->curves.table, flow_cell(j2.curve[i], p[i]), p[i]);
+    if (!mode.energy) return;
+    body_only_owned(body, site, strip->count, j2.stored);
+    body_only_owned(body, site, strip->count, j2.plastic);
+    exact_sum_add_strip(&energy->stored, strip->count, j2.stored, model->node_share * body->volume);
+    exact_sum_add_strip(&energy->plastic, strip->count, j2.plastic,
+                        model->node_share * body->volume);
+}
+
+static void clear(struct body *body)
+{
+    const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
+    for (int k = 0; k < 9; k++) memset(body->S[k], 0, bytes);
+    for (int k = 0; k < 3; k++) memset(body->f[k], 0, bytes);
+}
+
+static void stresses(struct correspondence *model, struct body *body, struct force_mode mode,
+                     struct force_energy *energy)
+{
+    /* The flow stress of both ends must be known before their bond. */
+    if (model->near_nodes)
+        for (int64_t s = 0; s < body->near.count; s++)
+            node_law(model, body, &body->near.items[s], mode, energy);
+    for (int64_t t = 0; t < model->n_tasks; t++) {
+        const struct task *task = &model->tasks[t];
+        if (task->kind < 0)
+            node_law(model, body, &task->strip, mode, energy);
+        else
+            model->stabilisation->add(model->self, body, task->kind, &task->strip, model->flow,
+                                      mode, energy);
+    }
+}
+
+/* S becomes S K^-1, in place, row by row. */
+HS_SIMD static void divide_row(int count, const double *restrict xx, const double *restrict yy,
+                               const double *restrict zz, const double *restrict xy,
+                               const double *restrict yz, const double *restrict zx,
+                               double inverse_spacing, double *restrict sx, double *restrict sy,
+                               double *restrict sz)
+{
+    for (int i = 0; i < count; i++) {
+        double x = sx[i] * inverse_spacing, y = sy[i] * inverse_spacing,
+               z = sz[i] * inverse_spacing;
+        sx[i] = x * xx[i] + y * xy[i] + z * zx[i];
+        sy[i] = x * xy[i] + y * yy[i] + z * yz[i];
+        sz[i] = x * zx[i] + y * yz[i] + z * zz[i];
+    }
+}
+
+static void divide_by_shape(struct body *body)
+{
+    double *const *K = body->inverse, *const *S = body->S;
+    for (int64_t n = 0; n < body->owned.count; n++) {
+        const int64_t i = body->owned.items[n].site;
+        for (int a = 0; a < 9; a += 3)
+            divide_row(body->owned.items[n].count, K[0] + i, K[1] + i, K[2] + i, K[3] + i, K[4] + i,
+                       K[5] + i, 1 / body->lattice->spacing, S[a] + i, S[a + 1] + i, S[a + 2] + i);
+    }
+}
+
+/* f += sum_b Q_b s_b + G, G the sum over the family */
+HS_SIMD static void add_divergence(int count, const double *restrict qx, const double *restrict qy,
+                                   const double *restrict qz, const double *restrict sx,
+                                   const double *restrict sy, const double *restrict sz,
+                                   const double *restrict G, double *restrict f)
+{
+    for (int i = 0; i < count; i++) f[i] += qx[i] * sx[i] + qy[i] * sy[i] + qz[i] * sz[i] + G[i];
+}
+
+static void divergence(struct body *body)
+{
+    const struct family *family = body->family;
+    double *const *s = body->first;
+    for (int64_t n = 0; n < body->owned.count; n++) {
+        const int count = body->owned.items[n].count;
+        const int64_t i = body->owned.items[n].site;
+        for (int a = 0; a < 3; a++) {
+            double G[LANES] = {0};
+            double *const *Q = body->S + 3 * a;
+            for (int o = 0; o < family->n_half; o++) {
+                const struct offset *offset = &family->half[o];
+                const int64_t shift = grid_shift(&body->grid, offset->step);
+                for (int b = 0; b < 3; b++)
+                    if (offset->step[b])
+                        add_pair(count, Q[b] + i + shift, Q[b] + i - shift,
+                                 offset->weight * offset->step[b], G);
+            }
+            add_divergence(count, Q[0] + i, Q[1] + i, Q[2] + i, s[0] + i, s[1] + i, s[2] + i, G,
+                           body->f[a] + i);
+        }
+    }
+}
+
+void correspondence_force(struct correspondence *model, struct body *body, struct force_mode mode,
+                          struct force_energy *energy)
+{
+    halo_exchange(body->displacement_halo, body->u, 3);
+    displacement_gradient(body);
+    clear(body);
+    stresses(model, body, mode, energy);
+    divide_by_shape(body);
+    halo_exchange(body->stress_halo, body->S, 9);
+    divergence(body);
+}
+
+const double *correspondence_plastic_strain(const struct correspondence *model)
+{
+    return model->state + (J2_STATE - 1) * model->n_sites;
+}
+
+int64_t correspondence_memory(const struct correspondence *model)
+{
+    int64_t fields = J2_STATE + (model->flow ? 1 : 0);
+    return model->n_sites * fields * (int64_t)sizeof(double) +
+           model->n_tasks * (int64_t)sizeof(struct task) +
+           model->stabilisation->memory(model->self);
+}

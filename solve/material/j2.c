@@ -1,0 +1,276 @@
+#include "j2.h"
+
+#include "flow_curve.h"
+
+#include <math.h>
+
+/* Symmetric 3x3 matrices in registers. */
+struct symmetric {
+    double xx, yy, zz, xy, yz, zx;
+};
+
+/* a b of two that commute (functions of one matrix): symmetric again. */
+HS_INLINE struct symmetric times(struct symmetric a, struct symmetric b)
+{
+    return (struct symmetric){
+        a.xx * b.xx + a.xy * b.xy + a.zx * b.zx, a.xy * b.xy + a.yy * b.yy + a.yz * b.yz,
+        a.zx * b.zx + a.yz * b.yz + a.zz * b.zz, a.xx * b.xy + a.xy * b.yy + a.zx * b.yz,
+        a.xy * b.zx + a.yy * b.yz + a.yz * b.zz, a.zx * b.xx + a.yz * b.xy + a.zz * b.zx};
+}
+
+HS_INLINE struct symmetric scaled(struct symmetric a, double factor, double diagonal)
+{
+    return (struct symmetric){a.xx * factor + diagonal,
+                              a.yy * factor + diagonal,
+                              a.zz * factor + diagonal,
+                              a.xy * factor,
+                              a.yz * factor,
+                              a.zx * factor};
+}
+
+HS_INLINE struct symmetric inverse(struct symmetric a)
+{
+    double xx = a.yy * a.zz - a.yz * a.yz, xy = a.yz * a.zx - a.xy * a.zz,
+           zx = a.xy * a.yz - a.yy * a.zx;
+    double scale = 1 / (a.xx * xx + a.xy * xy + a.zx * zx);
+    return (struct symmetric){
+        xx * scale, (a.xx * a.zz - a.zx * a.zx) * scale, (a.xx * a.yy - a.xy * a.xy) * scale,
+        xy * scale, (a.xy * a.zx - a.xx * a.yz) * scale, zx * scale};
+}
+
+/* (ln b)/2 = artanh X, X = 1 - 2 (b + 1)^-1 */
+HS_INLINE struct symmetric half_logarithm(struct symmetric b)
+{
+    struct symmetric X = scaled(inverse(scaled(b, 1, 1)), -2, 1), Y = times(X, X);
+    struct symmetric series = scaled(Y, 1.0 / 7, 1.0 / 5);
+    series = scaled(times(Y, series), 1, 1.0 / 3);
+    series = scaled(times(Y, series), 1, 1);
+    return times(X, series);
+}
+
+/* exp(2 e) = 2 (1 - T)^-1 - 1, T = tanh e */
+HS_INLINE struct symmetric double_exponential(struct symmetric e)
+{
+    struct symmetric Y = times(e, e);
+    struct symmetric series = scaled(Y, -17.0 / 315, 2.0 / 15);
+    series = scaled(times(Y, series), 1, -1.0 / 3);
+    series = scaled(times(Y, series), 1, 1);
+    return scaled(inverse(scaled(times(e, series), -1, 1)), 2, -1);
+}
+
+struct tensor {
+    double xx, xy, xz, yx, yy, yz, zx, zy, zz;
+};
+
+HS_INLINE struct tensor deformation_gradient(const double (*H)[LANES], int i)
+{
+    return (struct tensor){1 + H[0][i], H[1][i], H[2][i], H[3][i],    1 + H[4][i],
+                           H[5][i],     H[6][i], H[7][i], 1 + H[8][i]};
+}
+
+HS_INLINE struct tensor inverse_tensor(struct tensor F)
+{
+    double xx = F.yy * F.zz - F.yz * F.zy, yx = F.yz * F.zx - F.yx * F.zz,
+           zx = F.yx * F.zy - F.yy * F.zx;
+    double scale = 1 / (F.xx * xx + F.xy * yx + F.xz * zx);
+    return (struct tensor){
+        xx * scale, (F.xz * F.zy - F.xy * F.zz) * scale, (F.xy * F.yz - F.xz * F.yy) * scale,
+        yx * scale, (F.xx * F.zz - F.xz * F.zx) * scale, (F.xz * F.yx - F.xx * F.yz) * scale,
+        zx * scale, (F.xy * F.zx - F.xx * F.zy) * scale, (F.xx * F.yy - F.xy * F.yx) * scale};
+}
+
+/* F C F^T */
+HS_INLINE struct symmetric push_forward(struct tensor F, struct symmetric C)
+{
+    double ax = F.xx * C.xx + F.xy * C.xy + F.xz * C.zx,
+           ay = F.xx * C.xy + F.xy * C.yy + F.xz * C.yz,
+           az = F.xx * C.zx + F.xy * C.yz + F.xz * C.zz;
+    double bx = F.yx * C.xx + F.yy * C.xy + F.yz * C.zx,
+           by = F.yx * C.xy + F.yy * C.yy + F.yz * C.yz,
+           bz = F.yx * C.zx + F.yy * C.yz + F.yz * C.zz;
+    double cx = F.zx * C.xx + F.zy * C.xy + F.zz * C.zx,
+           cy = F.zx * C.xy + F.zy * C.yy + F.zz * C.yz,
+           cz = F.zx * C.zx + F.zy * C.yz + F.zz * C.zz;
+    return (struct symmetric){ax * F.xx + ay * F.xy + az * F.xz, bx * F.yx + by * F.yy + bz * F.yz,
+                              cx * F.zx + cy * F.zy + cz * F.zz, ax * F.yx + ay * F.yy + az * F.yz,
+                              bx * F.zx + by * F.zy + bz * F.zz, cx * F.xx + cy * F.xy + cz * F.xz};
+}
+
+/* (j2.1): elastic trial strain and its deviator's norm; returns whether any point is beyond yield. */
+HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
+                                    const double *restrict xx, const double *restrict yy,
+                                    const double *restrict zz, const double *restrict xy,
+                                    const double *restrict yz, const double *restrict zx,
+                                    const double *restrict p, const double *restrict table)
+{
+    int64_t beyond = 0;
+    for (int i = 0; i < count; i++) {
+        struct symmetric Cp = {xx[i], yy[i], zz[i], xy[i], yz[i], zx[i]};
+        struct symmetric e =
+            half_logarithm(push_forward(deformation_gradient((const double(*)[LANES])s->H, i), Cp));
+        double trace = e.xx + e.yy + e.zz;
+        e = scaled(e, 1, -trace / 3);
+        s->e[0][i] = e.xx;
+        s->e[1][i] = e.yy;
+        s->e[2][i] = e.zz;
+        s->e[3][i] = e.xy;
+        s->e[4][i] = e.yz;
+        s->e[5][i] = e.zx;
+        s->trace[i] = trace;
+        double norm =
+            e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + 2 * (e.xy * e.xy + e.yz * e.yz + e.zx * e.zx);
+        double q = 2 * s->mu[i] * sqrt(1.5 * norm);
+        s->q[i] = q;
+        s->scale[i] = 1;
+        s->grown[i] = 0;
+        beyond |= q > flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+    }
+    return beyond;
+}
+
+/* One Newton step on (j2.3) for the points that have not converged; returns whether any is left.
+ * The residual falls with g and, hardening being monotone, its root lies in [0, most]. */
+HS_SIMD static int64_t return_step(int count, struct j2_strip *restrict s, const double *restrict p,
+                                   const double *restrict table)
+{
+    const double tolerance = 1e-13;
+    int64_t left = 0;
+    for (int i = 0; i < count; i++) {
+        double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i];
+        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        double most = (q - yield) / modulus;
+        int64_t cell = flow_cell(s->curve[i], p[i] + g);
+        double residual = q - modulus * g - flow_stress(table, cell, p[i] + g);
+        double next = g + residual / (modulus + flow_slope(table, cell, p[i] + g));
+        next = next > 0 ? next : 0;
+        next = next < most ? next : most;
+        int64_t open = (q > yield) & (fabs(residual) > tolerance * q);
+        s->grown[i] = open ? next : g;
+        left |= open;
+    }
+    return left;
+}
+
+/* Bisection for a point where Newton's method went to and fro between kinks of a table. */
+static void return_by_bisection(struct j2_strip *s, const double *p, const double *table)
+{
+    for (int i = 0; i < s->count; i++) {
+        double modulus = 3 * s->mu[i], q = s->q[i], low = 0;
+        double high = (q - flow_stress(table, flow_cell(s->curve[i], p[i]), p[i])) / modulus;
+        double g = s->grown[i];
+        double residual =
+            q - modulus * g - flow_stress(table, flow_cell(s->curve[i], p[i] + g), p[i] + g);
+        if (high <= 0 || fabs(residual) <= 1e-12 * q) continue;
+        for (int step = 0; step < 60; step++) {
+            g = 0.5 * (low + high);
+            residual =
+                q - modulus * g - flow_stress(table, flow_cell(s->curve[i], p[i] + g), p[i] + g);
+            *(residual > 0 ? &low : &high) = g;
+        }
+        s->grown[i] = g;
+    }
+}
+
+HS_SIMD static void scale_deviator(int count, struct j2_strip *restrict s)
+{
+    for (int i = 0; i < count; i++) {
+        double q = s->q[i];
+        s->scale[i] = 1 - 3 * s->mu[i] * s->grown[i] / (q > 0 ? q : 1);
+    }
+}
+
+/* tau and P = tau F^-T */
+HS_SIMD static void stress(int count, struct j2_strip *restrict s)
+{
+    for (int i = 0; i < count; i++) {
+        double deviator = 2 * s->mu[i] * s->scale[i], pressure = s->bulk[i] * s->trace[i];
+        struct symmetric tau = {deviator * s->e[0][i] + pressure,
+                                deviator * s->e[1][i] + pressure,
+                                deviator * s->e[2][i] + pressure,
+                                deviator * s->e[3][i],
+                                deviator * s->e[4][i],
+                                deviator * s->e[5][i]};
+        struct tensor G = inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i));
+        s->P[0][i] = tau.xx * G.xx + tau.xy * G.xy + tau.zx * G.xz;
+        s->P[1][i] = tau.xx * G.yx + tau.xy * G.yy + tau.zx * G.yz;
+        s->P[2][i] = tau.xx * G.zx + tau.xy * G.zy + tau.zx * G.zz;
+        s->P[3][i] = tau.xy * G.xx + tau.yy * G.xy + tau.yz * G.xz;
+        s->P[4][i] = tau.xy * G.yx + tau.yy * G.yy + tau.yz * G.yz;
+        s->P[5][i] = tau.xy * G.zx + tau.yy * G.zy + tau.yz * G.zz;
+        s->P[6][i] = tau.zx * G.xx + tau.yz * G.xy + tau.zz * G.xz;
+        s->P[7][i] = tau.zx * G.yx + tau.yz * G.yy + tau.zz * G.yz;
+        s->P[8][i] = tau.zx * G.zx + tau.yz * G.zy + tau.zz * G.zz;
+    }
+}
+
+/* (j2.4) where the point has flowed; the others keep their state to the last bit. */
+HS_SIMD static void commit(int count, const struct j2_strip *restrict s, double *restrict xx,
+                           double *restrict yy, double *restrict zz, double *restrict xy,
+                           double *restrict yz, double *restrict zx, double *restrict p)
+{
+    for (int i = 0; i < count; i++) {
+        double scale = s->scale[i], third = s->trace[i] / 3;
+        struct symmetric e = {scale * s->e[0][i] + third, scale * s->e[1][i] + third,
+                              scale * s->e[2][i] + third, scale * s->e[3][i],
+                              scale * s->e[4][i],         scale * s->e[5][i]};
+        struct tensor G = inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i));
+        struct symmetric C = push_forward(G, double_exponential(e));
+        int flowed = s->grown[i] > 0;
+        xx[i] = flowed ? C.xx : xx[i];
+        yy[i] = flowed ? C.yy : yy[i];
+        zz[i] = flowed ? C.zz : zz[i];
+        xy[i] = flowed ? C.xy : xy[i];
+        yz[i] = flowed ? C.yz : yz[i];
+        zx[i] = flowed ? C.zx : zx[i];
+        p[i] = p[i] + s->grown[i];
+    }
+}
+
+HS_SIMD static void energy(int count, struct j2_strip *restrict s, const double *restrict p,
+                           const double *restrict table)
+{
+    for (int i = 0; i < count; i++) {
+        double q = s->scale[i] * s->q[i], all = p[i];
+        s->stored[i] = q * q / (6 * s->mu[i]) + 0.5 * s->bulk[i] * s->trace[i] * s->trace[i];
+        s->plastic[i] = flow_work(table, flow_cell(s->curve[i], all), all);
+    }
+}
+
+void j2_update(struct j2_strip *s, double *state, int64_t stride, const double *table,
+               struct j2_mode mode)
+{
+    double *c[J2_STATE];
+    for (int k = 0; k < J2_STATE; k++) c[k] = state + k * stride;
+    double *p = c[J2_STATE - 1];
+
+    int64_t beyond = trial_strain(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p, table);
+    beyond = beyond && !mode.frozen;
+    if (beyond) {
+        int64_t left = 1;
+        for (int step = 0; step < 25 && left; step++) left = return_step(s->count, s, p, table);
+        if (left) return_by_bisection(s, p, table);
+        scale_deviator(s->count, s);
+    }
+    stress(s->count, s);
+    if (beyond && mode.commit) commit(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p);
+    if (mode.energy) energy(s->count, s, p, table);
+}
+
+void j2_cauchy(const struct j2_strip *s, double cauchy[SYMMETRIC][LANES])
+{
+    for (int i = 0; i < s->count; i++) {
+        double F[TENSOR], P[TENSOR];
+        for (int k = 0; k < TENSOR; k++) {
+            F[k] = s->H[k][i] + (k % 4 == 0);
+            P[k] = s->P[k][i];
+        }
+        double J = F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
+                   F[2] * (F[3] * F[7] - F[4] * F[6]);
+        static const int row[SYMMETRIC] = {0, 1, 2, 0, 1, 2},
+                         column[SYMMETRIC] = {0, 1, 2, 1, 2, 0};
+        for (int k = 0; k < SYMMETRIC; k++) {
+            const double *a = P + 3 * row[k], *b = F + 3 * column[k];
+            cauchy[k][i] = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / J;
+        }
+    }
+}

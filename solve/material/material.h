@@ -1,0 +1,35 @@
+/* material.h - what each phase is made of, from the deck's section "materials". */
+#ifndef HS_MATERIAL_H
+#define HS_MATERIAL_H
+
+#include "deck.h"
+#include "flow_curve.h"
+#include "hardening.h"
+
+struct material {
+    const char *name; /* of the phase */
+    double density;   /* kg/m^3 */
+    double youngs_modulus, poissons_ratio;
+    double shear_modulus, bulk_modulus; /* Pa */
+    struct hardening hardening;
+};
+
+/* All materials of a run and what the kernels read of them.  A bond between phases a and b takes the
+ * means of their moduli and of their flow stresses: pair = a * count + b. */
+struct materials {
+    int count;
+    struct material *items;
+    struct flow_curves curves; /* [count * count] by pair */
+    double *shear, *bulk;      /* [count * count] by pair, Pa */
+};
+
+/* One entry for each phase of the domain; a phase without an entry is an error, an entry without a
+ * phase only a note. */
+struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[]);
+void materials_free(struct materials *materials);
+
+/* Fastest longitudinal wave [m/s] and largest Young's modulus [Pa]. */
+double materials_wave_speed(const struct materials *materials);
+double materials_stiffest(const struct materials *materials);
+
+#endif

@@ -1,0 +1,217 @@
+/* mix.c - the node's law and the same law on the bonds to the nearest neighbours, mixed.
+ *
+ *   Pi = (1 - a) sum_i V psi(F_i) + a sum_b V beta_b psi(F_b),  b over the axis bonds       (mix.1)
+ *   F_b = Fbar + (dy - Fbar xi) (x) xi / |xi|^2,  Fbar = (F_i + F_j)/2                      (mix.2)
+ *   beta_b = g_ib + g_jb,  g_ib = 1/(n_i c_ib)                                              (mix.3)
+ *
+ * n_i: number of axes along which node i has a bond, c_ib: its bonds along that axis; so sum_b g_ib = 1
+ * and the bonds of each node carry exactly its volume.  (mix.2) is the bond-associated deformation
+ * gradient of Breitzman & Dayal, J. Mech. Phys. Solids 110 (2018) 57; for an axis bond it is Fbar with
+ * the column along the bond replaced by the bond's own stretch.  The bonds obey the full J2 law (a bond
+ * across an interface the mean law of its ends), so the control of the zero-energy modes yields with
+ * the material.  A uniform uniaxial stress stays exact at free surfaces for any weights g that depend
+ * on the section alone, since both sums of the virtual work cancel by translation along the bar. */
+#include "j2.h"
+#include "memory.h"
+#include "stabilisation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct mix {
+    double share; /* a */
+    const struct materials *materials;
+    int64_t n_sites;
+    double *share_of[3]; /* g_ib of either bond of the site along each axis (box field) */
+    double *state[3];    /* [J2_STATE * n_sites] of the bond from the site along +axis */
+};
+
+static const struct offset axes[3] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, 1}, 1}};
+static const char *const keys[] = {"share", NULL};
+
+static void *mix_read(struct deck_node map, const struct family *family,
+                      const struct materials *materials)
+{
+    (void)family;
+    struct mix *mix = memory_new(1, sizeof *mix);
+    mix->share = deck_has(map, "share") ? deck_number(deck_get(map, "share"), "1", 0.01, 1) : 0.1;
+    mix->materials = materials;
+    return mix;
+}
+
+static int mix_bonds(const void *self, const struct family *family, const struct offset **offsets)
+{
+    (void)self, (void)family;
+    *offsets = axes;
+    return 3;
+}
+
+static void find_shares(struct mix *mix, const struct body *body)
+{
+    for (int64_t s = 0; s < body->near.count; s++)
+        for (int i = 0; i < body->near.items[s].count; i++) {
+            int64_t site = body->near.items[s].site + i;
+            int count[3], along = 0;
+            for (int a = 0; a < 3; a++) {
+                int64_t step = body->grid.step[a];
+                count[a] = (body->grid.phase[site - step] != ABSENT) +
+                           (body->grid.phase[site + step] != ABSENT);
+                along += count[a] > 0;
+            }
+            for (int a = 0; a < 3; a++)
+                if (count[a]) mix->share_of[a][site] = 1.0 / (along * count[a]);
+        }
+}
+
+static void mix_start(void *self, const struct body *body)
+{
+    struct mix *mix = self;
+    mix->n_sites = body->grid.n_sites;
+    for (int a = 0; a < 3; a++) {
+        mix->share_of[a] = memory_new((size_t)mix->n_sites, sizeof(double));
+        mix->state[a] = memory_new((size_t)mix->n_sites * J2_STATE, sizeof(double));
+        for (int64_t i = 0; i < 3 * mix->n_sites; i++) mix->state[a][i] = 1; /* Cp^-1 = 1 */
+    }
+    find_shares(mix, body);
+}
+
+static double mix_node_share(const void *self)
+{
+    return 1 - ((const struct mix *)self)->share;
+}
+
+static bool mix_near_nodes(const void *self)
+{
+    (void)self;
+    return false;
+}
+
+/* (mix.2): two columns are means, the third is the bond's. */
+HS_SIMD static void mean_column(int count, const double *restrict Hi, const double *restrict Hj,
+                                double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] = 0.5 * (Hi[i] + Hj[i]);
+}
+HS_SIMD static void bond_column(int count, const double *restrict ui, const double *restrict uj,
+                                double inverse_spacing, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] = (uj[i] - ui[i]) * inverse_spacing;
+}
+
+static void bond_gradient(struct j2_strip *j2, const struct body *body, int axis, int64_t i,
+                          int64_t j)
+{
+    for (int k = 0; k < TENSOR; k++) {
+        if (k % 3 == axis)
+            bond_column(j2->count, body->u[k / 3] + i, body->u[k / 3] + j,
+                        1 / body->lattice->spacing, j2->H[k]);
+        else
+            mean_column(j2->count, body->H[k] + i, body->H[k] + j, j2->H[k]);
+    }
+}
+
+static void bond_law(struct j2_strip *j2, const struct materials *materials, const uint8_t *a,
+                     const uint8_t *b)
+{
+    for (int i = 0; i < j2->count; i++) {
+        int pair = a[i] * materials->count + b[i];
+        j2->mu[i] = materials->shear[pair];
+        j2->bulk[i] = materials->bulk[pair];
+        j2->curve[i] = pair;
+    }
+}
+
+/* out_i += weight P and out_j -= or += weight P; the two ends in two sweeps, since along x they
+ * overlap and the order of the terms must not depend on where a strip ends. */
+HS_SIMD static void add_upper(int count, const double *restrict P, const double *restrict beta,
+                              double weight, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += weight * beta[i] * P[i];
+}
+static void add_both(int count, const double *P, const double *beta, double lower, double upper,
+                     double *out, int64_t step)
+{
+    add_upper(count, P, beta, lower, out);
+    add_upper(count, P, beta, upper, out + step);
+}
+
+HS_SIMD static void add_shares(int count, const double *restrict P, const double *restrict gi,
+                               const double *restrict gj, double weight, double *restrict axial,
+                               double *restrict shifted)
+{
+    for (int i = 0; i < count; i++) axial[i] += weight * gi[i] * P[i];
+    for (int i = 0; i < count; i++) shifted[i] += weight * gj[i] * P[i];
+}
+
+static void mix_energy(const struct mix *mix, const struct body *body, const struct j2_strip *j2,
+                       const double *beta, int64_t site, struct force_energy *energy)
+{
+    const double scale = mix->share * body->volume;
+    double stored[LANES], plastic[LANES];
+    for (int i = 0; i < j2->count; i++) {
+        stored[i] = beta[i] * j2->stored[i];
+        plastic[i] = beta[i] * j2->plastic[i];
+    }
+    body_only_owned(body, site, j2->count, stored);
+    body_only_owned(body, site, j2->count, plastic);
+    exact_sum_add_strip(&energy->stabilisation, j2->count, stored, scale);
+    exact_sum_add_strip(&energy->plastic, j2->count, plastic, scale);
+}
+
+static void mix_add(void *self, struct body *body, int axis, const struct strip *strip,
+                    const double *flow, struct force_mode mode, struct force_energy *energy)
+{
+    (void)flow;
+    struct mix *mix = self;
+    const int64_t step = body->grid.step[axis], i = strip->site, j = i + step;
+    const int count = strip->count;
+    struct j2_strip j2;
+    double beta[LANES];
+    j2.count = count;
+    bond_gradient(&j2, body, axis, i, j);
+    bond_law(&j2, mix->materials, body->grid.phase + i, body->grid.phase + j);
+    j2_update(&j2, mix->state[axis] + i, mix->n_sites, mix->materials->curves.table,
+              (struct j2_mode){mode.commit, mode.frozen, mode.energy});
+
+    const double *gi = mix->share_of[axis] + i, *gj = mix->share_of[axis] + j;
+    for (int k = 0; k < count; k++) beta[k] = gi[k] + gj[k];
+    const double a = mix->share;
+    for (int k = 0; k < TENSOR; k++) {
+        if (k % 3 == axis) {
+            double per_length = a / body->lattice->spacing;
+            add_both(count, j2.P[k], beta, per_length, -per_length, body->f[k / 3] + i, step);
+        } else {
+            add_both(count, j2.P[k], beta, 0.5 * a, 0.5 * a, body->S[k] + i, step);
+        }
+    }
+    if (mode.axial) add_shares(count, j2.P[0], gi, gj, a, mode.axial + i, mode.axial + j);
+    if (mode.energy) mix_energy(mix, body, &j2, beta, i, energy);
+}
+
+static int64_t mix_memory(const void *self)
+{
+    return ((const struct mix *)self)->n_sites * (int64_t)(3 * (J2_STATE + 1) * sizeof(double));
+}
+
+static void mix_free(void *self)
+{
+    struct mix *mix = self;
+    for (int a = 0; a < 3; a++) {
+        free(mix->share_of[a]);
+        free(mix->state[a]);
+    }
+    free(mix);
+}
+
+const struct stabilisation stabilisation_mix = {
+    .name = "mix",
+    .keys = keys,
+    .read = mix_read,
+    .bonds = mix_bonds,
+    .start = mix_start,
+    .node_share = mix_node_share,
+    .near_nodes = mix_near_nodes,
+    .add = mix_add,
+    .memory = mix_memory,
+    .free = mix_free,
+};

@@ -1,0 +1,53 @@
+/* stabilisation.h - what resists the zero-energy modes of correspondence materials.
+ *
+ * A deformation gradient averaged over a family does not see motions that alternate from site to site
+ * (Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42).  A stabilisation adds energy on bonds
+ * for that part; it must yield with the material, or it acts as a strain-gradient stiffness that
+ * poisons large plastic strain.  To add one: one file, one line in the table of stabilisation.c. */
+#ifndef HS_STABILISATION_H
+#define HS_STABILISATION_H
+
+#include "body.h"
+#include "material.h"
+
+#include <stdbool.h>
+
+struct force_mode {
+    bool commit;   /* plastic state moves on */
+    bool frozen;   /* no yield, for the stable step */
+    bool energy;   /* sum up energies */
+    double *axial; /* where not NULL: nominal stress P_xx of each node is added here (box field) */
+};
+
+/* Sums over the whole body [J]. */
+struct force_energy {
+    struct exact_sum stored, plastic, stabilisation;
+};
+
+struct stabilisation {
+    const char *name;
+    const char *const *keys; /* of the deck, beside "law" */
+    /* Reads its parameters; family and materials live as long as the run. */
+    void *(*read)(struct deck_node map, const struct family *family,
+                  const struct materials *materials);
+    /* The half offsets its bonds run along. */
+    int (*bonds)(const void *self, const struct family *family, const struct offset **offsets);
+    /* Allocates the bonds' state. */
+    void (*start)(void *self, const struct body *body);
+    double (*node_share)(const void *self); /* weight of the node's own law */
+    bool (*near_nodes)(
+        const void *self); /* needs the flow stress of near nodes, not only of owned */
+    /* Adds the bonds whose lower end lies in the strip, along bond offset number o: forces to body->f,
+     * stresses to body->S.  flow: current flow stress of the nodes (box field). */
+    void (*add)(void *self, struct body *body, int o, const struct strip *strip, const double *flow,
+                struct force_mode mode, struct force_energy *energy);
+    int64_t (*memory)(const void *self); /* bytes of state */
+    void (*free)(void *self);
+};
+
+extern const struct stabilisation stabilisation_mix, stabilisation_capped;
+
+/* The entry the deck names: "stabilisation: {law: ..., ...}"; checks its keys. */
+const struct stabilisation *stabilisation_choose(struct deck_node map);
+
+#endif

@@ -1,0 +1,141 @@
+#include "fields.h"
+
+#include "exodus.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_COMPONENTS = 6 };
+
+/* Where a field's numbers come from. */
+enum source { BODY_FIELD, NODE_STRESS, VON_MISES, PLASTIC_STRAIN, PHASE, DAMAGE };
+
+/* One field of the deck: its Exodus variables, in names that ParaView glues into vectors. */
+static const struct field {
+    enum source source;
+    int count;
+    const char *components[MOST_COMPONENTS];
+} table[] = {
+    {BODY_FIELD, 3, {"DisplacementX", "DisplacementY", "DisplacementZ"}},
+    {BODY_FIELD, 3, {"VelocityX", "VelocityY", "VelocityZ"}},
+    {BODY_FIELD, 3, {"ForceX", "ForceY", "ForceZ"}},
+    {NODE_STRESS, 6, {"StressXX", "StressYY", "StressZZ", "StressXY", "StressYZ", "StressZX"}},
+    {VON_MISES, 1, {"VonMises"}},
+    {PLASTIC_STRAIN, 1, {"EquivalentPlasticStrain"}},
+    {PHASE, 1, {"Phase"}},
+    {DAMAGE, 1, {"Damage"}},
+};
+const char *const field_names[] = {"displacement", "velocity",  "force",
+                                   "stress",       "von_mises", "equivalent_plastic_strain",
+                                   "phase",        "damage"};
+const int field_count = sizeof field_names / sizeof *field_names;
+
+struct fields {
+    struct exodus_fields *file; /* rank 0 */
+    struct scene_fields wanted;
+    int n_variables;
+    double **values;                          /* [n_variables][nodes] on rank 0 */
+    double *stress[MOST_COMPONENTS], *scalar; /* box fields to gather from */
+};
+
+struct fields *fields_open(const struct spool *output, const struct domain *domain,
+                           const struct scene_fields *wanted, const struct body *body)
+{
+    struct fields *fields = memory_new(1, sizeof *fields);
+    const char **names = memory_new((size_t)wanted->n_variables * MOST_COMPONENTS, sizeof *names);
+    fields->wanted = *wanted;
+    for (int k = 0; k < wanted->n_variables; k++)
+        for (int c = 0; c < table[wanted->variables[k]].count; c++)
+            names[fields->n_variables++] = table[wanted->variables[k]].components[c];
+    if (domain) {
+        fields->file = exodus_fields_open(output, domain, fields->n_variables, names);
+        fields->values = memory_new((size_t)fields->n_variables, sizeof *fields->values);
+        for (int k = 0; k < fields->n_variables; k++)
+            fields->values[k] = memory_new((size_t)domain->n_nodes, sizeof(double));
+    }
+    free(names);
+    for (int k = 0; k < MOST_COMPONENTS; k++)
+        fields->stress[k] = memory_new((size_t)body->grid.n_sites, sizeof(double));
+    fields->scalar = memory_new((size_t)body->grid.n_sites, sizeof(double));
+    return fields;
+}
+
+static void find_stress(struct fields *fields, struct correspondence *model,
+                        const struct body *body)
+{
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        struct j2_strip j2;
+        double cauchy[SYMMETRIC][LANES];
+        correspondence_stress(model, body, strip, &j2);
+        j2_cauchy(&j2, cauchy);
+        for (int k = 0; k < SYMMETRIC; k++)
+            memcpy(fields->stress[k] + strip->site, cauchy[k],
+                   (size_t)strip->count * sizeof(double));
+    }
+}
+
+static double von_mises(double *const stress[MOST_COMPONENTS], int64_t i)
+{
+    double xy = stress[0][i] - stress[1][i], yz = stress[1][i] - stress[2][i],
+           zx = stress[2][i] - stress[0][i];
+    double shear =
+        stress[3][i] * stress[3][i] + stress[4][i] * stress[4][i] + stress[5][i] * stress[5][i];
+    return sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * shear);
+}
+
+/* A node is damaged where it carries no stress because it has no deformation gradient. */
+static double damage(const struct body *body, int64_t site)
+{
+    return body->inverse[0][site] == 0 && body->inverse[1][site] == 0 ? 1 : 0;
+}
+
+static const double *component(struct fields *fields, int variable, int c,
+                               struct correspondence *model, struct body *body)
+{
+    double *const *const vectors[] = {body->u, body->v, body->f};
+    switch (table[variable].source) {
+    case BODY_FIELD:
+        return vectors[variable][c];
+    case NODE_STRESS:
+        return fields->stress[c];
+    case PLASTIC_STRAIN:
+        return correspondence_plastic_strain(model);
+    default:
+        break;
+    }
+    for (int64_t i = 0; i < body->grid.n_sites; i++) {
+        if (!(body->grid.flags[i] & SITE_OWNED)) continue;
+        fields->scalar[i] = table[variable].source == VON_MISES ? von_mises(fields->stress, i)
+                            : table[variable].source == PHASE   ? body->grid.phase[i]
+                                                                : damage(body, i);
+    }
+    return fields->scalar;
+}
+
+void fields_write(struct fields *fields, double time, struct correspondence *model,
+                  struct body *body)
+{
+    int variable = 0;
+    find_stress(fields, model, body);
+    for (int k = 0; k < fields->wanted.n_variables; k++)
+        for (int c = 0; c < table[fields->wanted.variables[k]].count; c++, variable++)
+            body_gather(body, component(fields, fields->wanted.variables[k], c, model, body),
+                        fields->file ? fields->values[variable] : NULL);
+    if (fields->file)
+        exodus_fields_write(fields->file, time, (const double *const *)fields->values);
+}
+
+void fields_close(struct fields *fields)
+{
+    if (fields->file) {
+        exodus_fields_close(fields->file);
+        for (int k = 0; k < fields->n_variables; k++) free(fields->values[k]);
+        free(fields->values);
+    }
+    for (int k = 0; k < MOST_COMPONENTS; k++) free(fields->stress[k]);
+    free(fields->scalar);
+    free(fields);
+}

@@ -1,0 +1,23 @@
+/* fields.h - nodal fields in Exodus frames, for ParaView. */
+#ifndef HS_FIELDS_H
+#define HS_FIELDS_H
+
+#include "correspondence.h"
+#include "domain.h"
+#include "scene.h"
+#include "spool.h"
+
+/* What a deck may ask for: displacement, velocity, force, stress, ... */
+extern const char *const field_names[];
+extern const int field_count;
+
+struct fields;
+
+/* domain: rank 0's; elsewhere NULL.  Collective. */
+struct fields *fields_open(const struct spool *output, const struct domain *domain,
+                           const struct scene_fields *wanted, const struct body *body);
+void fields_write(struct fields *fields, double time, struct correspondence *model,
+                  struct body *body);
+void fields_close(struct fields *fields);
+
+#endif

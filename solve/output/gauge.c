@@ -1,0 +1,156 @@
+#include "gauge.h"
+
+#include "body/members.h"
+#include "die.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct gauge {
+    int n_phases;
+    struct members left, right;
+    double from, to;  /* x of the planes, m */
+    double *fraction; /* [n_phases] */
+    int64_t *nodes;   /* [n_phases] between the planes */
+};
+
+/* What the sums over the phases count, in this order. */
+enum { STRESS, TRUE_STRESS, STRAIN, PLASTIC, QUANTITIES };
+
+static bool between(const struct gauge *gauge, const struct body *body, int x)
+{
+    double position = body->lattice->origin[0] + x * body->lattice->spacing;
+    double slack = 1e-6 * body->lattice->spacing;
+    return position >= gauge->from - slack && position <= gauge->to + slack;
+}
+
+static void count_phases(struct gauge *gauge, const struct body *body)
+{
+    const struct lattice *lattice = body->lattice;
+    int64_t all = 0;
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        if (lattice->phase[site] == ABSENT || !between(gauge, body, (int)(site % lattice->size[0])))
+            continue;
+        gauge->nodes[lattice->phase[site]]++;
+        all++;
+    }
+    for (int p = 0; p < gauge->n_phases; p++)
+        gauge->fraction[p] = (double)gauge->nodes[p] / (double)all;
+}
+
+struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
+{
+    struct gauge *gauge = memory_new(1, sizeof *gauge);
+    gauge->n_phases = n_phases;
+    gauge->left = members_new(body, domain, "gauge_left");
+    gauge->right = members_new(body, domain, "gauge_right");
+    gauge->from = gauge->left.mean_x;
+    gauge->to = gauge->right.mean_x;
+    if (!(gauge->to > gauge->from))
+        die_user("the gauge planes are not apart: gauge_left at x = %g m, gauge_right at %g m",
+                 gauge->from, gauge->to);
+    gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
+    gauge->nodes = memory_new((size_t)n_phases, sizeof *gauge->nodes);
+    count_phases(gauge, body);
+    return gauge;
+}
+
+void gauge_free(struct gauge *gauge)
+{
+    members_free(&gauge->left);
+    members_free(&gauge->right);
+    free(gauge->fraction);
+    free(gauge->nodes);
+    free(gauge);
+}
+
+double gauge_length(const struct gauge *gauge)
+{
+    return gauge->to - gauge->from;
+}
+
+double gauge_fraction(const struct gauge *gauge, int phase)
+{
+    return gauge->fraction[phase];
+}
+
+double gauge_extension(const struct gauge *gauge, const struct body *body)
+{
+    const struct members *sets[2] = {&gauge->right, &gauge->left};
+    const double reach = 100 * body->lattice->size[0] * body->lattice->spacing;
+    struct exact_sum sums[2];
+    for (int k = 0; k < 2; k++) {
+        sums[k] = exact_sum_new((double)sets[k]->n_all * reach);
+        for (int64_t i = 0; i < sets[k]->count; i++)
+            exact_sum_add(&sums[k], body->u[0][sets[k]->sites[i]]);
+    }
+    double values[2];
+    exact_sum_finish(sums, 2, values);
+    return values[0] / (double)gauge->right.n_all - values[1] / (double)gauge->left.n_all;
+}
+
+static void add_strip(const struct gauge *gauge, const struct body *body, const struct strip *strip,
+                      const struct j2_strip *j2, const double *axial, const double *plastic,
+                      struct exact_sum *sums, struct exact_sum *layers)
+{
+    double cauchy[SYMMETRIC][LANES];
+    j2_cauchy(j2, cauchy);
+    for (int i = 0; i < strip->count; i++) {
+        int64_t site = strip->site + i;
+        double section = (1 + j2->H[4][i]) * (1 + j2->H[8][i]) - j2->H[5][i] * j2->H[7][i];
+        exact_sum_add(&layers[strip->x + i], section);
+        if (!between(gauge, body, strip->x + i)) continue;
+        struct exact_sum *phase = sums + body->grid.phase[site] * QUANTITIES;
+        exact_sum_add(&phase[STRESS], axial[site]);
+        exact_sum_add(&phase[TRUE_STRESS], cauchy[0][i]);
+        exact_sum_add(&phase[STRAIN], j2->H[0][i]);
+        exact_sum_add(&phase[PLASTIC], plastic[site]);
+    }
+}
+
+static struct gauge_section smallest_section(const struct body *body, const double *layers)
+{
+    const struct lattice *lattice = body->lattice;
+    struct gauge_section smallest = {INFINITY, 0};
+    const int64_t plane = (int64_t)lattice->size[1] * lattice->size[2];
+    for (int x = 0; x < lattice->size[0]; x++) {
+        int64_t nodes = 0;
+        for (int64_t line = 0; line < plane; line++)
+            nodes += lattice->phase[line * lattice->size[0] + x] != ABSENT;
+        if (nodes == 0 || layers[x] / (double)nodes >= smallest.ratio) continue;
+        smallest = (struct gauge_section){layers[x] / (double)nodes,
+                                          lattice->origin[0] + x * lattice->spacing};
+    }
+    return smallest;
+}
+
+void gauge_measure(const struct gauge *gauge, struct correspondence *model, const struct body *body,
+                   const double *axial, struct gauge_phase *phases, struct gauge_section *section)
+{
+    const int n_sums = gauge->n_phases * QUANTITIES, n_layers = body->lattice->size[0];
+    struct exact_sum *sums = memory_new((size_t)(n_sums + n_layers), sizeof *sums);
+    const double nodes = (double)body->lattice->n_nodes;
+    /* Stresses stay below 1e13 Pa, strains and section ratios below 1e3. */
+    for (int k = 0; k < n_sums; k++)
+        sums[k] = exact_sum_new(nodes * (k % QUANTITIES <= TRUE_STRESS ? 1e13 : 1e3));
+    for (int k = 0; k < n_layers; k++) sums[n_sums + k] = exact_sum_new(nodes * 1e3);
+
+    const double *plastic = correspondence_plastic_strain(model);
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        struct j2_strip j2;
+        correspondence_stress(model, body, &body->owned.items[s], &j2);
+        add_strip(gauge, body, &body->owned.items[s], &j2, axial, plastic, sums, sums + n_sums);
+    }
+    double *values = memory_new((size_t)(n_sums + n_layers), sizeof *values);
+    exact_sum_finish(sums, n_sums + n_layers, values);
+    for (int p = 0; p < gauge->n_phases; p++) {
+        const double *v = values + p * QUANTITIES;
+        double count = gauge->nodes[p] > 0 ? (double)gauge->nodes[p] : 1;
+        phases[p] = (struct gauge_phase){v[STRESS] / count, v[TRUE_STRESS] / count,
+                                         v[STRAIN] / count, v[PLASTIC] / count};
+    }
+    *section = smallest_section(body, values + n_sums);
+    free(sums);
+    free(values);
+}

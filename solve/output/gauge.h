@@ -1,0 +1,40 @@
+/* gauge.h - the virtual extensometer: what is measured between the gauge planes. */
+#ifndef HS_GAUGE_H
+#define HS_GAUGE_H
+
+#include "correspondence.h"
+#include "domain.h"
+
+struct gauge;
+
+/* From the node sets gauge_left and gauge_right; dies where they are missing. Collective. */
+struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases);
+void gauge_free(struct gauge *gauge);
+
+double gauge_length(const struct gauge *gauge); /* m, between the planes */
+
+/* Growth of the distance of the planes [m]. Collective. */
+double gauge_extension(const struct gauge *gauge, const struct body *body);
+
+/* Volume fraction of a phase between the planes. */
+double gauge_fraction(const struct gauge *gauge, int phase);
+
+/* Mean values of one phase between the planes. */
+struct gauge_phase {
+    double stress;         /* nominal (first Piola-Kirchhoff) xx, Pa */
+    double true_stress;    /* Cauchy xx, Pa */
+    double strain;         /* F_xx - 1 */
+    double plastic_strain; /* equivalent */
+};
+
+/* Smallest section along x: over its initial size, and where [m]. */
+struct gauge_section {
+    double ratio, x;
+};
+
+/* axial: nominal stress xx of each node (box field, from correspondence_force).  phases[n_phases].
+ * Collective. */
+void gauge_measure(const struct gauge *gauge, struct correspondence *model, const struct body *body,
+                   const double *axial, struct gauge_phase *phases, struct gauge_section *section);
+
+#endif

@@ -1,0 +1,35 @@
+#include "progress.h"
+
+#include "ranks.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+struct progress progress_start(bool shown)
+{
+    double now = ranks_clock();
+    return (struct progress){shown, isatty(STDERR_FILENO) != 0, now, now};
+}
+
+void progress_update(struct progress *progress, double done, int64_t step, double strain,
+                     double stress, double drift)
+{
+    if (!progress->shown) return;
+    double now = ranks_clock();
+    if (now - progress->last < (progress->terminal ? 0.5 : 30)) return;
+    progress->last = now;
+    double spent = now - progress->started, left = done > 0 ? spent * (1 - done) / done : 0;
+    fprintf(
+        stderr,
+        "%shssolve: %3.0f %%  step %lld  gauge strain %.4f  stress %.1f MPa  energy drift %.1e  "
+        "%.0f s left%s",
+        progress->terminal ? "\r\033[K" : "", 100 * done, (long long)step, strain, stress * 1e-6,
+        drift, left, progress->terminal ? "" : "\n");
+    fflush(stderr);
+}
+
+double progress_finish(struct progress *progress)
+{
+    if (progress->shown && progress->terminal) fprintf(stderr, "\r\033[K");
+    return ranks_clock() - progress->started;
+}

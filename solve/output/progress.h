@@ -1,0 +1,23 @@
+/* progress.h - how far the run is, for people. */
+#ifndef HS_PROGRESS_H
+#define HS_PROGRESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct progress {
+    bool shown, terminal;
+    double started, last; /* s */
+};
+
+/* shown: false on all ranks but one, and after --quiet. */
+struct progress progress_start(bool shown);
+
+/* Called at every step; prints every half second on a terminal, every half minute elsewhere.
+ * done: share of the run, 0 to 1. */
+void progress_update(struct progress *progress, double done, int64_t step, double strain,
+                     double stress, double drift);
+/* Seconds since the start. */
+double progress_finish(struct progress *progress);
+
+#endif

@@ -1,0 +1,26 @@
+/* recorder.h - the history: one record of forces, energies and phase means after the other. */
+#ifndef HS_RECORDER_H
+#define HS_RECORDER_H
+
+#include "boundary.h"
+#include "correspondence.h"
+#include "exodus.h"
+#include "gauge.h"
+#include "verlet.h"
+
+struct recorder {
+    int n_phases;
+    struct history history; /* filled on rank 0 only */
+    int64_t room;
+};
+
+/* Columns for the phases; the attributes of the domain go along (rank 0; domain NULL elsewhere). */
+struct recorder recorder_new(const struct domain *domain, int n_phases, char *const phase_names[]);
+void recorder_free(struct recorder *recorder);
+
+/* Adds a record; axial as in gauge_measure.  Returns the gauge's nominal strain.  Collective. */
+double recorder_take(struct recorder *recorder, const struct gauge *gauge,
+                     const struct verlet *verlet, const struct boundary *boundary,
+                     struct correspondence *model, const struct body *body, const double *axial);
+
+#endif

@@ -1,0 +1,19 @@
+/* simd.h - one source, several vector widths.
+ *
+ * A function marked HS_SIMD is compiled for the baseline, AVX2 and AVX-512, and the loader picks one
+ * by the processor.  Contraction is off (Makefile), so all of them give the same bits. */
+#ifndef HS_SIMD_H
+#define HS_SIMD_H
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(HS_SANITIZE)
+#define HS_SIMD                                                                                    \
+    __attribute__((noinline, target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define HS_SIMD __attribute__((noinline))
+#endif
+#define HS_INLINE static inline __attribute__((always_inline))
+
+/* Strips of the lattice are cut at multiples of this many sites in x, whatever part a rank holds. */
+enum { LANES = 64 };
+
+#endif
