@@ -38,7 +38,7 @@ static void read_columns(const struct exodus_file *file, struct history *history
     if (columns == 0 || history->n_records == 0)
         die_user("%s: no history in it, expected the output of hssolve", file->shown);
     exodus_bound(file, columns, 8, "columns");
-    exodus_bound(file, history->n_records, 8 * (columns + 1), "records");
+    exodus_bound(file, history->n_records, 8 * ((int64_t)columns + 1), "records");
     char **names = exodus_names(columns);
     exodus_read(file, ex_get_variable_names(file->id, EX_GLOBAL, columns, names), "the names");
     history->columns = memory_new((size_t)columns, sizeof *history->columns);
