@@ -5,10 +5,12 @@
 #include "output.h"
 #include "spool.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const char magic[] = "hstools-cores 1";
 static const char *const shapes[] = {"cell", "sphere"};
@@ -99,10 +101,20 @@ static void read_head(struct lines *lines, const char *topology, struct cores *c
     cores->count = (int64_t)count;
 }
 
+/* The whole file; standard input belongs to the deck. */
+static char *read_text(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) die_user("cannot read the cores %s: %s", path, strerror(errno));
+    if (!S_ISREG(status.st_mode) || status.st_size > LONGEST_FILE)
+        die_user("%s: cores are read from a file of at most %d bytes", path, LONGEST_FILE);
+    long length;
+    return spool_text(path, (long)status.st_size, &length);
+}
+
 struct cores cores_read(const char *path, const char *topology)
 {
-    long length;
-    char *text = spool_text(path, LONGEST_FILE, &length);
+    char *text = read_text(path);
     struct lines lines = {.path = path, .rest = text};
     struct cores cores = {0};
     read_head(&lines, topology, &cores);

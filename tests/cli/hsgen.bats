@@ -1,0 +1,219 @@
+# hsgen from the outside: options, exit codes, files, reproducibility.
+
+setup() {
+    cd "$BATS_TEST_TMPDIR"
+    cat >plate.yaml <<'END'
+title: Plate of the tests
+domain:
+  specimen: plate
+  size: [1.6 mm, 0.4 mm, 0.2 mm]
+  spacing: 25 um
+  topology: harmonic
+  phases: {cg: CG, ufg: UFG}
+  lattice: fcc
+  core: cell
+  core_distance: 0.25 mm
+  ufg_fraction: 0.40
+  seed: 1
+  grips: {length: 50 um, phase: structure}
+  gauge: {length: 0.8 mm}
+END
+    sed 's/core_distance: .*/core_distance: 0.1 mm/' plate.yaml >unresolved.yaml
+}
+
+# Value of a quantity in the statistics, by quantity and axis.
+statistic() { awk -F, -v q="$2" -v a="$3" '$1 == q && $2 == a { print $4; exit }' "$1"; }
+
+attribute() { ncdump -h "$1" | sed -n "s/.*:hs_$2 = \(.*\) ;/\1/p"; }
+
+@test "two runs of one command are the same to the byte" {
+    hsgen -q plate.yaml | sha256sum >one
+    sleep 1.1 # a time stamp would show
+    hsgen -q plate.yaml | sha256sum >two
+    cmp one two
+}
+
+@test "the file and the pipe differ in the recorded command alone" {
+    hsgen -q plate.yaml -o file.g
+    hsgen -q plate.yaml >pipe.g
+    diff <(ncdump file.g | grep -v 'hsgen -q\|hs_file_bytes\|^netcdf') \
+         <(ncdump pipe.g | grep -v 'hsgen -q\|hs_file_bytes\|^netcdf')
+}
+
+@test "another seed gives another random structure of the same fraction" {
+    sed 's/topology: harmonic/topology: random/; /lattice:/d; s/core_distance: .*/core_distance: 0.06 mm/' \
+        plate.yaml >random.yaml
+    hsgen -q random.yaml --override -o one.g --peridigm one -s one.csv
+    sed 's/seed: 1/seed: 2/' random.yaml | hsgen -q --override -o two.g --peridigm two -s two.csv
+    run cmp -s one.txt two.txt
+    [ "$status" -eq 1 ]
+    [ "$(statistic one.csv ufg_fraction_nodes '')" = 0.4 ]
+    [ "$(statistic two.csv ufg_fraction_nodes '')" = 0.4 ]
+}
+
+@test "an unresolved structure is refused with the spacing that would do, and nothing is written" {
+    run hsgen unresolved.yaml -o domain.g
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"not a harmonic structure: different cores touch"* ]]
+    [[ "$output" == *"is sure to resolve it"* ]]
+    [ ! -e domain.g ]
+    [ -z "$(find . -name '*.partial-*')" ]
+}
+
+@test "--override and override: true write it and say so in the file" {
+    hsgen -q unresolved.yaml --override -o option.g 2>option.err
+    grep -q 'warning' option.err
+    [[ "$(attribute option.g label)" == *overridden* ]]
+    sed 's/  seed: 1/  override: true/' unresolved.yaml >deck.yaml
+    hsgen -q deck.yaml -o deck.g
+    [[ "$(attribute deck.g label)" == *overridden* ]]
+    hsgen -q plate.yaml -o right.g
+    [[ "$(attribute right.g label)" != *overridden* ]]
+}
+
+@test "the seed's structure of spheres is refused" {
+    sed 's/lattice: fcc/lattice: bcc/; s/core: cell/core: sphere/; s/core_distance: .*/core_distance: 0.17320508 mm/' \
+        plate.yaml >spheres.yaml
+    run hsgen spheres.yaml -o domain.g
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"different cores touch"* ]]
+}
+
+@test "cores written at one spacing give the same geometry at another" {
+    hsgen -q plate.yaml -o coarse.g --cores plate.cores
+    sed 's/spacing: 25 um/spacing: 12.5 um/' plate.yaml >fine.yaml
+    sed '/lattice:/d; /core:/d; s/core_distance: .*/cores: plate.cores/' fine.yaml >again.yaml
+    hsgen -q fine.yaml -o fine.g --peridigm fine -c fine.cores
+    hsgen -q again.yaml -o again.g --peridigm again -s again.csv
+    cmp fine.txt again.txt
+    cmp fine.cores plate.cores
+    [ "$(statistic again.csv ufg_fraction_nodes '')" = 0.4 ]
+}
+
+@test "damaged cores files are refused with file and line" {
+    hsgen -q plate.yaml -o x.g --cores good.cores
+    sed '/lattice:/d; /core:/d; s/core_distance: .*/cores: bad.cores/' plate.yaml >bad.yaml
+    head -n 10 good.cores >bad.cores
+    run hsgen bad.yaml -o y.g
+    [ "$status" -eq 2 ]
+    [[ "$output" == *bad.cores:* ]]
+    sed '8s/ .*/ nan 0 0/' good.cores >bad.cores
+    run hsgen bad.yaml -o y.g
+    [ "$status" -eq 2 ]
+    [[ "$output" == *bad.cores:8:* ]]
+    sed 's/topology harmonic/topology random/' good.cores >bad.cores
+    run hsgen bad.yaml -o y.g
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"bad.cores:2: found 'topology random', expected topology harmonic"* ]]
+    sed 's/^size_m .*/size_m 0.001 0.0004 0.0002/' good.cores >bad.cores
+    run hsgen bad.yaml -o y.g
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"the deck's is larger"* ]]
+    rm bad.cores
+    run hsgen bad.yaml -o y.g
+    [ "$status" -eq 2 ]
+    [ ! -e y.g ]
+}
+
+# Peridigm reads "x y z block volume" and node sets of numbers from 1.
+@test "Peridigm's text holds the domain to the last digit" {
+    hsgen -q plate.yaml -o domain.g --peridigm p
+    [ "$(grep -vc '^#' p.txt)" -eq 8192 ]
+    # 1.6 x 0.4 x 0.2 mm3 = 1.28e-10 m3; awk prints 10 digits
+    [ "$(awk '!/^#/ { v += $5 } END { printf "%.10g", v }' p.txt)" = 1.28e-10 ]
+    for c in coordx coordy coordz; do
+        ncdump -p 9,17 -v $c domain.g | sed -n "/^ $c =/,/;/p" | tr -d ' ;\n' | sed 's/.*=//' | tr , '\n'
+        echo
+    done | grep . | awk '{ printf "%.17g\n", $1 }' >genesis
+    for c in 1 2 3; do awk -v c=$c '!/^#/ { printf "%.17g\n", $c }' p.txt; done >peridigm
+    cmp genesis peridigm
+    [ "$(wc -l <p_grip_left.txt)" -eq 256 ]
+    [ "$(head -n 1 p_grip_left.txt)" -eq 1 ]
+    [ "$(tail -n 1 p_grip_right.txt)" -eq 8192 ]
+    [ "$(wc -l <p_gauge_left.txt)" -eq 128 ]
+    # 3072 fine nodes of the 7680 outside the grips
+    fine=$(awk '!/^#/ && $1 * $1 < 0.75e-3 ^ 2 && $4 == 2' p.txt | wc -l)
+    [ "$fine" -eq 3072 ]
+}
+
+@test "grips may take a phase of their own" {
+    sed 's/phase: structure/phase: UFG/' plate.yaml | hsgen -q -o u.g --peridigm u -s u.csv
+    [ "$(awk '!/^#/ && $1 * $1 > 0.75e-3 ^ 2 && $4 == 1' u.txt | wc -l)" -eq 0 ]
+    [ "$(statistic u.csv ufg_fraction_nodes '')" = 0.4 ]
+    { sed 's/phase: structure/phase: STEEL/' plate.yaml
+      echo 'materials: {CG: {}, UFG: {}, STEEL: {}}'; } | hsgen -q -o s.g --peridigm s
+    [ "$(awk '!/^#/ && $4 == 3' s.txt | wc -l)" -eq 512 ]
+    run bash -c "sed 's/phase: structure/phase: STEEL/' plate.yaml | hsgen -o t.g"
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"standard input:13:"* ]]
+}
+
+@test "statistics and pictures" {
+    hsgen -q plate.yaml -o d.g -s d.csv -p d.png
+    hsgen -q plate.yaml -o d.g -p d.svg
+    [ "$(head -c 4 d.png | tail -c 3)" = PNG ]
+    grep -q '<svg' d.svg
+    [ "$(head -n 1 d.csv)" = quantity,axis,position_m,value,unit ]
+    [ "$(statistic d.csv volume '')" = 1.28e-10 ]
+    [ "$(statistic d.csv section '')" = 8e-08 ]
+    [ "$(statistic d.csv touching_pairs cg)" = 0 ]
+    for axis in x y z; do [ "$(statistic d.csv percolates_ufg $axis)" = 1 ]; done
+    # S2 at no distance is the fraction itself; profiles average to it
+    [ "$(statistic d.csv two_point_ufg x)" = 0.4 ]
+    mean=$(awk -F, '$1 == "profile_ufg" && $2 == "z" { s += $4; n++ } END { printf "%.6f", s / n }' d.csv)
+    [ "$mean" = 0.400000 ]
+    run hsgen plate.yaml -o d.g -p d.jpg
+    [ "$status" -eq 2 ]
+}
+
+@test "geometric match reports what is attainable" {
+    sed 's/  seed: 1/  match: geometric/' plate.yaml >geometric.yaml
+    run hsgen geometric.yaml -o d.g -s d.csv
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"attainable with whole cores:"* ]]
+    [ "$(statistic d.csv nodes_split '')" = 0 ]
+}
+
+@test "dog-bone of the standard test" {
+    cat >dogbone.yaml <<'END'
+domain:
+  specimen: dogbone
+  size: [100 mm, 12 mm, 2.5 mm]
+  spacing: 0.5 mm
+  topology: homogeneous
+  phase: CG
+  grips: {length: 20 mm, phase: structure}
+  gauge: {length: 24.8 mm, width: 5.7 mm, fillet: 12 mm}
+END
+    run hsgen dogbone.yaml -o dogbone.g
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"nominal section of the gauge 14.25 mm2"* ]]
+    # 12 of 24 rows are within 2.85 mm of the axis: 6 x 2.5 mm2
+    [ "$(attribute dogbone.g section_m2)" = 1.5e-05 ]
+}
+
+@test "wrong decks end with the place and exit 2" {
+    while IFS='|' read -r change message; do
+        sed "$change" plate.yaml >wrong.yaml
+        run hsgen wrong.yaml -o wrong.g
+        echo "$change: $output"
+        [ "$status" -eq 2 ]
+        [[ "$output" == *"wrong.yaml:$message"* ]]
+        [ ! -e wrong.g ]
+    done <<'END'
+s/core_distance/core_distanc/|10:
+s/lattice: fcc/lattice: hcp/|8:
+s/spacing: 25 um/spacing: 26 um/|4:
+s/spacing: 25 um/spacing: 25 MPa/|5:
+s/ufg_fraction: 0.40/ufg_fraction: 1.4/|11:
+s/length: 0.8 mm/length: 1.6 mm/|13:
+s/cg: CG/cg: UFG/|7:
+s/  seed: 1/  cores: x.cores/|8:
+s/  seed: 1/  sets: [{name: none, box: [[1 m, 1 m, 1 m], [2 m, 2 m, 2 m]]}]/|12:
+END
+}
+
+@test "side files do not go to standard output" {
+    run hsgen plate.yaml -o d.g -s -
+    [ "$status" -eq 2 ]
+}
