@@ -74,8 +74,10 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     analysis.modulus = plastic_modulus(curve, &analysis.line, choices);
 
     long last = analysis.maximum.row;
-    true_curve_fill(curve, &analysis.line, analysis.modulus, last, choices->window);
-    analysis.considere = true_curve_considere(curve, analysis.modulus, last);
+    long reach = true_curve_reach(curve, last);
+    true_curve_fill(curve, &analysis.line, analysis.modulus, reach, choices->window);
+    analysis.considere = true_curve_considere(curve, analysis.modulus, reach);
+    true_curve_cut(curve, last);
     analysis.power_law = harden(curve, &analysis, choices);
     for (int k = 0; k < LAW_COUNT; k++)
         analysis.fits[k] =

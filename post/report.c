@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const double giga = 1e9, mega = 1e6, percent = 100;
 
@@ -14,11 +13,13 @@ static const double balance_limit = 0.01;      /* difference of the grip forces 
 static void add_elastic(struct properties *list, const struct curve *curve,
                         const struct elastic_line *line)
 {
-    struct property *row =
-        properties_add(list, "modulus", "m_E", line->slope / giga, "GPa", line->error / giga,
-                       "slope of engineering stress on strain, least squares over rows %ld to %ld",
-                       line->first + 1, line->last + 1);
-    row->flag = line->flag;
+    char *how = line->count > 0 ? memory_print("least squares over rows %ld to %ld",
+                                               line->first + 1, line->last + 1)
+                                : memory_text("not fitted to this curve");
+    properties_add(list, "modulus", "m_E", line->slope / giga, "GPa", line->error / giga,
+                   "slope of engineering stress on strain, %s", how)
+        ->flag = line->flag;
+    free(how);
     properties_add(list, "modulus_r_squared", "R2", line->r_squared, "1", NAN,
                    "coefficient of determination of the slope, %ld points", line->count);
     properties_add(

@@ -11,6 +11,7 @@
 
 enum { FEWEST_SLOPE_POINTS = 5, FEWEST_POWER_POINTS = 3 };
 
+static const double reach_share = 0.98;
 static const double first_plastic_strain = 0.001; /* below, d sigma/d eps_p is dominated by E */
 
 /* First row from which the curve counts as plastic; last + 1 where none does. */
@@ -96,6 +97,21 @@ void true_curve_fill(struct curve *curve, const struct elastic_line *line, doubl
         curve->hardening_rate[i] = slope < modulus ? slope / (1 - slope / modulus) : NAN;
     }
     gsl_set_error_handler(handler);
+}
+
+void true_curve_cut(struct curve *curve, long maximum)
+{
+    for (long i = maximum + 1; i < curve->n; i++)
+        curve->true_strain[i] = curve->true_stress[i] = curve->plastic_strain[i] =
+            curve->hardening_rate[i] = NAN;
+}
+
+long true_curve_reach(const struct curve *curve, long maximum)
+{
+    double level = reach_share * curve->stress[maximum];
+    long row = maximum;
+    while (row < curve->n - 1 && curve->stress[row + 1] >= level) row++;
+    return row;
 }
 
 struct considere true_curve_considere(const struct curve *curve, double modulus, long last)

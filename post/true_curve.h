@@ -6,14 +6,20 @@
 #include "strength.h"
 
 /* Fills true_strain = ln(1 + e - toe), true_stress = s (1 + e - toe), plastic_strain and the
- * hardening rate theta = d sigma / d eps_p of the curve, up to row last; NAN behind it, where the
- * deformation is no longer uniform.  modulus [Pa] is the E of the plastic strain; NAN leaves plastic
- * strain and theta open.  theta is that of a quadratic fitted over a width of window [true strain] and
- * at least five points, from 0.1 % of plastic strain on. */
+ * hardening rate theta = d sigma / d eps_p of the curve, up to row last.  modulus [Pa] is the E of the
+ * plastic strain; NAN leaves plastic strain and theta open.  theta is that of a quadratic fitted over a
+ * width of window [true strain] and at least five points, from 0.1 % of plastic strain on. */
 void true_curve_fill(struct curve *curve, const struct elastic_line *line, double modulus,
                      long last, double window);
 
-/* Where d sigma / d eps first falls to sigma (Considere 1885); NAN, NAN where it does not. */
+/* Blanks what lies behind the maximum force, where the deformation is no longer uniform. */
+void true_curve_cut(struct curve *curve, long maximum);
+
+/* The row to which a slope at the maximum needs the curve: the stress is still 0.98 Rm there. */
+long true_curve_reach(const struct curve *curve, long maximum);
+
+/* Where d sigma / d eps first falls to sigma (Considere 1885), on a curve filled up to row last; NAN, NAN
+ * where it does not. */
 struct considere {
     double strain, stress; /* -, Pa; true */
 };

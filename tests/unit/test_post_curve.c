@@ -1,0 +1,245 @@
+/* Curves made by hand, whose properties are known beforehand. */
+#include "check.h"
+
+#include "analysis.h"
+#include "bounds.h"
+#include "difference.h"
+#include "memory.h"
+#include "mixture.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static struct curve curve_of(long n, const double strain[], const double stress[])
+{
+    struct curve curve = curve_new(n, "by hand");
+    memcpy(curve.strain, strain, (size_t)n * sizeof *strain);
+    memcpy(curve.stress, stress, (size_t)n * sizeof *stress);
+    return curve;
+}
+
+/* Uniaxial tension of a Voce solid, E = 200 GPa, from zero to engineering strain 0.45. */
+static const double young = 200e9, voce_yield = 180e6, voce_saturation = 500e6, voce_rate = 5;
+
+static double voce_stress(double p)
+{
+    return voce_yield + voce_saturation * (1 - exp(-voce_rate * p));
+}
+
+static struct curve voce_curve(long n)
+{
+    struct curve curve = curve_new(n, "voce");
+    for (long i = 0; i < n; i++) {
+        double share = (double)i / (double)(n - 1), e = 0.45 * share * share, eps = log1p(e);
+        double stress = young * eps;
+        if (stress > voce_yield) {
+            double p = eps;
+            /* p + sigma(p)/E = eps is a contraction. */
+            for (int k = 0; k < 100; k++) p = eps - voce_stress(p) / young;
+            stress = voce_stress(p);
+        }
+        curve.strain[i] = e;
+        curve.stress[i] = stress / (1 + e);
+    }
+    return curve;
+}
+
+static void law_comes_back(void **state)
+{
+    (void)state;
+    struct curve curve = voce_curve(601);
+    struct choices choices = choices_default();
+    struct analysis found = analysis_make(&curve, &choices);
+    /* The chord of s = E ln(1+e)/(1+e) bends by 1.5 e, 0.05 % of E at 40 % of Rp0.2. */
+    assert_relative(found.line.slope, young, 1e-3);
+    /* The measured slope stands for E in the plastic strain: an error of 1e-3 sigma/E < 4e-6 of it, times
+     * the hardening rate b Q = 2.5 GPa is 1e4 Pa. */
+    assert_near(found.fits[LAW_VOCE].parameter[0], voce_yield, 5e4);
+    assert_relative(found.fits[LAW_VOCE].parameter[1], voce_saturation, 1e-3);
+    assert_relative(found.fits[LAW_VOCE].parameter[2], voce_rate, 1e-3);
+    assert_true(found.fits[LAW_VOCE].converged);
+
+    /* d sigma/d eps = sigma with the elastic part: theta/(1 + theta/E) = sigma, by bisection. */
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; i++) {
+        double p = (low + high) / 2, theta = voce_saturation * voce_rate * exp(-voce_rate * p);
+        *(theta / (1 + theta / young) > voce_stress(p) ? &low : &high) = p;
+    }
+    double uniform = low + voce_stress(low) / young;
+    /* Points are 1e-3 apart there; the slope is that of a quadratic over 0.01. */
+    assert_near(found.considere.strain, uniform, 2e-4);
+    assert_near(log1p(found.maximum.strain), uniform, 1e-3);
+    /* Hardening rate half way: 0.1 % for the quadratic over the window. */
+    long row = 300;
+    double theta = voce_saturation * voce_rate * exp(-voce_rate * curve.plastic_strain[row]);
+    assert_relative(curve.hardening_rate[row], theta, 1e-3);
+    assert_true(isnan(curve.true_stress[found.maximum.row + 1]));
+    curve_free(&curve);
+}
+
+static void uniform_strain_in_closed_form(void **state)
+{
+    (void)state;
+    const struct {
+        enum law_index law;
+        double parameter[LAW_PARAMETERS], expected;
+    } cases[] = {
+        {LAW_HOLLOMON, {800e6, 0.27}, 0.27},
+        {LAW_SWIFT, {1069e6, 0.0243, 0.4823}, 0.4823 - 0.0243},
+        {LAW_STRAIGHT, {200e6, 1700e6}, 1 - 200.0 / 1700},
+        {LAW_VOCE, {180e6, 500e6, 5}, log(500.0 * 6 / 680) / 5},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct law_fit fit = {.law = law_of(cases[i].law)};
+        memcpy(fit.parameter, cases[i].parameter, sizeof fit.parameter);
+        /* The root is found to a relative 1e-12. */
+        assert_near(law_uniform_strain(&fit), cases[i].expected, 1e-11);
+    }
+}
+
+static void every_law_fits_itself(void **state)
+{
+    (void)state;
+    const struct {
+        enum law_index law;
+        double parameter[LAW_PARAMETERS];
+    } cases[] = {
+        {LAW_HOLLOMON, {800e6, 0.27}},
+        {LAW_LUDWIK, {165e6, 1050e6, 0.67}},
+        {LAW_SWIFT, {1069e6, 0.0243, 0.4823}},
+        {LAW_VOCE, {1260e6, 564e6, 238}},
+        {LAW_TWO_VOCE, {101e6, 81e6, 514e6, 500, 5.3}},
+        {LAW_STRAIGHT, {200e6, 1700e6}},
+    };
+    enum { N = 60 };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct law_fit truth = {.law = law_of(cases[i].law)};
+        memcpy(truth.parameter, cases[i].parameter, sizeof truth.parameter);
+        double p[N], stress[N];
+        for (int k = 0; k < N; k++) {
+            p[k] = 0.001 + 0.25 * k * k / (N * N);
+            stress[k] = law_stress(&truth, p[k]);
+        }
+        struct law_fit fit = law_fit(truth.law, p, stress, N);
+        assert_true(fit.done);
+        /* No noise: what is left is the polish, whose finite-difference Jacobian is good to 1e-8. */
+        for (int k = 0; k < truth.law->n_linear + truth.law->n_shapes; k++)
+            assert_relative(fit.parameter[k], truth.parameter[k], 1e-5);
+    }
+}
+
+static void yield_point(void **state)
+{
+    (void)state;
+    const double e[] = {0, 0.001, 0.002, 0.003, 0.01, 0.02, 0.05, 0.1};
+    const double s[] = {0, 200e6, 300e6, 270e6, 265e6, 275e6, 350e6, 340e6};
+    struct curve curve = curve_of(8, e, s);
+    struct yield_point found = strength_yield_point(&curve, 0.02);
+    assert_near(found.upper, 300e6, 0);
+    assert_near(found.lower, 265e6, 0);
+    /* The fall behind Rm has no rise behind it: no yield point. */
+    assert_true(isnan(strength_yield_point(&curve, 0.2).upper));
+    curve_free(&curve);
+}
+
+static void plateau_and_fracture(void **state)
+{
+    (void)state;
+    const double e[] = {0, 0.001, 0.1, 0.2, 0.3, 0.4, 0.5};
+    const double s[] = {0, 200e6, 400e6, 400e6, 300e6, 30e6, 1e6};
+    struct curve curve = curve_of(7, e, s);
+    struct strength_maximum maximum = strength_maximum(&curve);
+    assert_true(maximum.reached);
+    assert_near(maximum.strain, 0.15, 1e-15);
+    assert_near(maximum.plateau, 0.1, 1e-15);
+    bool broken;
+    assert_int_equal(strength_fracture_row(&curve, 0.1, &broken), 4);
+    assert_true(broken);
+    assert_int_equal(strength_fracture_row(&curve, 0.001, &broken), 6);
+    assert_false(broken);
+    curve_free(&curve);
+}
+
+/* Whatever comes, there is an answer or a blank. */
+static void poor_curves(void **state)
+{
+    (void)state;
+    const double none[] = {0, 0, 0, 0, 0}, rising[] = {0, 1e-4, 2e-4, 3e-4, 4e-4};
+    const double elastic[] = {0, 2e7, 4e7, 6e7, 8e7}, falling[] = {5e6, 4e6, 3e6, 2e6, -1e6};
+    const struct {
+        long n;
+        const double *strain, *stress;
+    } cases[] = {{1, none, none},    {1, rising + 1, elastic + 1}, {5, none, none},
+                 {5, rising, none},  {5, rising, elastic},         {5, rising, falling},
+                 {5, none, elastic}, {2, rising, elastic},         {5, falling, rising}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct curve curve = curve_of(cases[i].n, cases[i].strain, cases[i].stress);
+        struct choices choices = choices_default();
+        struct analysis found = analysis_make(&curve, &choices);
+        struct properties list = analysis_report(&curve, &found, &choices);
+        assert_true(list.count > 40);
+        assert_true(isnan(properties_value(&list, "proof_strength_0.2")));
+        assert_true(isnan(properties_value(&list, "considere_strain")));
+        properties_free(&list);
+        curve_free(&curve);
+    }
+}
+
+static struct law_fit straight(double yield, double modulus)
+{
+    return (struct law_fit){.law = law_of(LAW_STRAIGHT), .parameter = {yield, modulus}};
+}
+
+/* Two linear hardeners: each bound is a formula. */
+static void mixtures(void **state)
+{
+    (void)state;
+    const struct constituent pair[2] = {{straight(200e6, 1e9), 200e9},
+                                        {straight(1200e6, 2e9), 200e9}};
+    double fraction = 0.4, strain = 0.05;
+    /* p + (Y + H p)/E = eps */
+    double soft = (strain - 200e6 / 200e9) / (1 + 1e9 / 200e9);
+    double hard = (strain - 1200e6 / 200e9) / (1 + 2e9 / 200e9);
+    double voigt = 0.6 * (200e6 + 1e9 * soft) + 0.4 * (1200e6 + 2e9 * hard);
+    assert_relative(mixture_voigt(pair, fraction, strain), voigt, 1e-12);
+    /* The hard one stays elastic: eps = s/E + 0.6 (s - Y)/H. */
+    double reuss = (strain + 0.6 * 200e6 / 1e9) / (1 / 200e9 + 0.6 / 1e9);
+    assert_relative(mixture_reuss(pair, fraction, strain), reuss, 1e-12);
+    /* Below first yield both are Hooke's law. */
+    assert_relative(mixture_voigt(pair, fraction, 5e-4), 1e8, 1e-12);
+    assert_relative(mixture_reuss(pair, fraction, 5e-4), 1e8, 1e-12);
+    assert_relative(mixture_voigt(pair, 0, strain), constituent_stress(&pair[0], strain), 1e-12);
+    assert_relative(mixture_reuss(pair, 1, strain), constituent_stress(&pair[1], strain), 1e-12);
+}
+
+static void differences(void **state)
+{
+    (void)state;
+    const double e[] = {0, 0.01, 0.02, 0.03}, s[] = {0, 100e6, 200e6, 300e6};
+    const double f[] = {0, 0.03}, t[] = {0, 330e6};
+    struct curve reference = curve_of(4, e, s), curve = curve_of(2, f, t);
+    const double open[2] = {NAN, NAN};
+    struct difference found = difference_of(&curve, &reference, open);
+    assert_int_equal(found.count, 3);
+    /* Ten per cent everywhere, to rounding. */
+    assert_near(found.largest, 0.1, 1e-14);
+    assert_near(found.mean, 0.1, 1e-14);
+    assert_near(found.root_mean_square, 0.1, 1e-14);
+    curve_free(&curve);
+    curve_free(&reference);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(law_comes_back),
+        cmocka_unit_test(uniform_strain_in_closed_form),
+        cmocka_unit_test(every_law_fits_itself),
+        cmocka_unit_test(yield_point),
+        cmocka_unit_test(plateau_and_fracture),
+        cmocka_unit_test(poor_curves),
+        cmocka_unit_test(mixtures),
+        cmocka_unit_test(differences),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

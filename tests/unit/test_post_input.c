@@ -1,0 +1,194 @@
+/* From files to curves: histories and tables. */
+#include "check.h"
+
+#include "analysis.h"
+#include "csv.h"
+#include "deck.h"
+#include "memory.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char path[64];
+
+static int choose_path(void **state)
+{
+    (void)state;
+    snprintf(path, sizeof path, "/tmp/hs-test-post-%ld.e", (long)getpid());
+    return 0;
+}
+
+static int remove_path(void **state)
+{
+    (void)state;
+    unlink(path);
+    return 0;
+}
+
+enum { RECORDS = 5, COLUMNS = 11 };
+
+static const double section = 2e-6, length = 5e-3;
+
+/* A gauge stretched by 0.001 a record under 100, 200, ... N, the left grip 1 N weaker. */
+static struct history make_history(void)
+{
+    static const char *const names[COLUMNS] = {
+        "force_left_N",       "force_right_N", "extension_m",          "kinetic_to_internal",
+        "energy_drift",       "CG_stress_Pa",  "CG_true_stress_Pa",    "CG_strain",
+        "UFG_true_stress_Pa", "UFG_strain",    "minimum_section_ratio"};
+    struct history h = {.n_columns = COLUMNS, .n_records = RECORDS};
+    h.columns = memory_new(COLUMNS, sizeof *h.columns);
+    for (int j = 0; j < COLUMNS; j++) h.columns[j] = memory_text(names[j]);
+    h.time = memory_new(RECORDS, sizeof *h.time);
+    h.values = memory_new((size_t)RECORDS * COLUMNS, sizeof *h.values);
+    for (int i = 0; i < RECORDS; i++) {
+        const double record[COLUMNS] = {-100.0 * i + (i > 0),
+                                        100.0 * i,
+                                        length * 0.001 * i,
+                                        0.002,
+                                        -1e-5,
+                                        40e6 * i,
+                                        41e6 * i,
+                                        0.0012 * i,
+                                        80e6 * i,
+                                        0.0008 * i,
+                                        1 - 0.01 * i};
+        h.time[i] = 1e-6 * i;
+        memcpy(h.values + i * COLUMNS, record, sizeof record);
+    }
+    attributes_set_number(&h.attributes, "section_m2", section);
+    attributes_set_number(&h.attributes, "gauge_length_m", length);
+    attributes_set_number(&h.attributes, "youngs_modulus_Pa", 50e9);
+    attributes_set_number(&h.attributes, "phase_CG_fraction", 0.6);
+    attributes_set_number(&h.attributes, "phase_UFG_fraction", 0.4);
+    attributes_set_text(&h.attributes, "program", "hsgen");
+    return h;
+}
+
+static struct input write_and_read(struct history *history)
+{
+    struct spool output = spool_output(path);
+    exodus_write_history(&output, history);
+    spool_finish(&output);
+    history_free(history);
+    return input_read(path);
+}
+
+static void history_to_curve(void **state)
+{
+    (void)state;
+    struct history history = make_history();
+    struct input input = write_and_read(&history);
+    assert_true(input.is_history);
+    struct choices choices = choices_default();
+    struct curve curve = curve_make(&input, &choices);
+    assert_int_equal(curve.n, RECORDS);
+    for (int i = 0; i < RECORDS; i++) {
+        /* Half the difference of the grips' forces; the arithmetic is exact to rounding. */
+        assert_near(curve.stress[i], (200.0 * i - (i > 0)) / 2 / section, 1e-6);
+        assert_near(curve.strain[i], 0.001 * i, 1e-15);
+    }
+    assert_near(curve_force_imbalance(&curve), 1 / 399.5, 1e-12);
+    assert_false(curve.measured);
+    assert_string_equal(attributes_text(&curve.provenance, "generator_program"), "hsgen");
+
+    struct partition shared = phases_at(&curve, 4);
+    assert_string_equal(curve.phases[shared.hard].name, "UFG");
+    /* q = (320 - 164) MPa / (0.0048 - 0.0032) */
+    assert_relative(shared.factor, 156e6 / 0.0016, 1e-12);
+    struct analysis found = analysis_make(&curve, &choices);
+    struct properties list = analysis_report(&curve, &found, &choices);
+    assert_near(properties_value(&list, "reduction_of_area"), 4, 1e-9);
+    assert_relative(properties_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
+    assert_near(properties_value(&list, "CG_fraction"), 0.6, 0);
+    properties_free(&list);
+    curve_free(&curve);
+    input_free(&input);
+}
+
+static void sizes_by_choice(void **state)
+{
+    (void)state;
+    struct history history = make_history();
+    struct input input = write_and_read(&history);
+    const char *texts[CHOICE_COUNT] = {0};
+    struct option_row rows[CHOICE_COUNT];
+    choices_options(rows, texts);
+    for (int i = 0; i < CHOICE_COUNT; i++) {
+        if (strcmp(rows[i].name, "gauge-length") == 0) *rows[i].value = "10 mm";
+        if (strcmp(rows[i].name, "section") == 0) *rows[i].value = "4 mm2";
+        if (strcmp(rows[i].name, "fit-range") == 0) *rows[i].value = "0.01:0.2";
+    }
+    struct choices choices = choices_default();
+    choices_read_options(&choices, texts);
+    assert_near(choices.fit_range[0], 0.01, 0);
+    assert_near(choices.fit_range[1], 0.2, 0);
+    struct curve curve = curve_make(&input, &choices);
+    assert_near(curve.strain[2], 0.001, 1e-15);
+    assert_relative(curve.stress[2], 199.5 / 4e-6, 1e-12);
+    curve_free(&curve);
+    choices_free(&choices);
+    input_free(&input);
+}
+
+static void deck_within(void **state)
+{
+    (void)state;
+    static const char text[] = "title: A study\n"
+                               "post: {title: HS40, modulus_range: [0.05, 0.3], toe: 0,\n"
+                               "       true_modulus: 210 GPa}\n";
+    struct deck *deck = deck_parse(text, strlen(text), "deck");
+    struct choices choices = choices_default();
+    choices_read_deck(&choices, deck);
+    deck_free(deck);
+    assert_string_equal(choices.title, "HS40");
+    assert_near(choices.modulus_range[0], 0.05, 0);
+    assert_near(choices.modulus_range[1], 0.3, 0);
+    assert_near(choices.toe, 0, 0);
+    assert_near(choices.true_modulus, 210e9, 0);
+    assert_true(isnan(choices.modulus));
+    choices_free(&choices);
+}
+
+static void table_there_and_back(void **state)
+{
+    (void)state;
+    char text[] = "# title: T\n# scale: 2.5\nstrain,stress_MPa\r\n0,1.1\n0.1,\n 0.3 ,-7e-3\n";
+    struct attributes notes = {0};
+    struct table table = csv_parse(text, "t.csv", &notes);
+    assert_int_equal(table.n_rows, 3);
+    assert_string_equal(attributes_text(&notes, "title"), "T");
+    assert_near(attributes_number(&notes, "scale", 0), 2.5, 0);
+    assert_near(table_find(&table, "stress_Pa")[0], 1.1e6, 1e-9);
+    assert_true(isnan(table_find(&table, "stress_Pa")[1]));
+
+    char *written;
+    size_t size;
+    FILE *file = open_memstream(&written, &size);
+    csv_write(file, &table);
+    fclose(file);
+    assert_string_equal(written, "strain,stress_MPa\n0,1.1\n0.1,\n0.3,-0.007\n");
+    free(written);
+    table_free(&table);
+    attributes_free(&notes);
+}
+
+/* The check value of POSIX cksum: printf 123456789 | cksum. */
+static void checksum(void **state)
+{
+    (void)state;
+    assert_true(input_checksum((const unsigned char *)"123456789", 9) == 930766865U);
+    assert_true(input_checksum((const unsigned char *)"", 0) == 4294967295U);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(history_to_curve), cmocka_unit_test(sizes_by_choice),
+        cmocka_unit_test(deck_within),      cmocka_unit_test(table_there_and_back),
+        cmocka_unit_test(checksum),
+    };
+    return cmocka_run_group_tests(tests, choose_path, remove_path);
+}
