@@ -1,0 +1,182 @@
+#!/usr/bin/env bats
+# hspost from the command line, on the two digitised curves.
+
+setup() {
+    data="$BATS_TEST_DIRNAME/../data"
+    cd "$BATS_TEST_TMPDIR" || return 1
+}
+
+# value NAME FILE: a property's value
+value() {
+    awk -F, -v name="$1" '$1 == name {print $3}' "$2"
+}
+
+# near A B TOLERANCE
+near() {
+    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {exit !(a != "" && a - b <= t && b - a <= t)}'
+}
+
+@test "help and version go to standard output" {
+    hspost --help 2>/dev/null | grep -q -- --properties
+    hspost --version 2>/dev/null | grep -q '^hspost '
+}
+
+@test "a table from a pipe becomes a curve on standard output" {
+    hspost < "$data/ni200_cg.csv" > curve.csv 2> messages
+    grep -q '^# program: hspost' curve.csv
+    grep -v '^#' curve.csv | head -1 > header
+    grep -q '^time_s,force_left_N,force_right_N,extension_m,engineering_strain,engineering_stress_MPa,true_strain,true_stress_MPa,plastic_strain,' header
+    [ "$(grep -vc '^#' curve.csv)" -eq 47 ]
+    grep -q 'Rm .* 431 MPa .*not_reached' messages
+}
+
+@test "the check sum of the input is that of cksum" {
+    hspost -q "$data/ni200_cg.csv" > curve.csv
+    grep -q "^# input_cksum: $(cksum < "$data/ni200_cg.csv")\$" curve.csv
+}
+
+# Tolerances: half a unit of the last digit printed with the digitised curve.
+@test "properties as CSV and as JSON, by options" {
+    hspost -q --modulus-rows 1:4 "$data/hpt_ni_ufg.csv" -o curve.csv -p properties.csv -j properties.json
+    [ "$(head -1 properties.csv)" = property,symbol,value,unit,uncertainty,definition ]
+    near "$(value modulus properties.csv)" 41.06 0.005
+    near "$(value proof_strength_0.2 properties.csv)" 1450.18 0.005
+    near "$(value plastic_extension_at_fracture properties.csv)" 7.669 0.0005
+    perl -MJSON::PP -e 'local $/; my %p = map { $_->{property} => $_ } @{decode_json(<>)};
+        exit !(abs($p{tensile_strength}{value} - 1766.67) <= 0.005 && $p{tensile_strength}{unit} eq "MPa"
+               && !defined $p{hardening_exponent}{value} && $p{hardening_exponent}{flag} eq "too_few_points")' \
+        properties.json
+}
+
+@test "options and the deck's section say the same" {
+    printf 'post: {title: HPT, modulus_rows: [1, 4], true_modulus: 200 GPa, fit_range: [0.0015, 1]}\n' > deck.yaml
+    hspost -q "$data/hpt_ni_ufg.csv" --deck deck.yaml -p deck.csv -o /dev/null
+    hspost -q "$data/hpt_ni_ufg.csv" --modulus-rows 1:4 --true-modulus '200 GPa' --fit-range 0.0015:1 \
+        -p options.csv -o /dev/null
+    cmp deck.csv options.csv
+    near "$(value voce_yield deck.csv)" 1259.76 0.005
+}
+
+@test "a curve written by hspost reads back to the same curve and properties" {
+    hspost -q "$data/hpt_ni_ufg.csv" --modulus-rows 1:4 --true-modulus '200 GPa' -o once.csv -p once.p
+    hspost -q once.csv -o twice.csv -p twice.p
+    diff <(grep -v '^#' once.csv) <(grep -v '^#' twice.csv)
+    # The slope is no longer a fit: its row, and R2 and points, differ.
+    diff <(grep -v '^modulus' once.p) <(grep -v '^modulus' twice.p)
+}
+
+@test "figures of several curves with their mixtures" {
+    hspost -q "$data/ni200_cg.csv" --modulus-rows 1:3 -o cg.csv --title "Ni 200, it's CG"
+    hspost -q "$data/hpt_ni_ufg.csv" --modulus-rows 1:4 --true-modulus '200 GPa' -o ufg.csv
+    hspost -q cg.csv ufg.csv --plot f.svg --voigt voigt.csv --reuss reuss.csv --fraction 0.4 > out
+    [ ! -s out ]
+    grep -q "Ni 200, it.*s CG" f.svg
+    hspost -q cg.csv ufg.csv voigt.csv reuss.csv --plot f.png
+    [ "$(head -c 4 f.png | tail -c 3)" = PNG ]
+    hspost -q cg.csv ufg.csv --true --plot f.pdf
+    [ "$(head -c 4 f.pdf)" = %PDF ]
+    [ -z "$(ls | grep partial || true)" ]
+    # 60/40 in equal strain: maximum 870 MPa to the 2 MPa that the elastic parts are worth
+    hspost -q voigt.csv -o /dev/null -p voigt.p
+    near "$(value tensile_strength voigt.p)" 870 3
+}
+
+@test "properties of several curves name the curve" {
+    hspost -q "$data/ni200_cg.csv" "$data/hpt_ni_ufg.csv" -p both.csv > out
+    [ ! -s out ]
+    [ "$(head -1 both.csv)" = curve,property,symbol,value,unit,uncertainty,definition ]
+    [ "$(grep -c ',tensile_strength,' both.csv)" -eq 2 ]
+    grep -q '^ni200_cg,' both.csv
+}
+
+@test "difference of two curves" {
+    awk -F, 'BEGIN {OFS = ","} /^[0-9]/ {print $1, 1.02 * $2; next} !/^#/ {print $1, $2}' \
+        "$data/ni200_cg.csv" > stronger.csv
+    hspost -q --difference --strain-range 0.01:0.2 stronger.csv "$data/ni200_cg.csv" > difference.csv
+    [ "$(head -1 difference.csv)" = quantity,value,unit ]
+    # two per cent everywhere, to the six digits awk prints
+    near "$(awk -F, '/^largest/ {print $2}' difference.csv)" 0.02 1e-5
+    near "$(awk -F, '/^rms/ {print $2}' difference.csv)" 0.02 1e-5
+}
+
+# fails CODE PATTERN COMMAND...: exit code and message; nothing on stdout
+fails() {
+    local code=$1 pattern=$2 status=0
+    shift 2
+    "$@" > out 2> messages < /dev/null || status=$?
+    [ "$status" -eq "$code" ] || { echo "exit $status"; cat messages; return 1; }
+    grep -q -- "$pattern" messages || { cat messages; return 1; }
+    [ ! -s out ]
+}
+
+@test "wrong options are the user's error" {
+    fails 2 'help' hspost --no-such-option
+    fails 2 'toe' hspost --toe '3 MPa' "$data/ni200_cg.csv"
+    fails 2 'modulus-range' hspost --modulus-range 0.4 "$data/ni200_cg.csv"
+    fails 2 'modulus-range' hspost --modulus-range 0.4:0.1 "$data/ni200_cg.csv"
+    fails 2 'row 99' hspost --modulus-rows 1:99 "$data/ni200_cg.csv"
+    fails 2 'svg' hspost --plot figure.jpg "$data/ni200_cg.csv"
+    fails 2 'nothing to do' hspost "$data/ni200_cg.csv" "$data/hpt_ni_ufg.csv"
+    fails 2 'fraction' hspost --voigt v.csv "$data/ni200_cg.csv" "$data/hpt_ni_ufg.csv"
+    fails 2 'no law' hspost --law vice "$data/ni200_cg.csv"
+    fails 2 'two files' hspost --difference "$data/ni200_cg.csv"
+    fails 2 'empty' hspost
+    fails 2 'no-such-file' hspost no-such-file.csv
+    fails 2 'no-such-directory' hspost "$data/ni200_cg.csv" -o no-such-directory/curve.csv
+}
+
+@test "wrong decks are told by line and column" {
+    printf 'post:\n  modulus_rang: [0.1, 0.4]\n' > deck.yaml
+    fails 2 'deck.yaml:2:.*modulus_range' hspost --deck deck.yaml "$data/ni200_cg.csv"
+    printf 'post:\n  modulus_range: [0.4, 0.1]\n' > deck.yaml
+    fails 2 'deck.yaml:2:' hspost --deck deck.yaml "$data/ni200_cg.csv"
+}
+
+@test "wrong tables are told by line and column" {
+    printf 'engineering_strain,engineering_stress_MPa\n0,0\n0.1,1e999\n' > t.csv
+    fails 2 't.csv:3:5:' hspost t.csv
+    printf 'engineering_strain,engineering_stress_MPa\n0,0\n0.1\n' > t.csv
+    fails 2 't.csv:3: 1 fields' hspost t.csv
+    printf 'engineering_strain,engineering_stress_MPa\n0,0,0\n' > t.csv
+    fails 2 't.csv:2:5:' hspost t.csv
+    printf 'engineering_strain,engineering_stress_MPa\n0,nan\n' > t.csv
+    fails 2 "t.csv:2:3: 'nan'" hspost t.csv
+    printf 'engineering_strain,engineering_stress_MPa\n0,\n' > t.csv
+    fails 2 'row 1' hspost t.csv
+    printf 'engineering_strain,engineering_stress_MPa\n' > t.csv
+    fails 2 'no row' hspost t.csv
+    printf 'strain,stress\n1,2\n' > t.csv
+    fails 2 'engineering_strain' hspost t.csv
+    printf '0,0\n1,2\n' > t.csv
+    fails 2 't.csv:1:1:.*column names' hspost t.csv
+    printf 'a,a\n1,2\n' > t.csv
+    fails 2 'twice' hspost t.csv
+    printf 'CDF\002 but no more' > t.e
+    fails 2 't.e' hspost t.e
+    printf 'a\000b' > t.csv
+    fails 2 'neither' hspost t.csv
+}
+
+@test "one row is a curve, too" {
+    printf 'engineering_strain,engineering_stress_MPa\n0,0\n' | hspost -q -p p.csv > curve.csv
+    [ "$(grep -vc '^#' curve.csv)" -eq 2 ]
+    grep -q '^tensile_strength_reached,,0,' p.csv
+    ! grep -q -i -E '(,|^)-?(nan|inf)(,|$)' p.csv curve.csv
+}
+
+@test "a full disk is a failed run" {
+    [ -w /dev/full ] || skip "no /dev/full"
+    status=0
+    hspost -q "$data/ni200_cg.csv" > /dev/full 2> messages || status=$?
+    [ "$status" -eq 1 ]
+}
+
+@test "no gnuplot is a failed run and leaves no file" {
+    mkdir empty
+    program=$(command -v hspost)
+    status=0
+    PATH=$PWD/empty "$program" -q "$data/ni200_cg.csv" -o curve.csv --plot f.png 2> messages || status=$?
+    [ "$status" -eq 1 ]
+    /bin/grep -q gnuplot messages
+    [ ! -e f.png ]
+}
