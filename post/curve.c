@@ -42,6 +42,10 @@ static const double *demand(const struct input *input, const char *column)
     if (!values)
         die_user("%s: the history has no column %s; expected a history written by hssolve",
                  input->name, column);
+    for (long i = 0; i < input->table.n_rows; i++)
+        if (isnan(values[i]))
+            die_user("%s: %s of record %ld is not a finite number: did the run fail?", input->name,
+                     column, i + 1);
     return values;
 }
 

@@ -54,9 +54,8 @@ static struct table table_of_history(const struct history *history, const char *
         double *values = table_add(&table, history->columns[j]);
         for (long i = 0; i < table.n_rows; i++) {
             values[i] = history->values[i * history->n_columns + j];
-            if (!isfinite(values[i]))
-                die_user("%s: %s of record %ld is not a finite number", name, history->columns[j],
-                         i + 1);
+            /* A ratio of energies has no value before there is any. */
+            if (!isfinite(values[i])) values[i] = NAN;
         }
     }
     return table;

@@ -4,6 +4,7 @@
 #include "analysis.h"
 #include "csv.h"
 #include "deck.h"
+#include "dies.h"
 #include "memory.h"
 
 #include <stdio.h>
@@ -183,12 +184,55 @@ static void checksum(void **state)
     assert_true(input_checksum((const unsigned char *)"", 0) == 4294967295U);
 }
 
+struct spoiling {
+    const char *column;    /* taken out or, with a value, spoilt */
+    const char *attribute; /* set to value */
+    double value;
+};
+
+static void read_spoilt(const void *argument)
+{
+    const struct spoiling *spoiling = argument;
+    struct history history = make_history();
+    for (int j = 0; spoiling->column && j < history.n_columns; j++) {
+        if (strcmp(history.columns[j], spoiling->column) != 0) continue;
+        if (isnan(spoiling->value))
+            history.values[2 * COLUMNS + j] = NAN;
+        else
+            history.columns[j][0] = 'x';
+    }
+    if (spoiling->attribute)
+        attributes_set_number(&history.attributes, spoiling->attribute, spoiling->value);
+    struct input input = write_and_read(&history);
+    struct choices choices = choices_default();
+    curve_make(&input, &choices);
+}
+
+static void spoilt_histories(void **state)
+{
+    (void)state;
+    const struct {
+        struct spoiling spoiling;
+        const char *message;
+    } cases[] = {
+        {{"force_left_N", NULL, 0}, "no column force_left_N"},
+        {{"extension_m", NULL, 0}, "no column extension_m"},
+        {{"force_right_N", NULL, NAN}, "force_right_N of record 3 is not a finite number"},
+        {{NULL, "section_m2", 0}, "section_m2 = 0, expected a positive number"},
+        {{NULL, "gauge_length_m", -1}, "gauge_length_m = -1, expected a positive number"},
+        {{NULL, "section_m2", NAN}, "give --section"},
+        {{NULL, "gauge_length_m", NAN}, "give --gauge-length"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_dies(EXIT_USER, cases[i].message, read_spoilt, &cases[i].spoiling);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(history_to_curve), cmocka_unit_test(sizes_by_choice),
         cmocka_unit_test(deck_within),      cmocka_unit_test(table_there_and_back),
-        cmocka_unit_test(checksum),
+        cmocka_unit_test(checksum),         cmocka_unit_test(spoilt_histories),
     };
     return cmocka_run_group_tests(tests, choose_path, remove_path);
 }
