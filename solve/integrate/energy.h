@@ -2,7 +2,8 @@
  *
  *   kinetic + stored + plastic + stabilisation + damping = initial kinetic + external work
  *
- * The drift is the difference of both sides over the largest of their terms.  It measures the
+ * The drift is the difference of both sides over the larger of them, and, while both are still small,
+ * over the kinetic energy of the affine motion at the grips' full speed.  It measures the
  * integrator, the law and the output together: the left side is evaluated from the state, the right side
  * from forces and motion. */
 #ifndef HS_ENERGY_H
@@ -11,6 +12,7 @@
 struct energy_balance {
     double kinetic, stored, plastic, stabilisation, damping; /* J */
     double initial, work;                                    /* J */
+    double reference; /* of the affine motion at the grips' full speed, J */
 };
 
 double energy_drift(const struct energy_balance *balance);

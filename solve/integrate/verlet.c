@@ -146,6 +146,16 @@ static void finish_balance(struct verlet *verlet, const struct body *body,
     verlet->balance.damping += values[4];
 }
 
+/* rho V (v_right - v_left)^2/24 summed: a bar stretched uniformly about its middle. */
+static double affine_energy(const struct verlet *verlet, const struct body *body,
+                            const struct boundary *boundary)
+{
+    const double density = 1 / verlet->inverse_density[0];
+    double speed =
+        boundary->sets[boundary->right].velocity - boundary->sets[boundary->left].velocity;
+    return body->volume * (double)body->lattice->n_nodes * density * speed * speed / 24;
+}
+
 struct verlet verlet_new(double dt, double damping, const struct materials *materials,
                          struct body *body, struct boundary *boundary, struct correspondence *model)
 {
@@ -170,6 +180,7 @@ struct verlet verlet_new(double dt, double damping, const struct materials *mate
     boundary_reactions(boundary, body);
     finish_balance(&verlet, body, &energy, &verlet.kinetic_zero);
     verlet.balance.initial = verlet.balance.kinetic;
+    verlet.balance.reference = affine_energy(&verlet, body, boundary);
     return verlet;
 }
 
