@@ -94,8 +94,9 @@ static void read_head(struct lines *lines, const char *topology, struct cores *c
     read_numbers(lines, "distance_m ", 1, &cores->distance);
     double count;
     read_numbers(lines, "count ", 1, &count);
+    double longest = lines->rest ? (double)strlen(lines->rest) / 8 + 1 : 0;
     /* Each core takes 8 characters at least: a wrong count cannot ask for endless memory. */
-    if (count < 1 || count != floor(count) || count > (double)strlen(lines->rest) / 8 + 1)
+    if (count < 1 || count != floor(count) || count > longest)
         die_user("%s:%lld: the count does not fit the file", lines->path, (long long)lines->number);
     if (!(cores->distance > 0)) die_user("%s: distance_m must be positive", lines->path);
     cores->count = (int64_t)count;
