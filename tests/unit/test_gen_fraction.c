@@ -15,9 +15,7 @@ static struct recipe cell_of(enum core_lattice lattice, enum core_shape shape, i
     const double edge_over_distance[] = {1, 2 / sqrt(3), sqrt(2)};
     double edge = 2e-4;
     return (struct recipe){
-        .specimen = {.size = {edge, edge, edge},
-                     .spacing = edge / (double)n,
-                     .count = {n, n, n}},
+        .specimen = {.size = {edge, edge, edge}, .spacing = edge / (double)n, .count = {n, n, n}},
         .topology = &topology_harmonic,
         .grip_phase = -1,
         .n_phases = 2,
@@ -62,9 +60,9 @@ static double analytic(enum core_lattice lattice, double r)
     const double spheres[] = {1, 2, 4};
     const double near[][2] = {{6, 1}, {8, sqrt(3) / 2}, {12, sqrt(0.5)}};
     const double next[][2] = {{12, sqrt(2)}, {6, 1}, {6, 1}};
-    return 1 - spheres[lattice] * (4 * M_PI / 3 * r * r * r -
-                                   near[lattice][0] / 2 * lens(r, near[lattice][1]) -
-                                   next[lattice][0] / 2 * lens(r, next[lattice][1]));
+    return 1 - spheres[lattice] *
+                   (4 * M_PI / 3 * r * r * r - near[lattice][0] / 2 * lens(r, near[lattice][1]) -
+                    next[lattice][0] / 2 * lens(r, next[lattice][1]));
 }
 
 static double analytic_radius(enum core_lattice lattice, double fraction)
@@ -125,8 +123,8 @@ static void exact_fractions_miss_by_half_a_node_at_most(void **state)
     for (int s = 0; s < 4; s++)
         for (int lattice = LATTICE_SC; lattice <= LATTICE_FCC; lattice++)
             for (int shape = CORE_CELL; shape <= CORE_SPHERE; shape++) {
-                struct recipe recipe = cell_of((enum core_lattice)lattice, (enum core_shape)shape,
-                                               sizes[s], 0.4);
+                struct recipe recipe =
+                    cell_of((enum core_lattice)lattice, (enum core_shape)shape, sizes[s], 0.4);
                 struct threshold threshold = make(&recipe).threshold;
                 double wanted = 0.6 * (double)(sizes[s] * sizes[s] * sizes[s]);
                 assert_near((double)threshold.coarse, wanted, 0.5);

@@ -146,7 +146,7 @@ static void a_ball_has_its_surface(void **state)
         sites_position(&sites, node, position);
         double square =
             position[0] * position[0] + position[1] * position[1] + position[2] * position[2];
-        structure.phase[node] = square < radius * radius ? PHASE_CG : PHASE_UFG;
+        structure.phase[node] = (uint8_t)(square < radius * radius ? PHASE_CG : PHASE_UFG);
     }
     struct interface interface = statistics_interface(&structure);
     double box = pow(EDGE * spacing, 3), exact = 4 * M_PI * radius * radius / box;
