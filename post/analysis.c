@@ -5,14 +5,15 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* E of the plastic strain: chosen, known to the solver, as the file says, or the measured slope. */
 static double plastic_modulus(const struct curve *curve, const struct elastic_line *line,
                               const struct choices *choices)
 {
-    if (!isnan(choices->modulus)) return choices->modulus;
+    bool refitted = !isnan(choices->modulus_rows[0]) || !isnan(choices->modulus_range[0]);
     double recorded = attributes_number(&curve->provenance, "plastic_strain_modulus_Pa", NAN);
-    bool from_file = isnan(choices->modulus_rows[0]) && isnan(choices->modulus_range[0]);
-    if (from_file && recorded > 0) return recorded;
-    return isnan(line->slope) ? curve->youngs_modulus : line->slope;
+    if (!isnan(choices->modulus)) return choices->modulus;
+    if (!isnan(curve->youngs_modulus)) return curve->youngs_modulus;
+    return recorded > 0 && !refitted ? recorded : line->slope;
 }
 
 /* Force over the smallest section: a mean stress in the neck, with no correction for its

@@ -10,6 +10,14 @@ static const double giga = 1e9, mega = 1e6, percent = 100;
 static const double quasi_static_limit = 0.01; /* kinetic over internal energy */
 static const double balance_limit = 0.01;      /* difference of the grip forces over the largest */
 
+/* Largest size of a column between two rows. */
+static double largest(const double *values, long first, long last)
+{
+    double most = NAN;
+    for (long i = first; values && i <= last; i++) most = fmax(most, fabs(values[i]));
+    return most;
+}
+
 static void add_elastic(struct properties *list, const struct curve *curve,
                         const struct elastic_line *line)
 {
@@ -52,7 +60,10 @@ static void add_strengths(struct properties *list, const struct curve *curve,
     for (int k = 0; k < 4; k++) add_proof(list, curve, &analysis->line, offsets[k]);
 
     struct yield_point yield = strength_yield_point(curve, choices->yield_drop);
-    const char *flag = isnan(yield.upper) ? "no_yield_point" : NULL;
+    const double *kinetic = table_find(&curve->table, "kinetic_to_internal");
+    const char *flag = yield.row < 0                             ? "no_yield_point"
+                       : kinetic[yield.row] > quasi_static_limit ? "not_quasi_static"
+                                                                 : NULL;
     properties_add(list, "upper_yield_strength", "ReH", yield.upper / mega, "MPa", NAN,
                    "first maximum followed by a fall of more than %g %% of it and a new rise",
                    percent * choices->yield_drop)
@@ -265,14 +276,6 @@ static void add_phases(struct properties *list, const struct curve *curve,
         curve->phases[state.soft].name, curve->phases[state.hard].name);
     properties_add(list, "mixture_share", "", state.mixture, "1", NAN,
                    "sum of fraction times mean nominal stress over the engineering stress");
-}
-
-/* Largest size of a column between two rows. */
-static double largest(const double *values, long first, long last)
-{
-    double most = NAN;
-    for (long i = first; values && i <= last; i++) most = fmax(most, fabs(values[i]));
-    return most;
 }
 
 static void add_quality(struct properties *list, const struct curve *curve,

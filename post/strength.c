@@ -54,35 +54,28 @@ static struct elastic_line given_line(double slope, double toe, const char *flag
                                  .flag = isnan(slope) ? "no_elastic_part" : flag};
 }
 
-static struct elastic_line known_line(const struct curve *curve, const struct choices *choices)
-{
-    double modulus = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
-    return given_line(modulus, 0, "slope_not_measured");
-}
-
-/* Fit for one guess of Rp0.2. */
+/* Fit for one guess of Rp0.2; slope = NAN where there are too few points. */
 static struct elastic_line fit_shares(const struct curve *curve, const double shares[2],
-                                      double proof)
+                                      double proof, bool from_start)
 {
     long first, last;
     rows_between(curve, shares[0] * proof, shares[1] * proof, &first, &last);
-    bool few = last - first + 1 < FEWEST_POINTS;
-    if (few) first = 0;
-    if (last - first + 1 < 2) return (struct elastic_line){.slope = NAN};
+    if (from_start) first = 0;
+    if (last - first + 1 < (from_start ? 2 : FEWEST_POINTS))
+        return (struct elastic_line){.slope = NAN};
     struct elastic_line line = fit_rows(curve, first, last);
-    if (few) line.flag = "few_points";
+    if (from_start) line.flag = "few_points";
     return line;
 }
 
-static struct elastic_line iterate(const struct curve *curve, const struct choices *choices)
+static struct elastic_line iterate(const struct curve *curve, const double shares[2],
+                                   bool from_start)
 {
-    const double *shares =
-        isnan(choices->modulus_range[0]) ? default_shares : choices->modulus_range;
     double proof = first_guess_share * strength_maximum(curve).stress;
     struct elastic_line line = {.slope = NAN, .first = -1};
     for (int i = 0; i < MOST_ITERATIONS; i++) {
-        struct elastic_line next = fit_shares(curve, shares, proof);
-        if (!usable(&next)) return known_line(curve, choices);
+        struct elastic_line next = fit_shares(curve, shares, proof, from_start);
+        if (!usable(&next)) return given_line(NAN, NAN, NULL);
         bool settled = next.first == line.first && next.last == line.last;
         line = next;
         proof = strength_proof(curve, &line, proof_offset);
@@ -91,6 +84,19 @@ static struct elastic_line iterate(const struct curve *curve, const struct choic
         if (isnan(proof)) proof = strength_maximum(curve).stress;
     }
     return line;
+}
+
+/* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and where none
+ * is, the points from the first one on. */
+static struct elastic_line find_by_shares(const struct curve *curve, const struct choices *choices)
+{
+    const double *shares =
+        isnan(choices->modulus_range[0]) ? default_shares : choices->modulus_range;
+    double known = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
+    struct elastic_line line = iterate(curve, shares, false);
+    if (usable(&line)) return line;
+    if (known > 0) return given_line(known, 0, "slope_not_measured");
+    return iterate(curve, shares, true);
 }
 
 static struct elastic_line fit_given_rows(const struct curve *curve, const double rows[2])
@@ -110,7 +116,7 @@ static struct elastic_line find_line(const struct curve *curve, const struct cho
     double toe = attributes_number(&curve->provenance, "toe_strain", 0);
     if (isnan(choices->modulus_range[0]) && slope > 0)
         return given_line(slope, toe, "slope_from_file");
-    return iterate(curve, choices);
+    return find_by_shares(curve, choices);
 }
 
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices)
@@ -138,15 +144,17 @@ struct yield_point strength_yield_point(const struct curve *curve, double yield_
 {
     const double *s = curve->stress;
     double upper = 0, lower = INFINITY;
+    long row = -1;
     for (long i = 0; i < curve->n; i++) {
         if (s[i] > upper) {
-            if (lower < (1 - yield_drop) * upper) return (struct yield_point){upper, lower};
+            if (lower < (1 - yield_drop) * upper) return (struct yield_point){upper, lower, row};
             upper = s[i];
+            row = i;
             lower = s[i];
         }
         lower = fmin(lower, s[i]);
     }
-    return (struct yield_point){NAN, NAN};
+    return (struct yield_point){NAN, NAN, -1};
 }
 
 struct strength_maximum strength_maximum(const struct curve *curve)

@@ -17,8 +17,9 @@ struct elastic_line {
 };
 
 /* Least squares of s on e over the rows given; else the line that a curve file of hspost carries, where
- * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three points there: from the first point on.  Fewer than two: the modulus
- * that is known, without a fit; slope = NAN where none is. */
+ * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three
+ * points there: the modulus that is chosen or that the history knows, without a fit; without one, a fit
+ * from the first point on.  slope = NAN where none of these will do. */
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
 
 /* Stress [Pa] where the curve first meets s = slope (e - toe - offset), linear between the points;
@@ -29,6 +30,7 @@ double strength_proof(const struct curve *curve, const struct elastic_line *line
  * yield_drop before it rises above it again.  NAN, NAN where there is none. */
 struct yield_point {
     double upper, lower; /* Pa */
+    long row;            /* of the upper one */
 };
 struct yield_point strength_yield_point(const struct curve *curve, double yield_drop);
 
