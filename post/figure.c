@@ -11,7 +11,7 @@
 
 static const double mega = 1e6, percent = 100;
 
-/* 12 cm by 9 cm in print; the PNG has 600 dots an inch less one half. */
+/* 12 cm by 9 cm in print; the PNG has 340 dots an inch. */
 static const struct {
     const char *ending, *terminal;
 } formats[] = {
