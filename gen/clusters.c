@@ -92,6 +92,21 @@ struct clusters clusters_find(const struct structure *structure, int phase,
     return clusters;
 }
 
+/* Whether all six neighbours of a coarse node belong to its core. */
+static bool is_buried(const struct structure *structure, int64_t node, const int64_t at[3])
+{
+    for (int n = 0; n < 6; n++) {
+        const int *offset = clusters_offset[n % 3];
+        int sign = n < 3 ? 1 : -1;
+        int64_t other = sites_at(structure->sites, at[0] + sign * offset[0],
+                                 at[1] + sign * offset[1], at[2] + sign * offset[2]);
+        if (!is_member(structure, other, PHASE_CG) ||
+            structure->core[other] != structure->core[node])
+            return false;
+    }
+    return true;
+}
+
 struct contact clusters_contact(const struct structure *structure, int limit)
 {
     const struct sites *sites = structure->sites;
@@ -103,8 +118,11 @@ struct contact clusters_contact(const struct structure *structure, int limit)
         if (!is_member(structure, node, PHASE_CG)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
-        /* Neighbours (square <= 3) are all counted; beyond them only what is nearer than known. */
-        for (int s = 0; s < n_steps && (steps[s].square <= 3 || steps[s].square < nearest); s++) {
+        /* Neighbours (square <= 3) are all counted; beyond them only what is nearer than known.
+         * From a buried node one of its neighbours is nearer to whatever lies beyond. */
+        int reach = is_buried(structure, node, at) ? 4 : INT32_MAX;
+        for (int s = 0; s < n_steps && steps[s].square < reach; s++) {
+            if (steps[s].square > 3 && steps[s].square >= nearest) break;
             const int *offset = steps[s].offset;
             int64_t other =
                 sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
