@@ -127,6 +127,7 @@ static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
 {
     struct strips strips = {0};
     for (int pass = 0; pass < 2; pass++) {
+        int64_t points = 0;
         strips.count = 0;
         for (int64_t line = 0; line < grid->n_sites; line += grid->step[1])
             for (int x = 0; x < grid->size[0];) {
@@ -134,11 +135,14 @@ static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
                 if (!listed[line + first]) continue;
                 while (x < grid->size[0] && listed[line + x] && (grid->origin[0] + x) % LANES != 0)
                     x++;
+                const int stride = (x - first + 7) / 8 * 8;
                 if (pass)
-                    strips.items[strips.count] =
-                        (struct strip){line + first, x - first, grid->origin[0] + first};
+                    strips.items[strips.count] = (struct strip){
+                        line + first, x - first, grid->origin[0] + first, stride, points};
+                points += stride;
                 strips.count++;
             }
+        strips.points = points;
         if (!pass) strips.items = memory_new((size_t)strips.count, sizeof(struct strip));
     }
     return strips;

@@ -21,11 +21,14 @@ enum {
 struct strip {
     int64_t site; /* of its first point, in the box */
     int count;
-    int x; /* global x of its first point */
+    int x;         /* global x of its first point */
+    int stride;    /* count rounded up to whole vectors: room for one number a point */
+    int64_t store; /* sum of the strides of the strips before it */
 };
 
 struct strips {
     int64_t count;
+    int64_t points; /* sum of the strides: state kept strip by strip needs this room a number */
     struct strip *items;
 };
 

@@ -17,15 +17,17 @@
 #include <math.h>
 #include <stdlib.h>
 
+enum { STATE = 4 };
+
 struct capped {
     double stiffness, cap; /* G, C */
     const struct materials *materials;
     const struct family *family;
     double shape; /* kappa_0 in lattice units */
-    int64_t n_sites;
     double *
-        plastic[3]; /* z_p of the bond from the site along each half offset: [n_half * n_sites] m */
-    double *dissipated; /* the same layout: energy lost in the bond so far, J/m^3 */
+        *state; /* [n_half] bonds along each half offset, strip by strip: z_p [m], then the energy
+                       lost so far [J/m^3] */
+    int64_t bytes;
 };
 
 static const char *const keys[] = {"stiffness", "cap", NULL};
@@ -54,13 +56,16 @@ static int capped_bonds(const void *self, const struct family *family,
     return family->n_half;
 }
 
-static void capped_start(void *self, const struct body *body)
+static void capped_start(void *self, const struct body *body, const struct strips bonds[])
 {
     struct capped *c = self;
-    c->n_sites = body->grid.n_sites;
-    const size_t bonds = (size_t)c->n_sites * (size_t)c->family->n_half;
-    for (int a = 0; a < 3; a++) c->plastic[a] = memory_new(bonds, sizeof(double));
-    c->dissipated = memory_new(bonds, sizeof(double));
+    (void)body;
+    c->state = memory_new((size_t)c->family->n_half, sizeof *c->state);
+    for (int o = 0; o < c->family->n_half; o++) {
+        const size_t numbers = (size_t)bonds[o].points * STATE;
+        c->state[o] = memory_new(numbers, sizeof(double));
+        c->bytes += (int64_t)(numbers * sizeof(double));
+    }
 }
 
 static double capped_node_share(const void *self)
@@ -154,7 +159,7 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
     struct capped *c = self;
     const struct offset *offset = &c->family->half[o];
     const int64_t step = grid_shift(&body->grid, offset->step), i = strip->site, j = i + step;
-    const int64_t bond = o * c->n_sites + i;
+    double *state = c->state[o] + STATE * strip->store, *lost = state + 3 * strip->stride;
     struct bond_strip s = {.count = strip->count};
     double square = 0;
     for (int a = 0; a < 3; a++) {
@@ -170,8 +175,8 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
                 subtract(s.count, body->H[3 * a + b] + i, body->H[3 * a + b] + j, 0.5 * s.xi[b],
                          s.z[a]);
     }
-    slip(s.count, &s, c->plastic[0] + bond, c->plastic[1] + bond, c->plastic[2] + bond,
-         c->dissipated + bond, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
+    slip(s.count, &s, state, state + strip->stride, state + 2 * strip->stride, lost,
+         mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
     for (int a = 0; a < 3; a++) {
         add_force(s.count, s.z[a], s.stiffness, 1, body->f[a] + i);
         add_force(s.count, s.z[a], s.stiffness, -1, body->f[a] + j);
@@ -181,20 +186,19 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
             add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + j);
         }
     }
-    if (mode.energy) capped_energy(body, &s, c->dissipated + bond, i, energy);
+    if (mode.energy) capped_energy(body, &s, lost, i, energy);
 }
 
 static int64_t capped_memory(const void *self)
 {
-    const struct capped *c = self;
-    return c->n_sites * c->family->n_half * (int64_t)(4 * sizeof(double));
+    return ((const struct capped *)self)->bytes;
 }
 
 static void capped_free(void *self)
 {
     struct capped *c = self;
-    for (int a = 0; a < 3; a++) free(c->plastic[a]);
-    free(c->dissipated);
+    for (int o = 0; o < c->family->n_half; o++) free(c->state[o]);
+    free(c->state);
     free(c);
 }
 

@@ -19,9 +19,10 @@ struct correspondence {
     void *self; /* the stabilisation's parameters and state */
     double node_share;
     bool near_nodes;
-    int64_t n_sites, n_tasks;
+    const struct strips *nodes; /* body->owned or body->near */
+    int64_t n_tasks, n_sites;
     struct task *tasks;
-    double *state; /* [J2_STATE * n_sites] */
+    double *state; /* of the nodes, strip by strip */
     double *flow;  /* [n_sites] flow stress, where the stabilisation wants it */
 };
 
@@ -54,13 +55,27 @@ static void list_tasks(struct correspondence *model, const struct body *body)
 {
     const struct offset *bonds;
     int count = model->stabilisation->bonds(model->self, body->family, &bonds);
-    if (!model->near_nodes) append_tasks(model, &body->grid, &body->owned, -1);
+    struct strips *strips = memory_new((size_t)count, sizeof *strips);
+    if (!model->near_nodes) append_tasks(model, &body->grid, model->nodes, -1);
     for (int o = 0; o < count; o++) {
-        struct strips strips = grid_bond_strips(&body->grid, bonds[o].step);
-        append_tasks(model, &body->grid, &strips, o);
-        strips_free(&strips);
+        strips[o] = grid_bond_strips(&body->grid, bonds[o].step);
+        append_tasks(model, &body->grid, &strips[o], o);
     }
     qsort(model->tasks, (size_t)model->n_tasks, sizeof *model->tasks, compare_tasks);
+    model->stabilisation->start(model->self, body, strips);
+    for (int o = 0; o < count; o++) strips_free(&strips[o]);
+    free(strips);
+}
+
+double *j2_state_new(const struct strips *strips)
+{
+    double *state = memory_new((size_t)strips->points * J2_STATE, sizeof *state);
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
+        for (int i = 0; i < 3 * strip->stride; i++)
+            state[J2_STATE * strip->store + i] = 1; /* Cp^-1 = 1 */
+    }
+    return state;
 }
 
 struct correspondence *correspondence_new(const struct body *body,
@@ -72,12 +87,11 @@ struct correspondence *correspondence_new(const struct body *body,
     model->stabilisation = stabilisation;
     model->self = self;
     model->n_sites = body->grid.n_sites;
-    model->state = memory_new((size_t)model->n_sites * J2_STATE, sizeof(double));
-    for (int64_t i = 0; i < 3 * model->n_sites; i++) model->state[i] = 1; /* Cp^-1 = 1 */
     model->node_share = stabilisation->node_share(self);
     model->near_nodes = stabilisation->near_nodes(self);
+    model->nodes = model->near_nodes ? &body->near : &body->owned;
+    model->state = j2_state_new(model->nodes);
     if (model->near_nodes) model->flow = memory_new((size_t)model->n_sites, sizeof(double));
-    stabilisation->start(self, body);
     list_tasks(model, body);
     return model;
 }
@@ -162,8 +176,8 @@ void correspondence_stress(struct correspondence *model, const struct body *body
                            const struct strip *strip, struct j2_strip *j2)
 {
     load_nodes(model, body, strip, j2);
-    j2_update(j2, model->state + strip->site, model->n_sites, model->materials->curves.table,
-              (struct j2_mode){.frozen = true});
+    j2_update(j2, model->state + J2_STATE * strip->store, strip->stride,
+              model->materials->curves.table, (struct j2_mode){.frozen = true});
 }
 
 HS_SIMD static void add_scaled(int count, const double *restrict P, double weight,
@@ -179,13 +193,13 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     const int64_t site = strip->site;
     struct j2_strip j2;
     load_nodes(model, body, strip, &j2);
-    j2_update(&j2, model->state + site, model->n_sites, all->curves.table,
+    j2_update(&j2, model->state + J2_STATE * strip->store, strip->stride, all->curves.table,
               (struct j2_mode){mode.commit, mode.frozen, mode.energy});
     for (int k = 0; k < TENSOR; k++)
         add_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);
     if (mode.axial) add_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
 
-    const double *p = model->state + (J2_STATE - 1) * model->n_sites + site;
+    const double *p = correspondence_plastic_strain(model, strip);
     for (int i = 0; model->flow && i < strip->count; i++)
         model->flow[site + i] = flow_stress(all->curves.table, flow_cell(j2.curve[i], p[i]), p[i]);
     if (!mode.energy) return;
@@ -292,15 +306,20 @@ void correspondence_force(struct correspondence *model, struct body *body, struc
     divergence(body);
 }
 
-const double *correspondence_plastic_strain(const struct correspondence *model)
+const struct strips *correspondence_strips(const struct correspondence *model)
 {
-    return model->state + (J2_STATE - 1) * model->n_sites;
+    return model->nodes;
+}
+
+const double *correspondence_plastic_strain(const struct correspondence *model,
+                                            const struct strip *strip)
+{
+    return model->state + J2_STATE * strip->store + (J2_STATE - 1) * strip->stride;
 }
 
 int64_t correspondence_memory(const struct correspondence *model)
 {
-    int64_t fields = J2_STATE + (model->flow ? 1 : 0);
-    return model->n_sites * fields * (int64_t)sizeof(double) +
-           model->n_tasks * (int64_t)sizeof(struct task) +
+    int64_t numbers = model->nodes->points * J2_STATE + (model->flow ? model->n_sites : 0);
+    return numbers * (int64_t)sizeof(double) + model->n_tasks * (int64_t)sizeof(struct task) +
            model->stabilisation->memory(model->self);
 }

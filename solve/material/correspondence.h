@@ -27,12 +27,17 @@ void correspondence_free(struct correspondence *model);
 void correspondence_force(struct correspondence *model, struct body *body, struct force_mode mode,
                           struct force_energy *energy);
 
-/* The node law's stress of a strip of owned nodes as they stand (nothing committed): P and H in j2. */
+/* The node law's stress of a strip of nodes as they stand (nothing committed): P and H in j2. */
 void correspondence_stress(struct correspondence *model, const struct body *body,
                            const struct strip *strip, struct j2_strip *j2);
 
-/* Equivalent plastic strain of the nodes, a box field. */
-const double *correspondence_plastic_strain(const struct correspondence *model);
+/* The strips that the functions below take: all owned nodes, and ghosts where the stabilisation needs
+ * them (see the flags of the grid). */
+const struct strips *correspondence_strips(const struct correspondence *model);
+
+/* Equivalent plastic strain of the points of a strip: [strip->count]. */
+const double *correspondence_plastic_strain(const struct correspondence *model,
+                                            const struct strip *strip);
 
 int64_t correspondence_memory(const struct correspondence *model);
 

@@ -123,30 +123,44 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
         s->q[i] = q;
         s->scale[i] = 1;
         s->grown[i] = 0;
-        beyond |= q > flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        s->yield[i] = yield;
+        beyond |= q > yield;
     }
     return beyond;
 }
 
-/* One Newton step on (j2.3) for the points that have not converged; returns whether any is left.
- * The residual falls with g and, hardening being monotone, its root lies in [0, most]. */
+/* First guess of g in (j2.3): along the tangent of the flow curve at p.  Points below yield get 0. */
+HS_SIMD static void return_start(int count, struct j2_strip *restrict s, const double *restrict p,
+                                 const double *restrict table)
+{
+    for (int i = 0; i < count; i++) {
+        int64_t cell = flow_cell(s->curve[i], p[i]);
+        double beyond = s->q[i] - s->yield[i];
+        double g = beyond / (3 * s->mu[i] + flow_slope(table, cell, p[i]));
+        s->grown[i] = beyond > 0 ? g : 0;
+    }
+}
+
+/* One Newton step on (j2.3) for the points that have not converged; returns whether any needs another.
+ * The residual falls with g and, hardening being monotone, its root lies in [0, most].  The error of a
+ * step is about the square of the one before: from a residual below near, it ends at round-off. */
 HS_SIMD static int64_t return_step(int count, struct j2_strip *restrict s, const double *restrict p,
                                    const double *restrict table)
 {
-    const double tolerance = 1e-13;
+    const double near = 1e-8, exact = 1e-15;
     int64_t left = 0;
     for (int i = 0; i < count; i++) {
-        double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i];
-        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
-        double most = (q - yield) / modulus;
-        int64_t cell = flow_cell(s->curve[i], p[i] + g);
-        double residual = q - modulus * g - flow_stress(table, cell, p[i] + g);
-        double next = g + residual / (modulus + flow_slope(table, cell, p[i] + g));
+        double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i], beyond = q - s->yield[i];
+        double most = beyond / modulus, all = p[i] + g;
+        int64_t cell = flow_cell(s->curve[i], all);
+        double residual = q - modulus * g - flow_stress(table, cell, all);
+        double next = g + residual / (modulus + flow_slope(table, cell, all));
         next = next > 0 ? next : 0;
         next = next < most ? next : most;
-        int64_t open = (q > yield) & (fabs(residual) > tolerance * q);
-        s->grown[i] = open ? next : g;
-        left |= open;
+        double size = fabs(residual);
+        s->grown[i] = (beyond > 0) & (size > exact * q) ? next : g;
+        left |= (beyond > 0) & (size > near * q);
     }
     return left;
 }
@@ -156,7 +170,7 @@ static void return_by_bisection(struct j2_strip *s, const double *p, const doubl
 {
     for (int i = 0; i < s->count; i++) {
         double modulus = 3 * s->mu[i], q = s->q[i], low = 0;
-        double high = (q - flow_stress(table, flow_cell(s->curve[i], p[i]), p[i])) / modulus;
+        double high = (q - s->yield[i]) / modulus;
         double g = s->grown[i];
         double residual =
             q - modulus * g - flow_stress(table, flow_cell(s->curve[i], p[i] + g), p[i] + g);
@@ -179,50 +193,54 @@ HS_SIMD static void scale_deviator(int count, struct j2_strip *restrict s)
     }
 }
 
-/* tau and P = tau F^-T */
-HS_SIMD static void stress(int count, struct j2_strip *restrict s)
+/* tau and P = tau F^-T of point i; G = F^-1. */
+HS_INLINE void write_stress(struct j2_strip *restrict s, int i, struct tensor G)
 {
-    for (int i = 0; i < count; i++) {
-        double deviator = 2 * s->mu[i] * s->scale[i], pressure = s->bulk[i] * s->trace[i];
-        struct symmetric tau = {deviator * s->e[0][i] + pressure,
-                                deviator * s->e[1][i] + pressure,
-                                deviator * s->e[2][i] + pressure,
-                                deviator * s->e[3][i],
-                                deviator * s->e[4][i],
-                                deviator * s->e[5][i]};
-        struct tensor G = inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i));
-        s->P[0][i] = tau.xx * G.xx + tau.xy * G.xy + tau.zx * G.xz;
-        s->P[1][i] = tau.xx * G.yx + tau.xy * G.yy + tau.zx * G.yz;
-        s->P[2][i] = tau.xx * G.zx + tau.xy * G.zy + tau.zx * G.zz;
-        s->P[3][i] = tau.xy * G.xx + tau.yy * G.xy + tau.yz * G.xz;
-        s->P[4][i] = tau.xy * G.yx + tau.yy * G.yy + tau.yz * G.yz;
-        s->P[5][i] = tau.xy * G.zx + tau.yy * G.zy + tau.yz * G.zz;
-        s->P[6][i] = tau.zx * G.xx + tau.yz * G.xy + tau.zz * G.xz;
-        s->P[7][i] = tau.zx * G.yx + tau.yz * G.yy + tau.zz * G.yz;
-        s->P[8][i] = tau.zx * G.zx + tau.yz * G.zy + tau.zz * G.zz;
-    }
+    double deviator = 2 * s->mu[i] * s->scale[i], pressure = s->bulk[i] * s->trace[i];
+    struct symmetric tau = {deviator * s->e[0][i] + pressure,
+                            deviator * s->e[1][i] + pressure,
+                            deviator * s->e[2][i] + pressure,
+                            deviator * s->e[3][i],
+                            deviator * s->e[4][i],
+                            deviator * s->e[5][i]};
+    s->P[0][i] = tau.xx * G.xx + tau.xy * G.xy + tau.zx * G.xz;
+    s->P[1][i] = tau.xx * G.yx + tau.xy * G.yy + tau.zx * G.yz;
+    s->P[2][i] = tau.xx * G.zx + tau.xy * G.zy + tau.zx * G.zz;
+    s->P[3][i] = tau.xy * G.xx + tau.yy * G.xy + tau.yz * G.xz;
+    s->P[4][i] = tau.xy * G.yx + tau.yy * G.yy + tau.yz * G.yz;
+    s->P[5][i] = tau.xy * G.zx + tau.yy * G.zy + tau.yz * G.zz;
+    s->P[6][i] = tau.zx * G.xx + tau.yz * G.xy + tau.zz * G.xz;
+    s->P[7][i] = tau.zx * G.yx + tau.yz * G.yy + tau.zz * G.yz;
+    s->P[8][i] = tau.zx * G.zx + tau.yz * G.zy + tau.zz * G.zz;
 }
 
-/* (j2.4) where the point has flowed; the others keep their state to the last bit. */
-HS_SIMD static void commit(int count, const struct j2_strip *restrict s, double *restrict xx,
-                           double *restrict yy, double *restrict zz, double *restrict xy,
-                           double *restrict yz, double *restrict zx, double *restrict p)
+HS_SIMD static void stress(int count, struct j2_strip *restrict s)
+{
+    for (int i = 0; i < count; i++)
+        write_stress(s, i, inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i)));
+}
+
+/* The same, and (j2.4) where the point has flowed; the others keep their state to the last bit. */
+HS_SIMD static void stress_and_state(int count, struct j2_strip *restrict s, double *restrict xx,
+                                     double *restrict yy, double *restrict zz, double *restrict xy,
+                                     double *restrict yz, double *restrict zx, double *restrict p)
 {
     for (int i = 0; i < count; i++) {
+        struct tensor G = inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i));
+        write_stress(s, i, G);
         double scale = s->scale[i], third = s->trace[i] / 3;
         struct symmetric e = {scale * s->e[0][i] + third, scale * s->e[1][i] + third,
                               scale * s->e[2][i] + third, scale * s->e[3][i],
                               scale * s->e[4][i],         scale * s->e[5][i]};
-        struct tensor G = inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i));
         struct symmetric C = push_forward(G, double_exponential(e));
-        int flowed = s->grown[i] > 0;
-        xx[i] = flowed ? C.xx : xx[i];
-        yy[i] = flowed ? C.yy : yy[i];
-        zz[i] = flowed ? C.zz : zz[i];
-        xy[i] = flowed ? C.xy : xy[i];
-        yz[i] = flowed ? C.yz : yz[i];
-        zx[i] = flowed ? C.zx : zx[i];
-        p[i] = p[i] + s->grown[i];
+        double grown = s->grown[i];
+        xx[i] = grown > 0 ? C.xx : xx[i];
+        yy[i] = grown > 0 ? C.yy : yy[i];
+        zz[i] = grown > 0 ? C.zz : zz[i];
+        xy[i] = grown > 0 ? C.xy : xy[i];
+        yz[i] = grown > 0 ? C.yz : yz[i];
+        zx[i] = grown > 0 ? C.zx : zx[i];
+        p[i] = p[i] + grown;
     }
 }
 
@@ -247,12 +265,15 @@ void j2_update(struct j2_strip *s, double *state, int64_t stride, const double *
     beyond = beyond && !mode.frozen;
     if (beyond) {
         int64_t left = 1;
+        return_start(s->count, s, p, table);
         for (int step = 0; step < 25 && left; step++) left = return_step(s->count, s, p, table);
         if (left) return_by_bisection(s, p, table);
         scale_deviator(s->count, s);
     }
-    stress(s->count, s);
-    if (beyond && mode.commit) commit(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p);
+    if (beyond && mode.commit)
+        stress_and_state(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p);
+    else
+        stress(s->count, s);
     if (mode.energy) energy(s->count, s, p, table);
 }
 

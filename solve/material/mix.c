@@ -21,9 +21,9 @@
 struct mix {
     double share; /* a */
     const struct materials *materials;
-    int64_t n_sites;
+    int64_t bytes;
     double *share_of[3]; /* g_ib of either bond of the site along each axis (box field) */
-    double *state[3];    /* [J2_STATE * n_sites] of the bond from the site along +axis */
+    double *state[3];    /* of the bonds along each axis, strip by strip */
 };
 
 static const struct offset axes[3] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, 1}, 1}};
@@ -63,14 +63,14 @@ static void find_shares(struct mix *mix, const struct body *body)
         }
 }
 
-static void mix_start(void *self, const struct body *body)
+static void mix_start(void *self, const struct body *body, const struct strips bonds[])
 {
     struct mix *mix = self;
-    mix->n_sites = body->grid.n_sites;
+    const size_t sites = (size_t)body->grid.n_sites;
     for (int a = 0; a < 3; a++) {
-        mix->share_of[a] = memory_new((size_t)mix->n_sites, sizeof(double));
-        mix->state[a] = memory_new((size_t)mix->n_sites * J2_STATE, sizeof(double));
-        for (int64_t i = 0; i < 3 * mix->n_sites; i++) mix->state[a][i] = 1; /* Cp^-1 = 1 */
+        mix->share_of[a] = memory_new(sites, sizeof(double));
+        mix->state[a] = j2_state_new(&bonds[a]);
+        mix->bytes += (int64_t)((sites + (size_t)bonds[a].points * J2_STATE) * sizeof(double));
     }
     find_shares(mix, body);
 }
@@ -121,18 +121,32 @@ static void bond_law(struct j2_strip *j2, const struct materials *materials, con
     }
 }
 
-/* out_i += weight P and out_j -= or += weight P; the two ends in two sweeps, since along x they
- * overlap and the order of the terms must not depend on where a strip ends. */
-HS_SIMD static void add_upper(int count, const double *restrict P, const double *restrict beta,
-                              double weight, double *restrict out)
+/* out_i += lower beta P, out_j += upper beta P.  Along x the ends overlap: two sweeps, since the order of
+ * the terms must not depend on where a strip ends. */
+HS_SIMD static void add_one(int count, const double *restrict P, const double *restrict beta,
+                            double weight, double *restrict out)
 {
     for (int i = 0; i < count; i++) out[i] += weight * beta[i] * P[i];
+}
+HS_SIMD static void add_two(int count, const double *restrict P, const double *restrict beta,
+                            double lower, double upper, double *restrict out_i,
+                            double *restrict out_j)
+{
+    for (int i = 0; i < count; i++) {
+        double term = beta[i] * P[i];
+        out_i[i] += lower * term;
+        out_j[i] += upper * term;
+    }
 }
 static void add_both(int count, const double *P, const double *beta, double lower, double upper,
                      double *out, int64_t step)
 {
-    add_upper(count, P, beta, lower, out);
-    add_upper(count, P, beta, upper, out + step);
+    if (step > 1) {
+        add_two(count, P, beta, lower, upper, out, out + step);
+    } else {
+        add_one(count, P, beta, lower, out);
+        add_one(count, P, beta, upper, out + step);
+    }
 }
 
 HS_SIMD static void add_shares(int count, const double *restrict P, const double *restrict gi,
@@ -170,7 +184,8 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     j2.count = count;
     bond_gradient(&j2, body, axis, i, j);
     bond_law(&j2, mix->materials, body->grid.phase + i, body->grid.phase + j);
-    j2_update(&j2, mix->state[axis] + i, mix->n_sites, mix->materials->curves.table,
+    j2_update(&j2, mix->state[axis] + J2_STATE * strip->store, strip->stride,
+              mix->materials->curves.table,
               (struct j2_mode){mode.commit, mode.frozen, mode.energy});
 
     const double *gi = mix->share_of[axis] + i, *gj = mix->share_of[axis] + j;
@@ -190,7 +205,7 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
 
 static int64_t mix_memory(const void *self)
 {
-    return ((const struct mix *)self)->n_sites * (int64_t)(3 * (J2_STATE + 1) * sizeof(double));
+    return ((const struct mix *)self)->bytes;
 }
 
 static void mix_free(void *self)

@@ -32,8 +32,8 @@ struct stabilisation {
                   const struct materials *materials);
     /* The half offsets its bonds run along. */
     int (*bonds)(const void *self, const struct family *family, const struct offset **offsets);
-    /* Allocates the bonds' state. */
-    void (*start)(void *self, const struct body *body);
+    /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o. */
+    void (*start)(void *self, const struct body *body, const struct strips bonds[]);
     double (*node_share)(const void *self); /* weight of the node's own law */
     bool (*near_nodes)(
         const void *self); /* needs the flow stress of near nodes, not only of owned */
@@ -46,6 +46,9 @@ struct stabilisation {
 };
 
 extern const struct stabilisation stabilisation_mix, stabilisation_capped;
+
+/* Virgin states (struct j2_strip) of all points of the strips, strip by strip; freed with free(). */
+double *j2_state_new(const struct strips *strips);
 
 /* The entry the deck names: "stabilisation: {law: ..., ...}"; checks its keys. */
 const struct stabilisation *stabilisation_choose(struct deck_node map);

@@ -36,8 +36,8 @@ struct fields {
     struct exodus_fields *file; /* rank 0 */
     struct scene_fields wanted;
     int n_variables;
-    double **values;                          /* [n_variables][nodes] on rank 0 */
-    double *stress[MOST_COMPONENTS], *scalar; /* box fields to gather from */
+    double **values;                                    /* [n_variables][nodes] on rank 0 */
+    double *stress[MOST_COMPONENTS], *plastic, *scalar; /* box fields to gather from */
 };
 
 struct fields *fields_open(const struct spool *output, const struct domain *domain,
@@ -58,15 +58,17 @@ struct fields *fields_open(const struct spool *output, const struct domain *doma
     free(names);
     for (int k = 0; k < MOST_COMPONENTS; k++)
         fields->stress[k] = memory_new((size_t)body->grid.n_sites, sizeof(double));
+    fields->plastic = memory_new((size_t)body->grid.n_sites, sizeof(double));
     fields->scalar = memory_new((size_t)body->grid.n_sites, sizeof(double));
     return fields;
 }
 
-static void find_stress(struct fields *fields, struct correspondence *model,
-                        const struct body *body)
+static void find_node_values(struct fields *fields, struct correspondence *model,
+                             const struct body *body)
 {
-    for (int64_t s = 0; s < body->owned.count; s++) {
-        const struct strip *strip = &body->owned.items[s];
+    const struct strips *strips = correspondence_strips(model);
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
         struct j2_strip j2;
         double cauchy[SYMMETRIC][LANES];
         correspondence_stress(model, body, strip, &j2);
@@ -74,6 +76,8 @@ static void find_stress(struct fields *fields, struct correspondence *model,
         for (int k = 0; k < SYMMETRIC; k++)
             memcpy(fields->stress[k] + strip->site, cauchy[k],
                    (size_t)strip->count * sizeof(double));
+        memcpy(fields->plastic + strip->site, correspondence_plastic_strain(model, strip),
+               (size_t)strip->count * sizeof(double));
     }
 }
 
@@ -92,8 +96,7 @@ static double damage(const struct body *body, int64_t site)
     return body->inverse[0][site] == 0 && body->inverse[1][site] == 0 ? 1 : 0;
 }
 
-static const double *component(struct fields *fields, int variable, int c,
-                               struct correspondence *model, struct body *body)
+static const double *component(struct fields *fields, int variable, int c, struct body *body)
 {
     double *const *const vectors[] = {body->u, body->v, body->f};
     switch (table[variable].source) {
@@ -102,7 +105,7 @@ static const double *component(struct fields *fields, int variable, int c,
     case NODE_STRESS:
         return fields->stress[c];
     case PLASTIC_STRAIN:
-        return correspondence_plastic_strain(model);
+        return fields->plastic;
     default:
         break;
     }
@@ -119,10 +122,10 @@ void fields_write(struct fields *fields, double time, struct correspondence *mod
                   struct body *body)
 {
     int variable = 0;
-    find_stress(fields, model, body);
+    find_node_values(fields, model, body);
     for (int k = 0; k < fields->wanted.n_variables; k++)
         for (int c = 0; c < table[fields->wanted.variables[k]].count; c++, variable++)
-            body_gather(body, component(fields, fields->wanted.variables[k], c, model, body),
+            body_gather(body, component(fields, fields->wanted.variables[k], c, body),
                         fields->file ? fields->values[variable] : NULL);
     if (fields->file)
         exodus_fields_write(fields->file, time, (const double *const *)fields->values);
@@ -136,6 +139,7 @@ void fields_close(struct fields *fields)
         free(fields->values);
     }
     for (int k = 0; k < MOST_COMPONENTS; k++) free(fields->stress[k]);
+    free(fields->plastic);
     free(fields->scalar);
     free(fields);
 }

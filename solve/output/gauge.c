@@ -98,6 +98,7 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
     j2_cauchy(j2, cauchy);
     for (int i = 0; i < strip->count; i++) {
         int64_t site = strip->site + i;
+        if (!(body->grid.flags[site] & SITE_OWNED)) continue;
         double section = (1 + j2->H[4][i]) * (1 + j2->H[8][i]) - j2->H[5][i] * j2->H[7][i];
         exact_sum_add(&layers[strip->x + i], section);
         if (!between(gauge, body, strip->x + i)) continue;
@@ -105,7 +106,7 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         exact_sum_add(&phase[STRESS], axial[site]);
         exact_sum_add(&phase[TRUE_STRESS], cauchy[0][i]);
         exact_sum_add(&phase[STRAIN], j2->H[0][i]);
-        exact_sum_add(&phase[PLASTIC], plastic[site]);
+        exact_sum_add(&phase[PLASTIC], plastic[i]);
     }
 }
 
@@ -136,11 +137,13 @@ void gauge_measure(const struct gauge *gauge, struct correspondence *model, cons
         sums[k] = exact_sum_new(nodes * (k % QUANTITIES <= TRUE_STRESS ? 1e13 : 1e3));
     for (int k = 0; k < n_layers; k++) sums[n_sums + k] = exact_sum_new(nodes * 1e3);
 
-    const double *plastic = correspondence_plastic_strain(model);
-    for (int64_t s = 0; s < body->owned.count; s++) {
+    const struct strips *strips = correspondence_strips(model);
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
         struct j2_strip j2;
-        correspondence_stress(model, body, &body->owned.items[s], &j2);
-        add_strip(gauge, body, &body->owned.items[s], &j2, axial, plastic, sums, sums + n_sums);
+        correspondence_stress(model, body, strip, &j2);
+        add_strip(gauge, body, strip, &j2, axial, correspondence_plastic_strain(model, strip), sums,
+                  sums + n_sums);
     }
     double *values = memory_new((size_t)(n_sums + n_layers), sizeof *values);
     exact_sum_finish(sums, n_sums + n_layers, values);
