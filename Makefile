@@ -100,7 +100,8 @@ $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 # Tests: every tests/*/test_*.c is a program of its own, linked to all that the tools are made of.
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o %.a,$^) $(LIB_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+$(filter $(BUILD)/tests/physics/%,$(TESTS)): $(BUILD)/tests/physics/small_body.o
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 

@@ -1,0 +1,82 @@
+/* small_body.h - a body of a few hundred nodes on one rank, set up by hand: what the tests of the
+ * solver's physics are made on. */
+#ifndef HS_SMALL_BODY_H
+#define HS_SMALL_BODY_H
+
+#include "boundary.h"
+#include "correspondence.h"
+
+#define SMALL_SPACING 25e-6 /* m */
+
+/* What to build. */
+struct small_case {
+    int size[3];
+    double horizon; /* spacings */
+    int influence;  /* 0 constant, 1 steep */
+    const char *stabilisation;
+    const char *materials; /* a mapping; the phases are its first "A", "B", ... */
+    int n_phases;          /* 0: one */
+    uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
+};
+
+struct small_body {
+    struct deck *deck;
+    struct lattice lattice;
+    struct family family;
+    struct materials materials;
+    struct body body;
+    struct correspondence *model;
+};
+
+/* Elastic, and nickel with Voce's law; both of phase A, and of phase B a stronger nickel. */
+extern const char small_elastic[], small_nickel[], small_two_phases[];
+
+extern const char small_mix[], small_capped[];
+
+/* The body at rest.  Its address must stay. */
+void small_body_new(struct small_body *small, const struct small_case *wanted);
+void small_body_free(struct small_body *small);
+
+/* Group fixtures: one process of MPI. */
+int small_ranks_start(void **state);
+int small_ranks_stop(void **state);
+
+/* Number of the box sites; the owned ones have a phase. */
+bool small_body_has(const struct small_body *small, int64_t site);
+void small_body_position(const struct small_body *small, int64_t site, int at[3]);
+
+/* u = H X at every node, X counted from the lattice's origin. */
+void small_body_deform(struct small_body *small, const double H[9]);
+
+/* Adds amplitude (in spacings) times a number from [-1, 1) to each component of u; seeded. */
+void small_body_shake(struct small_body *small, double amplitude, long seed);
+
+/* Force with these switches; nothing is summed up. */
+void small_body_force(struct small_body *small, bool commit, bool frozen);
+
+/* Smallest and largest equivalent plastic strain of the nodes. */
+void small_body_plastic_range(const struct small_body *small, double range[2]);
+
+/* stored + stabilisation energy of the last state, elastic [J] */
+double small_body_elastic_energy(struct small_body *small);
+
+/* sum over nodes of a . b, fields of three components */
+double small_body_product(const struct small_body *small, double *const a[3], double *const b[3]);
+/* max over nodes of the largest |a| */
+double small_body_largest(const struct small_body *small, double *const a[3]);
+
+/* A boundary that holds nothing: two empty sets. */
+struct boundary small_free_boundary(void);
+
+/* A material point under uniaxial stress along x: the lateral strain is found, the state moves on. */
+struct small_point {
+    double state[J2_STATE];
+    double H[9];
+    double stress; /* P_xx, Pa */
+};
+struct small_point small_point_new(void);
+/* F_xx = 1 + strain, P_yy = P_zz = 0 within 1e-13 of the shear modulus. */
+void small_point_stretch(struct small_point *point, const struct materials *materials,
+                         double strain);
+
+#endif
