@@ -3,7 +3,10 @@
 #include "die.h"
 #include "options.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 static int number_of_ranks(const char *text)
 {
@@ -12,6 +15,35 @@ static int number_of_ranks(const char *text)
     if (end == text || *end || ranks < 1 || ranks > 100000)
         die_user("-j %s: expected a number of ranks, 1 or more", text);
     return (int)ranks;
+}
+
+static bool is(const char *name, const char *other)
+{
+    return name && other && strcmp(name, other) == 0;
+}
+
+/* What is closed here would be taken by the next file that is opened. */
+static void check_streams(const struct arguments *a)
+{
+    if (!a->input && fcntl(STDIN_FILENO, F_GETFD) < 0)
+        die_user("standard input is closed: give the domain with -i");
+    if (!a->history && !a->spooled && fcntl(STDOUT_FILENO, F_GETFD) < 0)
+        die_user("standard output is closed: name the history with -H");
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDWR);
+}
+
+static void check_names(struct arguments *a)
+{
+    if (is(a->input, "-")) a->input = NULL;
+    if (is(a->history, "-")) a->history = NULL;
+    if (is(a->fields, "-") || is(a->fields, "/dev/stdout"))
+        die_user("-o %s: the fields need a file of their own, the pipe is for the history",
+                 a->fields);
+    if (is(a->fields, a->history))
+        die_user("-o and -H both name %s: fields and history are two files", a->fields);
+    if (is(a->deck, "-") && !a->input)
+        die_user("domain and deck cannot both come from standard input");
 }
 
 struct arguments arguments_read(int argc, char **argv)
@@ -37,6 +69,8 @@ struct arguments arguments_read(int argc, char **argv)
     int first = options_read(&table, argc, argv);
     if (first < argc) die_user("unexpected argument '%s' (the domain goes with -i)", argv[first]);
     if (ranks) a.ranks = number_of_ranks(ranks);
+    check_names(&a);
+    check_streams(&a);
     if (a.quiet) note_set_quiet(1);
     a.command = options_command(argc, argv);
     return a;

@@ -9,7 +9,7 @@ struct arguments {
     const char *deck;    /* NULL: the one inside the domain */
     const char *fields;  /* NULL: none */
     const char *history; /* NULL: standard output */
-    const char *spooled; /* a rank's history goes to this open file of its parent */
+    const char *spooled; /* the history goes to this open file of the parent, whatever its name */
     int ranks;           /* of -j */
     bool quiet;
     char *command; /* the whole line, for provenance */

@@ -36,12 +36,14 @@ static int is_text(const char *path)
 void domain_input_read(const struct arguments *a, struct domain *domain, struct deck **deck)
 {
     struct spool input = spool_input(a->input);
-    const char *shown = a->input ? a->input : "standard input";
+    bool piped = !a->input || strncmp(a->input, "/proc/", strlen("/proc/")) == 0;
+    const char *shown = piped ? "standard input" : a->input;
     *deck = a->deck ? deck_read(a->deck) : NULL;
     if (!is_netcdf(input.path) && is_text(input.path)) {
         if (!*deck)
             die_user(
-                "%s is text: with particles in Peridigm's text format the deck is needed (--deck)",
+                "%s is text: a deck goes through hsgen first; particles in Peridigm's text format "
+                "need the deck beside them (--deck)",
                 shown);
         *domain = domain_text_read(&input, shown, *deck);
     } else {

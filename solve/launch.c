@@ -6,8 +6,10 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -57,11 +59,17 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
         argv[n++] = "--output";
         argv[n++] = a->fields;
     }
-    argv[n++] = a->history ? "--history" : "--spooled-history";
-    argv[n++] = a->history ? a->history : history;
+    if (a->history) {
+        argv[n++] = "--history";
+        argv[n++] = a->history;
+    }
+    argv[n++] = "--spooled-history";
+    argv[n++] = history;
     if (a->quiet) argv[n++] = "--quiet";
     set_environment();
     setenv("HSSOLVE_COMMAND", a->command, 1);
+    if (isatty(STDERR_FILENO)) setenv("HSSOLVE_TERMINAL", "1", 1);
+    prctl(PR_SET_PDEATHSIG, SIGTERM); /* the ranks do not outlive the one who started them */
     int nothing = open("/dev/null", O_RDONLY);
     if (nothing >= 0) dup2(nothing, STDIN_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); /* nothing stray may reach the pipe */
@@ -73,10 +81,8 @@ int launch_ranks(const struct arguments *a)
 {
     if (a->deck && strcmp(a->deck, "-") == 0)
         die_user("-j cannot read the deck from standard input");
-    struct spool input = spool_input(a->input), history = {.descriptor = -1};
-    if (!a->history) history = spool_output(NULL);
-    char *input_path = seen_by_others(input.path);
-    char *history_path = a->history ? NULL : seen_by_others(history.path);
+    struct spool input = spool_input(a->input), history = spool_output(a->history);
+    char *input_path = seen_by_others(input.path), *history_path = seen_by_others(history.path);
     pid_t child = fork();
     if (child < 0) die_run("cannot fork: %s", strerror(errno));
     if (child == 0) become_mpirun(a, input_path, history_path);
@@ -84,7 +90,10 @@ int launch_ranks(const struct arguments *a)
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) die_run("waitpid: %s", strerror(errno));
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_RUN;
-    if (code == 0 && !a->history) spool_finish(&history);
+    if (code == 0)
+        spool_finish(&history);
+    else
+        spool_close(&history);
     spool_close(&input);
     free(input_path);
     free(history_path);

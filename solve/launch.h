@@ -8,7 +8,8 @@
 int launch_wanted(const struct arguments *arguments);
 
 /* Spools the pipe, runs mpirun on this program with files, pumps the history out; returns the exit code
- * of the ranks. */
+ * of the ranks.  The history is the parent's to give out, so that a full disk or a closed pipe is seen
+ * here. */
 int launch_ranks(const struct arguments *arguments);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "body/family.h"
 #include "memory.h"
+#include "nearest.h"
 #include "output/fields.h"
 
 #include <stdlib.h>
@@ -87,6 +88,18 @@ struct scene scene_read(struct deck *deck)
         if (deck_has(output, "fields")) read_fields(&scene, deck_get(output, "fields"));
     }
     return scene;
+}
+
+void scene_check_sets(const struct scene *scene, const struct domain *domain)
+{
+    const char **names = memory_new((size_t)domain->n_sets, sizeof *names);
+    for (int i = 0; i < domain->n_sets; i++) names[i] = domain->sets[i].name;
+    for (int i = 0; i < scene->n_boundary; i++)
+        if (!domain_set(domain, scene->boundary[i].set))
+            deck_error(deck_get(scene->boundary[i].node, "set"),
+                       "no node set '%s' in the domain, which has: %s", scene->boundary[i].set,
+                       domain->n_sets ? nearest_list(names, domain->n_sets) : "none");
+    free(names);
 }
 
 void scene_free(struct scene *scene)

@@ -3,6 +3,7 @@
 #define HS_SCENE_H
 
 #include "deck.h"
+#include "domain.h"
 
 #include <stdbool.h>
 
@@ -44,6 +45,8 @@ struct scene {
 /* Reads and checks everything but the materials, which need the domain's phases.  The deck must
  * outlive the scene. */
 struct scene scene_read(struct deck *deck);
+/* Dies where a set of the boundary is not in the domain. */
+void scene_check_sets(const struct scene *scene, const struct domain *domain);
 void scene_free(struct scene *scene);
 
 #endif

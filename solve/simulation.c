@@ -60,6 +60,7 @@ static void read_inputs(struct simulation *s)
         domain_input_read(s->arguments, &s->domain, &s->deck);
         s->scene = scene_read(s->deck);
         s->lattice = lattice_find(&s->domain);
+        scene_check_sets(&s->scene, &s->domain);
         n_phases = s->domain.n_phases;
         s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), n_phases,
                                       s->domain.phase_names);
@@ -98,6 +99,9 @@ static void open_outputs(struct simulation *s)
 {
     const struct arguments *a = s->arguments;
     if (s->ranks.rank != 0) return;
+    if (a->ranks > 1 && a->ranks != s->ranks.size)
+        die_user("-j %d within a launcher that started %d: leave one of them out", a->ranks,
+                 s->ranks.size);
     if (a->spooled)
         s->history_output = (struct spool){.descriptor = -1, .path = memory_text(a->spooled)};
     else if (!a->history && s->ranks.size > 1)
@@ -150,6 +154,9 @@ static void plan_time(struct simulation *s)
         /* By the ramp's end the grips have gone half of what they would at full speed. */
         s->end_time = s->scene.end_strain / rate + 0.5 * s->scene.ramp;
     }
+    if (!(s->end_time / dt < 1e12))
+        deck_error(deck_find(deck_root(s->deck), "solver"),
+                   "%.3g s in steps of %.3g s are over 1e12 steps", s->end_time, dt);
     s->n_steps = (int64_t)ceil(s->end_time / dt);
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s));
@@ -271,8 +278,15 @@ static void record(struct simulation *s)
 
 static bool at_end(const struct simulation *s)
 {
-    if (s->scene.end_time > 0) return s->verlet.step >= s->n_steps;
+    if (s->scene.end_time > 0) return s->verlet.time >= s->end_time - 1e-6 * s->verlet.dt;
     return s->strain >= s->scene.end_strain || s->verlet.step >= 4 * s->n_steps;
+}
+
+/* Whether the next step is the last one that a given end time leaves. */
+static bool near_end(const struct simulation *s)
+{
+    return s->scene.end_time > 0 &&
+           s->verlet.time + s->verlet.dt >= s->end_time - 1e-6 * s->verlet.dt;
 }
 
 static double gauge_stress(const struct simulation *s)
@@ -297,7 +311,7 @@ const char *simulation_run(struct simulation *s)
     record(s);
     if (s->fields) fields_write(s->fields, s->verlet.time, s->model, &s->body);
     while (!s->failure && !at_end(s)) {
-        bool recording = record_due(s);
+        bool recording = record_due(s) || near_end(s);
         if (recording) memset(s->axial, 0, bytes);
         verlet_step(&s->verlet, &s->body, &s->boundary, s->model, recording ? s->axial : NULL);
         s->failure = find_failure(s);
@@ -306,7 +320,7 @@ const char *simulation_run(struct simulation *s)
             record(s);
             check_step(s);
         }
-        if (s->fields && due(s->verlet.step, s->n_steps, s->scene.fields.frames))
+        if (s->fields && (due(s->verlet.step, s->n_steps, s->scene.fields.frames) || at_end(s)))
             fields_write(s->fields, s->verlet.time, s->model, &s->body);
         progress_update(&progress, share_done(s), s->verlet.step, s->strain, gauge_stress(s),
                         energy_drift(&s->verlet.balance));

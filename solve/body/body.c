@@ -45,8 +45,9 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     body.grid = grid_new(lattice, &body.partition, family, bonds, n_bonds, ranks.rank);
     body.displacement_halo = halo_new(&body.grid, lattice, &body.partition, SITE_MOVES, ranks.size);
     body.stress_halo = halo_new(&body.grid, lattice, &body.partition, SITE_STRESSED, ranks.size);
-    body.owned = grid_strips(&body.grid, SITE_OWNED);
-    body.near = grid_strips(&body.grid, SITE_NEAR);
+    body.owned = grid_strips(&body.grid, SITE_OWNED, 0);
+    body.near = grid_strips(&body.grid, SITE_NEAR, 0);
+    body.ghosts = grid_strips(&body.grid, SITE_NEAR, SITE_OWNED);
     body.volume = lattice->spacing * lattice->spacing * lattice->spacing;
     make_fields(body.u, 3, body.grid.n_sites);
     make_fields(body.v, 3, body.grid.n_sites);
@@ -70,6 +71,7 @@ void body_free(struct body *body)
     free_fields(body->first, 3);
     strips_free(&body->owned);
     strips_free(&body->near);
+    strips_free(&body->ghosts);
     halo_free(body->displacement_halo);
     halo_free(body->stress_halo);
     grid_free(&body->grid);

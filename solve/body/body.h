@@ -17,9 +17,9 @@ struct body {
     struct partition partition;
     struct grid grid;
     struct halo *displacement_halo, *stress_halo;
-    struct strips owned, near;
-    double volume;       /* of a node, m^3 */
-    int64_t unsupported; /* nodes of the whole body without a deformation gradient */
+    struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
+    double volume;                     /* of a node, m^3 */
+    int64_t unsupported;               /* nodes of the whole body without a deformation gradient */
 
     /* Fields over the grid's box. */
     double *u[3];       /* displacement, m */

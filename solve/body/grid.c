@@ -148,11 +148,11 @@ static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
     return strips;
 }
 
-struct strips grid_strips(const struct grid *grid, int flags)
+struct strips grid_strips(const struct grid *grid, int wanted, int unwanted)
 {
     uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
     for (int64_t site = 0; site < grid->n_sites; site++)
-        listed[site] = (grid->flags[site] & flags) != 0;
+        listed[site] = (grid->flags[site] & (wanted | unwanted)) == wanted;
     struct strips strips = make_strips(grid, listed);
     free(listed);
     return strips;

@@ -57,8 +57,8 @@ int64_t grid_site(const struct grid *grid, const int at[3]);
 /* The reverse. */
 void grid_position(const struct grid *grid, int64_t site, int at[3]);
 
-/* Strips of the sites with any of the flags. */
-struct strips grid_strips(const struct grid *grid, int flags);
+/* Strips of the sites with all of the flags wanted and none of those unwanted. */
+struct strips grid_strips(const struct grid *grid, int wanted, int unwanted);
 /* Strips of the lower ends i of the bonds i -> i + step with an owned end. */
 struct strips grid_bond_strips(const struct grid *grid, const int step[3]);
 void strips_free(struct strips *strips);

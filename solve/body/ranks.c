@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 static void abort_all(int code)
 {
@@ -12,6 +13,12 @@ static void abort_all(int code)
     if (running) MPI_Comm_size(MPI_COMM_WORLD, &size);
     if (running && size > 1) MPI_Abort(MPI_COMM_WORLD, code);
     exit(code);
+}
+
+/* Rank 0 ends this process meanwhile; what it did not meet itself is told after all. */
+static void wait_for_first(void)
+{
+    sleep(20);
 }
 
 struct ranks ranks_start(int *argc, char ***argv)
@@ -28,6 +35,7 @@ struct ranks ranks_start(int *argc, char ***argv)
     MPI_Comm_rank(MPI_COMM_WORLD, &ranks.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks.size);
     die_set_exit(abort_all);
+    if (ranks.rank != 0) die_set_wait(wait_for_first);
     return ranks;
 }
 
@@ -35,6 +43,7 @@ void ranks_stop(void)
 {
     MPI_Finalize();
     die_set_exit(exit);
+    die_set_wait(NULL);
 }
 
 void ranks_share(void *data, size_t bytes)

@@ -11,7 +11,7 @@ struct ranks {
 };
 
 /* Starts MPI; alone (no launcher) as an isolated process that needs no daemon.  Makes die() end all
- * ranks with its code. */
+ * ranks with its code; a user's error, which all ranks meet, is told by rank 0. */
 struct ranks ranks_start(int *argc, char ***argv);
 void ranks_stop(void);
 

@@ -5,12 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One strip of the walk over the body: all of a line's nodes, then its bonds along each offset.
- * Walking line by line in global order fixes the order of every node's sums. */
+/* One strip of the walk over the body: nodes, or bonds along one offset by their lower ends.  The walk
+ * goes plane by plane, the nodes of a plane before the bonds that reach it from below, so that a node
+ * writes its stress first and its bonds add to it; the global order fixes the order of every node's
+ * sums. */
 struct task {
     struct strip strip;
-    int line[2]; /* global z, y */
-    int kind;    /* -1: nodes; otherwise the number of the bond offset */
+    int key[4]; /* the order: step of the walk, bonds after nodes, global y, bond offset */
+    int kind;   /* -1: nodes; otherwise the number of the bond offset */
 };
 
 struct correspondence {
@@ -29,11 +31,9 @@ struct correspondence {
 static int compare_tasks(const void *a, const void *b)
 {
     const struct task *s = a, *t = b;
-    const int key_s[] = {s->line[0], s->line[1], s->kind, s->strip.x};
-    const int key_t[] = {t->line[0], t->line[1], t->kind, t->strip.x};
     for (int k = 0; k < 4; k++)
-        if (key_s[k] != key_t[k]) return key_s[k] < key_t[k] ? -1 : 1;
-    return 0;
+        if (s->key[k] != t->key[k]) return s->key[k] < t->key[k] ? -1 : 1;
+    return (s->strip.x > t->strip.x) - (s->strip.x < t->strip.x);
 }
 
 static void append_tasks(struct correspondence *model, const struct grid *grid,
@@ -47,7 +47,9 @@ static void append_tasks(struct correspondence *model, const struct grid *grid,
     for (int64_t s = 0; s < strips->count; s++) {
         int at[3];
         grid_position(grid, strips->items[s].site, at);
-        tasks[model->n_tasks++] = (struct task){strips->items[s], {at[2], at[1]}, kind};
+        const int bond = kind >= 0;
+        tasks[model->n_tasks++] =
+            (struct task){strips->items[s], {at[2] + bond, bond, at[1], kind}, kind};
     }
 }
 
@@ -180,10 +182,10 @@ void correspondence_stress(struct correspondence *model, const struct body *body
               model->materials->curves.table, (struct j2_mode){.frozen = true});
 }
 
-HS_SIMD static void add_scaled(int count, const double *restrict P, double weight,
-                               double *restrict out)
+HS_SIMD static void write_scaled(int count, const double *restrict P, double weight,
+                                 double *restrict out)
 {
-    for (int i = 0; i < count; i++) out[i] += weight * P[i];
+    for (int i = 0; i < count; i++) out[i] = weight * P[i];
 }
 
 static void node_law(struct correspondence *model, struct body *body, const struct strip *strip,
@@ -195,9 +197,11 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     load_nodes(model, body, strip, &j2);
     j2_update(&j2, model->state + J2_STATE * strip->store, strip->stride, all->curves.table,
               (struct j2_mode){mode.commit, mode.frozen, mode.energy});
+    const size_t bytes = (size_t)strip->count * sizeof(double);
     for (int k = 0; k < TENSOR; k++)
-        add_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);
-    if (mode.axial) add_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
+        write_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);
+    for (int k = 0; k < 3; k++) memset(body->f[k] + site, 0, bytes);
+    if (mode.axial) write_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
 
     const double *p = correspondence_plastic_strain(model, strip);
     for (int i = 0; model->flow && i < strip->count; i++)
@@ -210,11 +214,15 @@ static void node_law(struct correspondence *model, struct body *body, const stru
                         model->node_share * body->volume);
 }
 
-static void clear(struct body *body)
+/* Ghost ends of bonds gather sums that nobody reads; they must not grow. */
+static void clear_ghosts(struct body *body)
 {
-    const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
-    for (int k = 0; k < 9; k++) memset(body->S[k], 0, bytes);
-    for (int k = 0; k < 3; k++) memset(body->f[k], 0, bytes);
+    for (int64_t s = 0; s < body->ghosts.count; s++) {
+        const struct strip *strip = &body->ghosts.items[s];
+        const size_t bytes = (size_t)strip->count * sizeof(double);
+        for (int k = 0; k < 9; k++) memset(body->S[k] + strip->site, 0, bytes);
+        for (int k = 0; k < 3; k++) memset(body->f[k] + strip->site, 0, bytes);
+    }
 }
 
 static void stresses(struct correspondence *model, struct body *body, struct force_mode mode,
@@ -299,7 +307,7 @@ void correspondence_force(struct correspondence *model, struct body *body, struc
 {
     halo_exchange(body->displacement_halo, body->u, 3);
     displacement_gradient(body);
-    clear(body);
+    clear_ghosts(body);
     stresses(model, body, mode, energy);
     divide_by_shape(body);
     halo_exchange(body->stress_halo, body->S, 9);

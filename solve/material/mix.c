@@ -110,13 +110,14 @@ static void bond_gradient(struct j2_strip *j2, const struct body *body, int axis
     }
 }
 
-static void bond_law(struct j2_strip *j2, const struct materials *materials, const uint8_t *a,
-                     const uint8_t *b)
+HS_SIMD static void bond_law(int count, const uint8_t *restrict a, const uint8_t *restrict b,
+                             int64_t n_phases, const double *restrict shear,
+                             const double *restrict bulk, struct j2_strip *restrict j2)
 {
-    for (int i = 0; i < j2->count; i++) {
-        int pair = a[i] * materials->count + b[i];
-        j2->mu[i] = materials->shear[pair];
-        j2->bulk[i] = materials->bulk[pair];
+    for (int i = 0; i < count; i++) {
+        int64_t pair = a[i] * n_phases + b[i];
+        j2->mu[i] = shear[pair];
+        j2->bulk[i] = bulk[pair];
         j2->curve[i] = pair;
     }
 }
@@ -183,10 +184,11 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     double beta[LANES];
     j2.count = count;
     bond_gradient(&j2, body, axis, i, j);
-    bond_law(&j2, mix->materials, body->grid.phase + i, body->grid.phase + j);
+    const struct materials *materials = mix->materials;
+    bond_law(count, body->grid.phase + i, body->grid.phase + j, materials->count, materials->shear,
+             materials->bulk, &j2);
     j2_update(&j2, mix->state[axis] + J2_STATE * strip->store, strip->stride,
-              mix->materials->curves.table,
-              (struct j2_mode){mode.commit, mode.frozen, mode.energy});
+              materials->curves.table, (struct j2_mode){mode.commit, mode.frozen, mode.energy});
 
     const double *gi = mix->share_of[axis] + i, *gj = mix->share_of[axis] + j;
     for (int k = 0; k < count; k++) beta[k] = gi[k] + gj[k];

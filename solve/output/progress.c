@@ -3,12 +3,14 @@
 #include "ranks.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 struct progress progress_start(bool shown)
 {
     double now = ranks_clock();
-    return (struct progress){shown, isatty(STDERR_FILENO) != 0, now, now};
+    bool terminal = isatty(STDERR_FILENO) || getenv("HSSOLVE_TERMINAL");
+    return (struct progress){shown, terminal, now, now};
 }
 
 void progress_update(struct progress *progress, double done, int64_t step, double strain,

@@ -10,7 +10,8 @@ struct progress {
     double started, last; /* s */
 };
 
-/* shown: false on all ranks but one, and after --quiet. */
+/* shown: false on all ranks but one, and after --quiet.  Where mpirun stands between a rank and the
+ * terminal, HSSOLVE_TERMINAL says that there is one. */
 struct progress progress_start(bool shown);
 
 /* Called at every step; prints every half second on a terminal, every half minute elsewhere.
