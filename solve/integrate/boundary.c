@@ -74,10 +74,9 @@ void boundary_set_velocities(const struct boundary *boundary, struct body *body,
     }
 }
 
-void boundary_reactions(struct boundary *boundary, const struct body *body)
+void boundary_reactions(const struct boundary *boundary, const struct body *body,
+                        struct exact_sum *sums)
 {
-    struct exact_sum *sums = memory_new((size_t)boundary->count, sizeof *sums);
-    double *values = memory_new((size_t)boundary->count, sizeof *values);
     for (int b = 0; b < boundary->count; b++) {
         const struct boundary_set *set = &boundary->sets[b];
         const double *f = body->f[set->direction];
@@ -85,10 +84,6 @@ void boundary_reactions(struct boundary *boundary, const struct body *body)
         for (int64_t i = 0; i < set->members.count; i++)
             exact_sum_add(&sums[b], -f[set->members.sites[i]] * body->volume);
     }
-    exact_sum_finish(sums, boundary->count, values);
-    for (int b = 0; b < boundary->count; b++) boundary->sets[b].total_force = values[b];
-    free(sums);
-    free(values);
 }
 
 double boundary_strain_rate(const struct boundary *boundary)

@@ -15,7 +15,7 @@ struct boundary_set {
     double mass;           /* of the whole set, kg; the integrator fills it */
     struct exact_sum zero; /* empty sum of forces */
     double moved;          /* along its direction so far, m */
-    double total_force;    /* after boundary_reactions, over all ranks, N */
+    double total_force;    /* at the end of the step, over all ranks, N */
 };
 
 struct boundary {
@@ -38,8 +38,10 @@ double boundary_factor(const struct boundary *boundary, double time);
 /* Sets the prescribed components of body->v to their values at the time. */
 void boundary_set_velocities(const struct boundary *boundary, struct body *body, double time);
 
-/* Sums up the reactions: the force each set exerts on the body along its direction. Collective. */
-void boundary_reactions(struct boundary *boundary, const struct body *body);
+/* This rank's part of the reactions, the force each set exerts on the body along its direction:
+ * sums[count], to be finished over all ranks. */
+void boundary_reactions(const struct boundary *boundary, const struct body *body,
+                        struct exact_sum *sums);
 
 /* Initial velocity field of the body: along x linear between the grips, across it the contraction of
  * uniaxial stress.  poissons_ratio: of the mean material. */

@@ -131,19 +131,30 @@ static void sum_masses(const struct verlet *verlet, const struct body *body,
     free(sums);
 }
 
-static void finish_balance(struct verlet *verlet, const struct body *body,
-                           struct force_energy *energy, const struct exact_sum *damped)
+/* All sums over the body that a step needs, in one message: energies and reactions. */
+static void finish_sums(struct verlet *verlet, const struct body *body, struct boundary *boundary,
+                        struct force_energy *energy, const struct exact_sum *damped)
 {
-    struct exact_sum sums[] = {verlet->kinetic_zero, energy->stored, energy->plastic,
-                               energy->stabilisation, *damped};
+    enum { ENERGIES = 5 };
+    const int count = ENERGIES + boundary->count;
+    struct exact_sum *sums = memory_new((size_t)count, sizeof *sums);
+    double *values = memory_new((size_t)count, sizeof *values);
+    sums[0] = verlet->kinetic_zero;
     sum_kinetic(verlet, body, &sums[0]);
-    double values[5];
-    exact_sum_finish(sums, 5, values);
+    sums[1] = energy->stored;
+    sums[2] = energy->plastic;
+    sums[3] = energy->stabilisation;
+    sums[4] = *damped;
+    boundary_reactions(boundary, body, sums + ENERGIES);
+    exact_sum_finish(sums, count, values);
     verlet->balance.kinetic = values[0];
     verlet->balance.stored = values[1];
     verlet->balance.plastic = values[2];
     verlet->balance.stabilisation = values[3];
     verlet->balance.damping += values[4];
+    for (int b = 0; b < boundary->count; b++) boundary->sets[b].total_force = values[ENERGIES + b];
+    free(sums);
+    free(values);
 }
 
 /* rho V (v_right - v_left)^2/24 summed: a bar stretched uniformly about its middle. */
@@ -177,8 +188,7 @@ struct verlet verlet_new(double dt, double damping, const struct materials *mate
 
     struct force_energy energy = verlet.zero;
     correspondence_force(model, body, (struct force_mode){.commit = true, .energy = true}, &energy);
-    boundary_reactions(boundary, body);
-    finish_balance(&verlet, body, &energy, &verlet.kinetic_zero);
+    finish_sums(&verlet, body, boundary, &energy, &verlet.kinetic_zero);
     verlet.balance.initial = verlet.balance.kinetic;
     verlet.balance.reference = affine_energy(&verlet, body, boundary);
     return verlet;
@@ -228,8 +238,7 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
     if (verlet->damping > 0) damp(verlet, body, boundary, verlet->time, &damped);
     boundary_set_velocities(boundary, body, verlet->time);
 
-    boundary_reactions(boundary, body);
+    finish_sums(verlet, body, boundary, &energy, &damped);
     add_work(verlet, boundary, force_before);
-    finish_balance(verlet, body, &energy, &damped);
     free(force_before);
 }

@@ -75,9 +75,9 @@ double gauge_fraction(const struct gauge *gauge, int phase)
     return gauge->fraction[phase];
 }
 
-double gauge_extension(const struct gauge *gauge, const struct body *body)
+struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body)
 {
-    const struct members *sets[2] = {&gauge->right, &gauge->left};
+    const struct members *sets[2] = {&gauge->left, &gauge->right};
     const double reach = 100 * body->lattice->size[0] * body->lattice->spacing;
     struct exact_sum sums[2];
     for (int k = 0; k < 2; k++) {
@@ -87,7 +87,8 @@ double gauge_extension(const struct gauge *gauge, const struct body *body)
     }
     double values[2];
     exact_sum_finish(sums, 2, values);
-    return values[0] / (double)gauge->right.n_all - values[1] / (double)gauge->left.n_all;
+    return (struct gauge_planes){values[0] / (double)gauge->left.n_all,
+                                 values[1] / (double)gauge->right.n_all};
 }
 
 static void add_strip(const struct gauge *gauge, const struct body *body, const struct strip *strip,

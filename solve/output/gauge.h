@@ -13,8 +13,11 @@ void gauge_free(struct gauge *gauge);
 
 double gauge_length(const struct gauge *gauge); /* m, between the planes */
 
-/* Growth of the distance of the planes [m]. Collective. */
-double gauge_extension(const struct gauge *gauge, const struct body *body);
+/* Mean displacement along x of the left and of the right plane [m].  Collective. */
+struct gauge_planes {
+    double left, right;
+};
+struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body);
 
 /* Volume fraction of a phase between the planes. */
 double gauge_fraction(const struct gauge *gauge, int phase);

@@ -5,11 +5,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const common[] = {
-    "force_left_N",          "force_right_N",      "extension_m",      "grip_extension_m",
-    "kinetic_energy_J",      "stored_energy_J",    "plastic_energy_J", "stabilisation_energy_J",
-    "damping_energy_J",      "external_work_J",    "energy_drift",     "kinetic_to_internal",
-    "minimum_section_ratio", "minimum_section_x_m"};
+static const char *const common[] = {"force_left_N",
+                                     "force_right_N",
+                                     "extension_m",
+                                     "grip_extension_m",
+                                     "kinetic_energy_J",
+                                     "stored_energy_J",
+                                     "plastic_energy_J",
+                                     "stabilisation_energy_J",
+                                     "damping_energy_J",
+                                     "external_work_J",
+                                     "energy_drift",
+                                     "kinetic_to_internal",
+                                     "minimum_section_ratio",
+                                     "minimum_section_x_m",
+                                     "gauge_left_displacement_m",
+                                     "gauge_right_displacement_m"};
 static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
 enum { COMMON = sizeof common / sizeof *common, PER_PHASE = sizeof per_phase / sizeof *per_phase };
 
@@ -72,7 +83,8 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
 {
     struct gauge_section section;
     struct gauge_phase *phases = memory_new((size_t)recorder->n_phases, sizeof *phases);
-    const double extension = gauge_extension(gauge, body);
+    const struct gauge_planes planes = gauge_displacements(gauge, body);
+    const double extension = planes.right - planes.left;
     gauge_measure(gauge, model, body, axial, phases, &section);
     if (body->ranks.rank == 0) {
         const struct energy_balance *b = &verlet->balance;
@@ -84,7 +96,8 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                                        b->plastic,        b->stabilisation,
                                        b->damping,        b->work,
                                        energy_drift(b),   energy_kinetic_to_internal(b),
-                                       section.ratio,     section.x};
+                                       section.ratio,     section.x,
+                                       planes.left,       planes.right};
         double *record = new_record(recorder, verlet->time);
         memcpy(record, values, sizeof values);
         for (int p = 0; p < recorder->n_phases; p++) {

@@ -1,0 +1,100 @@
+#include "die.h"
+#include "exodus.h"
+#include "memory.h"
+#include "options.h"
+#include "simulation_parts.h"
+
+#include <stdlib.h>
+
+static void describe(struct simulation *s)
+{
+    struct attributes *a = &s->recorder.history.attributes;
+    const char *launched = getenv("HSSOLVE_COMMAND"); /* the user's command where -j started us */
+    attributes_set_text(a, "deck", deck_text(s->deck));
+    attributes_set_text(a, "deck_name", deck_name(s->deck));
+    attributes_set_text(a, "solver_program", options_version());
+    attributes_set_text(a, "solver_command", launched ? launched : s->arguments->command);
+    attributes_set_number(a, "solver_horizon", s->scene.horizon);
+    attributes_set_number(a, "solver_strain_rate_per_s", boundary_strain_rate(&s->boundary));
+    attributes_set_number(a, "solver_step_s", s->verlet.dt);
+    attributes_set_number(a, "solver_steps", (double)s->verlet.step);
+    attributes_set_number(a, "gauge_length_m", gauge_length(s->gauge));
+    for (int p = 0; p < s->domain.n_phases; p++) {
+        char *name = memory_print("phase_%s_fraction", s->domain.phase_names[p]);
+        attributes_set_number(a, name, gauge_fraction(s->gauge, p));
+        free(name);
+    }
+    double modulus = s->materials.items[0].youngs_modulus;
+    bool same = true;
+    for (int p = 1; p < s->materials.count; p++)
+        same &= s->materials.items[p].youngs_modulus == modulus;
+    if (same) attributes_set_number(a, "youngs_modulus_Pa", modulus);
+}
+
+/* The run that a dying program saves what it can of; NULL before and after. */
+static struct simulation *endangered;
+
+static char *failed_name(const char *name)
+{
+    return memory_print("%s.failed", name ? name : "hssolve-history");
+}
+
+static void keep_fields(struct simulation *s)
+{
+    if (!s->fields_output.path) return;
+    free(s->fields_output.final);
+    s->fields_output.final = failed_name(s->arguments->fields);
+    warn("the frames up to there are kept in %s", s->fields_output.final);
+    spool_finish(&s->fields_output);
+}
+
+static void keep_history(struct simulation *s)
+{
+    char *name = failed_name(s->arguments->history);
+    struct spool kept = spool_output(name);
+    exodus_write_history(&kept, &s->recorder.history);
+    spool_finish(&kept);
+    warn("the history up to there is kept in %s", name);
+    free(name);
+}
+
+/* A full disk or no memory amid a run: each frame is on disk since it was written, and the disk of the
+ * history may have room. */
+static void rescue(void)
+{
+    struct simulation *s = endangered;
+    if (!s) return;
+    endangered = NULL;
+    keep_fields(s);
+    describe(s);
+    keep_history(s);
+}
+
+void simulation_protect(struct simulation *s)
+{
+    if (s->ranks.rank != 0) return;
+    endangered = s;
+    die_at_exit(rescue);
+}
+
+void simulation_finish(struct simulation *s, const char *failure)
+{
+    if (s->fields) fields_close(s->fields);
+    s->fields = NULL;
+    if (s->ranks.rank != 0) return;
+    if (failure) {
+        rescue();
+        return;
+    }
+    if (s->fields_output.path) spool_finish(&s->fields_output);
+    describe(s);
+    exodus_write_history(&s->history_output, &s->recorder.history);
+    if (!s->arguments->spooled) spool_finish(&s->history_output);
+    endangered = NULL;
+    double node_steps = (double)s->verlet.step * (double)s->lattice.n_nodes;
+    note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; gauge strain %.4f, energy "
+         "drift "
+         "%.1e",
+         (long long)s->verlet.step, s->wall, node_steps / s->wall / s->ranks.size, s->ranks.size,
+         s->strain, energy_drift(&s->verlet.balance));
+}

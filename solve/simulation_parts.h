@@ -1,0 +1,41 @@
+/* simulation_parts.h - what a simulation consists of; private to the simulation*.c files. */
+#ifndef HS_SIMULATION_PARTS_H
+#define HS_SIMULATION_PARTS_H
+
+#include "boundary.h"
+#include "correspondence.h"
+#include "fields.h"
+#include "gauge.h"
+#include "recorder.h"
+#include "scene.h"
+#include "simulation.h"
+#include "verlet.h"
+
+struct simulation {
+    const struct arguments *arguments;
+    struct ranks ranks;
+    struct domain domain; /* rank 0 */
+    struct deck *deck;
+    struct scene scene;
+    struct lattice lattice;
+    struct family family;
+    struct materials materials;
+    struct body body;
+    struct correspondence *model;
+    struct boundary boundary;
+    struct gauge *gauge;
+    struct verlet verlet;
+    struct recorder recorder;
+    struct fields *fields;
+    struct spool history_output, fields_output; /* rank 0 */
+    double *axial;                              /* box field */
+    double critical_step, end_time, strain, checked_strain;
+    int64_t n_steps; /* expected */
+    double wall;     /* s */
+    char *failure;
+};
+
+/* From here on a dying program keeps what is good as NAME.failed. */
+void simulation_protect(struct simulation *simulation);
+
+#endif
