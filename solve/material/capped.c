@@ -116,8 +116,8 @@ HS_SIMD static void slip(int count, struct bond_strip *restrict s, double *restr
         px[i] += commit * excess * x;
         py[i] += commit * excess * y;
         pz[i] += commit * excess * z;
-        /* work of the mean of the forces before and after the slip */
-        lost[i] += commit * s->stiffness[i] * (1 - 0.5 * excess) * excess * length * length;
+        /* work of the force after the slip: that of a bond that slides, however far in one step */
+        lost[i] += commit * s->stiffness[i] * (1 - excess) * excess * length * length;
     }
 }
 
