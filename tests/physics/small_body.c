@@ -21,16 +21,6 @@ const char small_two_phases[] =
 const char small_mix[] = "{law: mix, share: 0.1}";
 const char small_capped[] = "{law: capped}";
 
-#ifdef HS_SANITIZE
-/* What MPI keeps until the end is no leak of ours. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libmpi\nleak:libopen-\nleak:libpmix\nleak:libevent\nleak:libhwloc\n"
-           "leak:mca_\nleak:ompi_\n";
-}
-#endif
-
 int small_ranks_start(void **state)
 {
     (void)state;
