@@ -12,6 +12,7 @@ enum { CLEANERS = 16, LONGEST_MESSAGE = 8192 };
 static struct {
     const char *program;
     void (*leave)(int code);
+    void (*wait)(void);
     void (*clean[CLEANERS])(void);
     int n_clean;
     bool quiet;
@@ -30,6 +31,11 @@ const char *die_program(void)
 void die_set_exit(void (*leave)(int code))
 {
     process.leave = leave;
+}
+
+void die_set_wait(void (*wait)(void))
+{
+    process.wait = wait;
 }
 
 void die_at_exit(void (*clean)(void))
@@ -69,6 +75,7 @@ static _Noreturn void leave(int code)
 void die_user(const char *format, ...)
 {
     va_list arguments;
+    if (process.wait) process.wait();
     va_start(arguments, format);
     print("", format, arguments);
     va_end(arguments);

@@ -22,6 +22,10 @@ void die_set_exit(void (*leave)(int code));
  * first. */
 void die_at_exit(void (*clean)(void));
 
+/* Called before a user's error is told.  A rank that follows another waits here: the first meets the
+ * same error, tells it once and ends them all. */
+void die_set_wait(void (*wait)(void));
+
 /* The user's error, exit 2.  Say what was wrong, where, and what was expected. */
 _Noreturn void die_user(const char *format, ...) HS_PRINTF(1, 2);
 

@@ -205,7 +205,7 @@ struct exodus_file exodus_open(const struct spool *input, bool foreign)
     int memory_word = sizeof(double), file_word = 0;
     float version;
     struct exodus_file file = {.path = memory_text(input->path)};
-    bool piped = strncmp(input->path, "/proc/self/fd/", strlen("/proc/self/fd/")) == 0;
+    bool piped = strncmp(input->path, "/proc/", strlen("/proc/")) == 0;
     file.shown = memory_text(piped ? "standard input" : input->path);
     file.bytes = file_size(&file);
     exodus_check_header(file.path, file.shown);

@@ -16,9 +16,12 @@ struct particle {
     int block;
 };
 
+enum { MOST_BLOCKS = 16, LONGEST_NAME = 64, LONGEST_LINE = 1024 };
+
 struct particles {
     int64_t count, room;
     struct particle *items;
+    char names[MOST_BLOCKS][LONGEST_NAME]; /* of the blocks, where a comment says so */
 };
 
 static void append(struct particles *all, struct particle particle)
@@ -53,15 +56,30 @@ static struct particle read_line(const char *line, const char *shown, long numbe
     return (struct particle){values[0], values[1], values[2], values[4], (int)values[3]};
 }
 
+/* "blocks: 1 CG 2 UFG" in a comment */
+static void read_names(struct particles *all, const char *comment)
+{
+    const char *at = strstr(comment, "blocks:");
+    int block, length;
+    char name[LONGEST_NAME];
+    if (at) at += strlen("blocks:");
+    while (at && sscanf(at, "%d %63s%n", &block, name, &length) == 2) {
+        if (block >= 1 && block <= MOST_BLOCKS)
+            snprintf(all->names[block - 1], LONGEST_NAME, "%s", name);
+        at += length;
+    }
+}
+
 static struct particles read_particles(const struct spool *input, const char *shown)
 {
     struct particles all = {0};
     FILE *file = fopen(input->path, "r");
     if (!file) die_user("cannot open %s: %s", shown, strerror(errno));
-    char line[1024];
+    char line[LONGEST_LINE];
     for (long number = 1; fgets(line, sizeof line, file); number++) {
         size_t length = strcspn(line, "#\n");
         if (line[length] == '\0' && !feof(file)) die_user("%s:%ld: line too long", shown, number);
+        if (line[length] == '#') read_names(&all, line + length);
         line[length] = '\0';
         if (line[strspn(line, " \t\r")] != '\0') append(&all, read_line(line, shown, number));
     }
@@ -87,12 +105,17 @@ static void add_layer(struct domain *domain, struct layer layer)
     free(nodes);
 }
 
-/* x of the layer of nodes next to a position. */
-static double nearest_layer(const struct domain *domain, double position)
+/* x of the layer of nodes next to a position; of two equally near the one farther from the middle, as
+ * hsgen has it. */
+static double nearest_layer(const struct domain *domain, double position, double middle,
+                            double slack)
 {
-    double best = domain->x[0];
-    for (int64_t i = 1; i < domain->n_nodes; i++)
-        if (fabs(domain->x[i] - position) < fabs(best - position)) best = domain->x[i];
+    double best = INFINITY;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        double x = domain->x[i], gain = fabs(best - position) - fabs(x - position);
+        bool outer = fabs(x - middle) > fabs(best - middle) + slack;
+        if (gain > slack || (gain > -slack && outer)) best = x;
+    }
     return best;
 }
 
@@ -107,8 +130,8 @@ static void add_sets(struct domain *domain, const struct deck *deck, double spac
         high = fmax(high, domain->x[i]);
     }
     const double half = 0.5 * spacing, middle = 0.5 * (low + high), slack = 1e-3 * spacing;
-    double left = nearest_layer(domain, middle - 0.5 * gauge);
-    double right = nearest_layer(domain, middle + 0.5 * gauge);
+    double left = nearest_layer(domain, middle - 0.5 * gauge, middle, slack);
+    double right = nearest_layer(domain, middle + 0.5 * gauge, middle, slack);
     add_layer(domain, (struct layer){"grip_left", low - half, low - half + grip});
     add_layer(domain, (struct layer){"grip_right", high + half - grip, high + half});
     add_layer(domain, (struct layer){"gauge_left", left - slack, left + slack});
@@ -118,6 +141,20 @@ static void add_sets(struct domain *domain, const struct deck *deck, double spac
         if (domain->x[i] >= left && domain->x[i] < right - slack) volume += domain->volume[i];
     if (right > left)
         attributes_set_number(&domain->attributes, "section_m2", volume / (right - left));
+}
+
+static void name_phases(struct domain *domain, const struct particles *all, const char *shown,
+                        const struct deck *deck)
+{
+    struct deck_node materials = deck_get(deck_root(deck), "materials");
+    domain->phase_names = memory_new((size_t)domain->n_phases, sizeof(char *));
+    for (int p = 0; p < domain->n_phases; p++) {
+        if (!all->names[p][0] && p >= deck_count(materials))
+            deck_error(materials, "%s has %d blocks, but there are %d materials", shown,
+                       domain->n_phases, deck_count(materials));
+        domain->phase_names[p] =
+            memory_text(all->names[p][0] ? all->names[p] : deck_key(materials, p));
+    }
 }
 
 struct domain domain_text_read(const struct spool *input, const char *shown,
@@ -141,13 +178,7 @@ struct domain domain_text_read(const struct spool *input, const char *shown,
         if (p->block > domain.n_phases) domain.n_phases = p->block;
     }
     free(all.items);
-    struct deck_node materials = deck_get(deck_root(deck), "materials");
-    if (deck_count(materials) < domain.n_phases)
-        deck_error(materials, "%s has %d blocks, but there are %d materials", shown,
-                   domain.n_phases, deck_count(materials));
-    domain.phase_names = memory_new((size_t)domain.n_phases, sizeof(char *));
-    for (int p = 0; p < domain.n_phases; p++)
-        domain.phase_names[p] = memory_text(deck_key(materials, p));
+    name_phases(&domain, &all, shown, deck);
     double spacing = cbrt(domain.volume[0]);
     attributes_set_number(&domain.attributes, "spacing_m", spacing);
     domain_sort(&domain);

@@ -5,6 +5,7 @@
 #include "simulation_parts.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static void describe(struct simulation *s)
 {
@@ -34,23 +35,25 @@ static void describe(struct simulation *s)
 /* The run that a dying program saves what it can of; NULL before and after. */
 static struct simulation *endangered;
 
-static char *failed_name(const char *name)
+/* Beside the output; where that is a pipe or a device, here. */
+static char *failed_name(const char *name, const char *fallback)
 {
-    return memory_print("%s.failed", name ? name : "hssolve-history");
+    bool file = name && strncmp(name, "/dev/", strlen("/dev/")) != 0;
+    return memory_print("%s.failed", file ? name : fallback);
 }
 
 static void keep_fields(struct simulation *s)
 {
     if (!s->fields_output.path) return;
     free(s->fields_output.final);
-    s->fields_output.final = failed_name(s->arguments->fields);
+    s->fields_output.final = failed_name(s->arguments->fields, "hssolve-fields");
     warn("the frames up to there are kept in %s", s->fields_output.final);
     spool_finish(&s->fields_output);
 }
 
 static void keep_history(struct simulation *s)
 {
-    char *name = failed_name(s->arguments->history);
+    char *name = failed_name(s->arguments->history, "hssolve-history");
     struct spool kept = spool_output(name);
     exodus_write_history(&kept, &s->recorder.history);
     spool_finish(&kept);
