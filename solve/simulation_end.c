@@ -44,7 +44,7 @@ static char *failed_name(const char *name, const char *fallback)
 
 static void keep_fields(struct simulation *s)
 {
-    if (!s->fields_output.path) return;
+    if (!s->fields_output.path || s->fields_output.descriptor >= 0) return; /* a device */
     free(s->fields_output.final);
     s->fields_output.final = failed_name(s->arguments->fields, "hssolve-fields");
     warn("the frames up to there are kept in %s", s->fields_output.final);
