@@ -1,0 +1,150 @@
+/* Sums that do not depend on the order or grouping of their terms, to the last bit. */
+#include "check.h"
+
+#include "exact_sum.h"
+#include "memory.h"
+#include "random.h"
+#include "ranks.h"
+
+#include <stdlib.h>
+
+static int start(void **state)
+{
+    (void)state;
+    ranks_start(NULL, NULL);
+    return 0;
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    ranks_stop();
+    return 0;
+}
+
+enum { N = 1 << 20 };
+
+static void shuffle(double *terms, long seed)
+{
+    struct random_stream *stream = random_new(seed, "shuffle");
+    for (uint64_t i = N - 1; i > 0; i--) {
+        uint64_t j = random_integer(stream, i + 1);
+        double spare = terms[i];
+        terms[i] = terms[j];
+        terms[j] = spare;
+    }
+    random_free(stream);
+}
+
+/* From [0, 1), with all 53 bits in use. */
+static double random_full(struct random_stream *stream)
+{
+    return random_uniform(stream) + 0x1p-31 * random_uniform(stream);
+}
+
+/* The terms in two parts, as two ranks would hold them. */
+static double sum_in_parts(const double *terms, double bound, int first)
+{
+    struct exact_sum parts[2] = {exact_sum_new(bound), exact_sum_new(bound)};
+    exact_sum_add_strip(&parts[0], first, terms, 1);
+    for (int i = first; i < N; i++) exact_sum_add(&parts[1], terms[i]);
+    parts[0].top += parts[1].top;
+    parts[0].bottom += parts[1].bottom;
+    double value;
+    exact_sum_finish(parts, 1, &value);
+    return value;
+}
+
+/* Neumaier's compensated sum (1974) in long double: an error below 1e-30 of the bound. */
+static double reference(const double *terms)
+{
+    long double sum = 0, lost = 0;
+    for (int i = 0; i < N; i++) {
+        long double term = (long double)terms[i], next = sum + term;
+        lost += fabsl(sum) >= fabsl(term) ? (sum - next) + term : (term - next) + sum;
+        sum = next;
+    }
+    return (double)(sum + lost);
+}
+
+static void check_orders(double *terms)
+{
+    double bound = 0;
+    for (int i = 0; i < N; i++) bound += fabs(terms[i]);
+    bound *= 1 + 1e-9; /* its own rounding */
+    const double value = sum_in_parts(terms, bound, N / 2);
+    /* the last addition's rounding, and 2^-80 of the bound from each term */
+    assert_near(value, reference(terms), 3e-16 * fabs(value) + N * 0x1p-80 * bound);
+    static const int cuts[] = {0, 1, 777, N / 3, N - 64, N};
+    for (int k = 0; k < 6; k++) {
+        shuffle(terms, k);
+        assert_true(sum_in_parts(terms, bound, cuts[k]) == value);
+    }
+}
+
+static void test_random_terms_of_many_sizes(void **state)
+{
+    (void)state;
+    double *terms = memory_new(N, sizeof *terms);
+    struct random_stream *stream = random_new(1, "terms");
+    for (int i = 0; i < N; i++)
+        terms[i] = random_gaussian(stream) * exp(20 * random_uniform(stream) - 10);
+    random_free(stream);
+    check_orders(terms);
+    free(terms);
+}
+
+/* A uniform body: millions of nearly equal terms, whose cut-off parts all have one sign. */
+static void test_equal_terms(void **state)
+{
+    (void)state;
+    double *terms = memory_new(N, sizeof *terms);
+    const double ulp = ldexp(1, -52);
+    for (int i = 0; i < N; i++) terms[i] = 1.0 / 3 + (i % 7) * ulp;
+    check_orders(terms);
+    free(terms);
+}
+
+/* Terms far below the bound, down to where the first grid passes all of each on to the second: the
+ * energies of a large body at the start of a test. */
+static void test_small_terms(void **state)
+{
+    (void)state;
+    double *terms = memory_new(N, sizeof *terms);
+    static const int sizes[] = {30, 40, 50, 53, 60};
+    for (int k = 0; k < 5; k++) {
+        const int bits = sizes[k];
+        struct random_stream *stream = random_new(bits, "terms");
+        for (int i = 0; i < N; i++) terms[i] = ldexp(random_full(stream), -bits);
+        random_free(stream);
+        const double value = sum_in_parts(terms, 1, 100);
+        assert_near(value, reference(terms), N * 0x1p-80 + 3e-16 * value);
+        shuffle(terms, bits);
+        assert_true(sum_in_parts(terms, 1, N / 3) == value);
+    }
+    free(terms);
+}
+
+static void test_scaled_strips_and_integers(void **state)
+{
+    (void)state;
+    double terms[100], value;
+    for (int i = 0; i < 100; i++) terms[i] = i;
+    struct exact_sum sum = exact_sum_new(1e6), empty = exact_sum_new(0);
+    exact_sum_add_strip(&sum, 100, terms, 2.5);
+    exact_sum_finish(&sum, 1, &value);
+    assert_true(value == 2.5 * 4950);
+    exact_sum_finish(&empty, 1, &value);
+    assert_true(value == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_terms_of_many_sizes),
+        cmocka_unit_test(test_equal_terms),
+        cmocka_unit_test(test_small_terms),
+        cmocka_unit_test(test_scaled_strips_and_integers),
+    };
+    return cmocka_run_group_tests_name("exact sums", tests, start, stop);
+}
