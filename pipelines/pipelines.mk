@@ -1,0 +1,93 @@
+# The studies.  Each folder of pipelines/ holds a deck and a short README; each run has a folder of
+# its own in $(BUILD)/results with curve.csv, curve.svg, properties.csv, structure.png,
+# statistics.csv and hssolve.log, fields.e where the deck is a large one.
+#
+#   make first                 the small study of the README
+#   make plate-cg              the homogeneous plate that proves E and the hardening curve
+#   make flagship              pipelines/ni-hs40
+#   make flagship-horizons     the same at horizons 1, 2 and 3 spacings
+#   make flagship-rate         the same at half the speed
+#   make r40 thesis            its random counterpart; the spheres that 25 um cannot resolve
+#   make study                 CG, UFG, HS40 and R40 at two spacings: one figure, one table
+#   make study SPACINGS=25um   the same at the coarse spacing alone
+#
+# A run is made anew when its deck is newer, not when a program is: remove its folder for that.
+
+RESULTS := $(BUILD)/results
+RANKS ?= 2
+SPACINGS ?= 25um 12.5um
+
+.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis
+
+first plate-cg: %: $(RESULTS)/%/curve.csv
+flagship: $(RESULTS)/ni-hs40/curve.csv
+r40: $(RESULTS)/ni-r40/curve.csv
+thesis: $(RESULTS)/ni-hs40-thesis/curve.csv
+flagship-horizons: $(RESULTS)/ni-hs40/horizons.csv
+flagship-rate: $(RESULTS)/ni-hs40/rate.csv
+study: $(RESULTS)/study/figure.svg $(RESULTS)/study/table.csv
+
+$(RESULTS)/%: SHELL := /bin/bash
+$(RESULTS)/%: .SHELLFLAGS := -o pipefail -ec
+$(RESULTS)/%: export PATH := $(abspath $(BUILD)/bin):$(PATH)
+
+# From a deck to everything: a deck of pipelines/, or a variant written beside its results.
+define RUN
+@mkdir -p $(@D)
+hsgen $< --statistics $(@D)/statistics.csv --picture $(@D)/structure.png \
+| hssolve -j $(RANKS) $(if $(FIELDS),--output $(@D)/fields.e) 2> >(tee $(@D)/hssolve.log >&2) \
+| hspost --properties $(@D)/properties.csv --plot $(@D)/curve.svg > $@
+endef
+$(RESULTS)/%/curve.csv: pipelines/%/study.yaml | all
+	$(RUN)
+$(RESULTS)/%/curve.csv: $(RESULTS)/%/study.yaml | all
+	$(RUN)
+$(patsubst %,$(RESULTS)/%/curve.csv,ni-hs40 ni-r40 ni-hs40-thesis): FIELDS := yes
+
+# The README's pipe, to the letter.
+$(RESULTS)/first/curve.csv: pipelines/first/study.yaml | all
+	@mkdir -p $(@D)
+	hsgen $< | hssolve -j $(RANKS) | hspost --plot $(@D)/curve.svg > $@
+
+# A variant is a deck with lines replaced; that nothing matched is an error.
+define VARY
+@mkdir -p $(@D)
+sed $(1) $< > $@
+@! cmp -s $< $@ || { echo "$@: no different from $<" >&2; exit 1; }
+endef
+
+$(RESULTS)/ni-hs40-horizon-%/study.yaml: pipelines/ni-hs40/study.yaml
+	$(call VARY,-e 's/^  horizon: 1 /  horizon: $* /' -e 's/^  title: HS40/&\, horizon $*/')
+$(RESULTS)/ni-hs40-half-speed/study.yaml: pipelines/ni-hs40/study.yaml
+	$(call VARY,-e 's/10 m.s/5 m\/s/' -e 's/^  title: HS40/&\, half the speed/')
+HORIZONS := $(RESULTS)/ni-hs40/curve.csv $(foreach h,2 3,$(RESULTS)/ni-hs40-horizon-$(h)/curve.csv)
+$(RESULTS)/ni-hs40/horizons.csv: $(HORIZONS) pipelines/compare.awk
+	hspost -q $(HORIZONS) --plot $(@D)/horizons.svg
+	awk -f pipelines/compare.awk $(HORIZONS) > $@
+
+RATES := $(RESULTS)/ni-hs40/curve.csv $(RESULTS)/ni-hs40-half-speed/curve.csv
+$(RESULTS)/ni-hs40/rate.csv: $(RATES)
+	hspost -q $(RATES) --plot $(@D)/rate.svg
+	hspost -q --difference $(RATES) --strain-range 0.01:0.2 > $@
+
+# The study: one deck a material; spacing and seed are all that varies.  Seeds 2, 5 and 9 are those
+# of the first twelve at which both phases percolate at either spacing; the cells are the same.
+SEEDS := 2 5 9
+STUDY = $(foreach s,$(SPACINGS),$(foreach m,cg ufg hs40 $(SEEDS:%=r40-seed%),$(RESULTS)/study/$(m)-$(s)/curve.csv))
+BOUNDS = $(foreach s,$(SPACINGS),$(RESULTS)/study/voigt-$(s).csv $(RESULTS)/study/reuss-$(s).csv)
+
+study_spacing = -e 's/^  spacing: 25 um/  spacing: $(1:um= um)/' -e 's/^  title: .*/&\, $(1:um= um)/'
+define STUDY_DECKS
+$(RESULTS)/study/%-$(1)/study.yaml: pipelines/study/%.yaml
+	$$(call VARY,$$(call study_spacing,$(1)))
+$(RESULTS)/study/r40-seed%-$(1)/study.yaml: pipelines/study/r40.yaml
+	$$(call VARY,-e 's/^  seed: 2 /  seed: $$* /' -e 's/^  title: R40/& seed $$*/' $$(call study_spacing,$(1)))
+$(RESULTS)/study/voigt-$(1).csv $(RESULTS)/study/reuss-$(1).csv &: $(RESULTS)/study/cg-$(1)/curve.csv $(RESULTS)/study/ufg-$(1)/curve.csv
+	hspost -q $$^ --fraction 0.4 --strain-range 0:0.1 --voigt $$(RESULTS)/study/voigt-$(1).csv --reuss $$(RESULTS)/study/reuss-$(1).csv
+endef
+$(foreach s,$(SPACINGS),$(eval $(call STUDY_DECKS,$(s))))
+
+$(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS)
+	hspost -q $^ --plot $@
+$(RESULTS)/study/table.csv: $(STUDY) $(BOUNDS) pipelines/compare.awk
+	awk -f pipelines/compare.awk $(STUDY) $(BOUNDS) > $@
