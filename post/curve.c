@@ -179,6 +179,7 @@ struct curve curve_make(const struct input *input, const struct choices *choices
                                            "extension_m",
                                            "kinetic_to_internal",
                                            "energy_drift",
+                                           "unsteady_to_internal",
                                            "minimum_section_ratio",
                                            "minimum_section_x_m"};
     char *title = title_of(input, choices);

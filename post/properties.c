@@ -163,7 +163,8 @@ void properties_print(const struct properties *list, const char *title)
                  {"considere_strain", 3},
                  {"toughness", 1},
                  {"force_imbalance", 4},
-                 {"kinetic_to_internal", 4}};
+                 {"kinetic_to_internal", 4},
+                 {"unsteady_to_internal", 4}};
     note("%s", title);
     for (size_t k = 0; k < sizeof shown / sizeof *shown; k++)
         for (int i = 0; i < list->count; i++) {

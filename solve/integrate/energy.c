@@ -10,8 +10,7 @@ double energy_drift(const struct energy_balance *b)
     return largest > 0 ? (held - given) / largest : 0;
 }
 
-double energy_kinetic_to_internal(const struct energy_balance *b)
+double energy_internal(const struct energy_balance *b)
 {
-    double internal = b->stored + b->plastic + b->stabilisation;
-    return internal > 0 ? b->kinetic / internal : 0;
+    return b->stored + b->plastic + b->stabilisation;
 }

@@ -17,8 +17,7 @@ struct energy_balance {
 
 double energy_drift(const struct energy_balance *balance);
 
-/* Kinetic over internal (stored + plastic + stabilisation) energy: the usual mark of a quasi-static run
- * (below 1 %); the uniform stretching that the grips impose is part of it. */
-double energy_kinetic_to_internal(const struct energy_balance *balance);
+double
+energy_internal(const struct energy_balance *balance); /* stored + plastic + stabilisation, J */
 
 #endif

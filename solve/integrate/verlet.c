@@ -45,32 +45,67 @@ static struct affine affine_motion(const struct boundary *boundary, const struct
     return affine;
 }
 
-/* Velocity decays towards the affine motion over half a step; returns the energy lost. */
+/* The affine velocity of the node at a site. */
+static void affine_velocity(const struct affine *affine, const struct body *body, int64_t site,
+                            double velocity[3])
+{
+    const struct lattice *lattice = body->lattice;
+    int at[3];
+    grid_position(&body->grid, site, at);
+    double x = lattice->origin[0] + at[0] * lattice->spacing;
+    double along = fmin(fmax(x, affine->left), affine->right) - affine->left;
+    velocity[0] = affine->left_velocity + affine->rate * along;
+    for (int a = 1; a < 3; a++) {
+        double across = lattice->origin[a] + at[a] * lattice->spacing - affine->centre[a];
+        velocity[a] = -affine->contraction * affine->rate * across;
+    }
+}
+
+static double node_mass(const struct verlet *verlet, const struct body *body, int64_t site)
+{
+    return body->volume / verlet->inverse_density[body->grid.phase[site]];
+}
+
+/* Velocity decays towards the affine motion over half a step; lost takes the energy. */
 static void damp(struct verlet *verlet, struct body *body, const struct boundary *boundary,
                  double time, struct exact_sum *lost)
 {
     const struct affine affine = affine_motion(boundary, body, time);
-    const struct lattice *lattice = body->lattice;
     const double keep = exp(-0.5 * verlet->damping * verlet->dt);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
-            int64_t site = body->owned.items[s].site + i;
-            int at[3];
-            grid_position(&body->grid, site, at);
-            double mass = body->volume / verlet->inverse_density[body->grid.phase[site]];
+            const int64_t site = body->owned.items[s].site + i;
+            double target[3];
+            affine_velocity(&affine, body, site, target);
             for (int a = 0; a < 3; a++) {
-                double x = lattice->origin[a] + at[a] * lattice->spacing;
-                double target =
-                    a == 0
-                        ? affine.left_velocity +
-                              affine.rate * (fmin(fmax(x, affine.left), affine.right) - affine.left)
-                        : -affine.contraction * affine.rate * (x - affine.centre[a]);
                 double before = body->v[a][site];
-                double after = target + keep * (before - target);
+                double after = target[a] + keep * (before - target[a]);
                 body->v[a][site] = after;
-                exact_sum_add(lost, 0.5 * mass * (before * before - after * after));
+                exact_sum_add(lost, 0.5 * node_mass(verlet, body, site) *
+                                        (before * before - after * after));
             }
         }
+}
+
+double verlet_unsteady_energy(const struct verlet *verlet, const struct body *body,
+                              const struct boundary *boundary)
+{
+    const struct affine affine = affine_motion(boundary, body, verlet->time);
+    struct exact_sum sum = verlet->kinetic_zero;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            const int64_t site = body->owned.items[s].site + i;
+            double steady[3], square = 0;
+            affine_velocity(&affine, body, site, steady);
+            for (int a = 0; a < 3; a++) {
+                double beyond = body->v[a][site] - steady[a];
+                square += beyond * beyond;
+            }
+            exact_sum_add(&sum, 0.5 * node_mass(verlet, body, site) * square);
+        }
+    double energy;
+    exact_sum_finish(&sum, 1, &energy);
+    return energy;
 }
 
 static void half_kick(const struct verlet *verlet, struct body *body)

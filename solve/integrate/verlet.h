@@ -31,4 +31,9 @@ void verlet_free(struct verlet *verlet);
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
                  struct correspondence *model, double *axial);
 
+/* Kinetic energy [J] of the motion beyond the uniform stretching that the grips impose: waves, and necks.
+ * Collective. */
+double verlet_unsteady_energy(const struct verlet *verlet, const struct body *body,
+                              const struct boundary *boundary);
+
 #endif

@@ -20,7 +20,8 @@ static const char *const common[] = {"force_left_N",
                                      "minimum_section_ratio",
                                      "minimum_section_x_m",
                                      "gauge_left_displacement_m",
-                                     "gauge_right_displacement_m"};
+                                     "gauge_right_displacement_m",
+                                     "unsteady_to_internal"};
 static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
 enum { COMMON = sizeof common / sizeof *common, PER_PHASE = sizeof per_phase / sizeof *per_phase };
 
@@ -86,18 +87,29 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     const struct gauge_planes planes = gauge_displacements(gauge, body);
     const double extension = planes.right - planes.left;
     gauge_measure(gauge, model, body, axial, phases, &section);
+    const double unsteady = verlet_unsteady_energy(verlet, body, boundary);
     if (body->ranks.rank == 0) {
         const struct energy_balance *b = &verlet->balance;
+        const double internal = energy_internal(b), per_internal = internal > 0 ? 1 / internal : 0;
         const struct boundary_set *left = &boundary->sets[boundary->left],
                                   *right = &boundary->sets[boundary->right];
-        const double values[COMMON] = {left->total_force, right->total_force,
-                                       extension,         right->moved - left->moved,
-                                       b->kinetic,        b->stored,
-                                       b->plastic,        b->stabilisation,
-                                       b->damping,        b->work,
-                                       energy_drift(b),   energy_kinetic_to_internal(b),
-                                       section.ratio,     section.x,
-                                       planes.left,       planes.right};
+        const double values[COMMON] = {left->total_force,
+                                       right->total_force,
+                                       extension,
+                                       right->moved - left->moved,
+                                       b->kinetic,
+                                       b->stored,
+                                       b->plastic,
+                                       b->stabilisation,
+                                       b->damping,
+                                       b->work,
+                                       energy_drift(b),
+                                       b->kinetic * per_internal,
+                                       section.ratio,
+                                       section.x,
+                                       planes.left,
+                                       planes.right,
+                                       unsteady * per_internal};
         double *record = new_record(recorder, verlet->time);
         memcpy(record, values, sizeof values);
         for (int p = 0; p < recorder->n_phases; p++) {
