@@ -41,6 +41,7 @@ static void set_environment(void)
     setenv("OMPI_MCA_btl", "self,vader", 0);
     setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 0);
     setenv("OMPI_MCA_osc", "^ucx", 0);
+    setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0); /* leave the core to others while waiting */
 }
 
 static void become_mpirun(const struct arguments *a, const char *input, const char *history)
