@@ -1,0 +1,126 @@
+# The same bits on any number of ranks, more than there are cores among them: histories and fields
+# compared with cmp, in plastic flow.  The files differ in one place, the recorded command's number of
+# ranks, which is made equal first.
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+# study SPECIMEN HORIZON STABILISATION: domain.g; torn at 50 m/s, so that grips, waves, gauge, damping
+# and both phases take part within some hundred steps.
+study() {
+    cat >study.yaml <<END
+title: Ranks
+domain:
+$1
+  spacing: 25 um
+  topology: random
+  phases: {cg: CG, ufg: UFG}
+  core: cell
+  core_distance: 75 um
+  ufg_fraction: 0.40
+  override: true
+  seed: 3
+  grips: {length: 2 spacings, phase: structure}
+materials:
+  CG:
+    model: correspondence
+    density: 8900 kg/m3
+    youngs_modulus: 210 GPa
+    poissons_ratio: 0.31
+    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
+  UFG:
+    model: correspondence
+    density: 8800 kg/m3
+    youngs_modulus: 190 GPa
+    poissons_ratio: 0.30
+    hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}
+boundary:
+  - {set: grip_left, direction: x, velocity: -50 m/s}
+  - {set: grip_right, direction: x, velocity: 50 m/s}
+solver:
+  type: explicit
+  horizon: $2
+  stabilisation: {law: $3}
+  end_time: 0.4 us
+  damping: 1e5 1/s
+output:
+  history: 40
+  fields:
+    frames: 2
+    variables: [displacement, velocity, force, stress, von_mises, equivalent_plastic_strain, phase]
+END
+    hsgen -q study.yaml -o domain.g
+}
+
+plate='  specimen: plate
+  size: [0.6 mm, 0.3 mm, 0.2 mm]
+  gauge: {length: 0.3 mm}'
+dogbone='  specimen: dogbone
+  size: [1 mm, 0.4 mm, 0.1 mm]
+  gauge: {length: 0.3 mm, width: 0.2 mm, fillet: 0.1 mm}'
+
+# run RANKS: history.e and fields.e in a directory of that name, the number of ranks blotted out
+solve() {
+    mkdir "$1"
+    (cd "$1" && hssolve -q -j "$1" -i ../domain.g -o fields.e -H history.e)
+    LC_ALL=C sed -i "s/ -j $1 / -j N /g" "$1/fields.e" "$1/history.e"
+}
+
+# Largest mean plastic strain of a phase in the history, in per cent.
+plastic() {
+    hspost -q "$1" | awk -F, -v name="$2_plastic_strain" '
+        /^#/ { next }
+        !column { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
+        $column > most { most = $column }
+        END { printf "%d\n", 100 * most }'
+}
+
+# compare RANKS...: each with one rank, where much of both phases has flowed.
+compare() {
+    solve 1
+    [ "$(plastic 1/history.e CG)" -ge 2 ]
+    [ "$(plastic 1/history.e UFG)" -ge 1 ]
+    for ranks in "$@"; do
+        solve "$ranks"
+        cmp 1/history.e "$ranks/history.e"
+        cmp 1/fields.e "$ranks/fields.e"
+    done
+}
+
+@test "plate, mix, horizon 1: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "$plate" 1 mix
+    compare 2 3 4 8
+}
+
+@test "dog-bone, capped, horizon 2: 3 and 8 ranks give the bits of one" {
+    study "$dogbone" 2 capped
+    compare 3 8
+}
+
+@test "plate, mix, horizon 3, steep influence: 2 ranks give the bits of one" {
+    study "$plate" '3
+  influence: steep' mix
+    compare 2
+}
+
+@test "under mpirun as well" {
+    study "$plate" 1 capped
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    for ranks in 1 2; do
+        mpirun --oversubscribe --bind-to none -n $ranks \
+            hssolve -q -i domain.g -o fields.e --history history.e
+        mkdir $ranks
+        mv fields.e history.e $ranks
+    done
+    cmp 1/history.e 2/history.e
+    cmp 1/fields.e 2/fields.e
+}
+
+@test "through the pipe, on several ranks" {
+    study "$plate" 1 mix
+    hssolve -q <domain.g >one.e
+    hssolve -q -j 3 <domain.g >three.e
+    hspost -q one.e | grep -v '^#' >one.csv
+    hspost -q three.e | grep -v '^#' >three.csv
+    [ "$(wc -l <one.csv)" -gt 30 ]
+    cmp one.csv three.csv
+}
