@@ -68,6 +68,7 @@ static void read_fields(struct scene *scene, struct deck_node map)
     scene->fields.frames = (int)deck_integer(deck_get(map, "frames"), 1, 1000000);
     struct deck_node list = deck_get(map, "variables");
     scene->fields.n_variables = deck_count(list);
+    if (deck_count(list) == 0) deck_error(list, "no variables; for no fields leave out 'fields'");
     scene->fields.variables = memory_new((size_t)deck_count(list), sizeof(int));
     for (int i = 0; i < deck_count(list); i++)
         scene->fields.variables[i] = deck_choice(deck_item(list, i), field_names, field_count);
