@@ -164,13 +164,25 @@ static double largest_eigenvalue(struct lanczos *l)
 double stable_step(struct correspondence *model, struct body *body,
                    const struct materials *materials)
 {
-    struct lanczos l = {
-        model,           body, materials, vector_new(body), vector_new(body), vector_new(body),
-        vector_new(body)};
+    struct lanczos l = {.model = model,
+                        .body = body,
+                        .materials = materials,
+                        .rest = vector_new(body),
+                        .current = vector_new(body),
+                        .before = vector_new(body),
+                        .image = vector_new(body)};
+    struct vector force = vector_new(body);
     const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
-    for (int a = 0; a < 3; a++) memcpy(l.rest.component[a], body->u[a], bytes);
+    for (int a = 0; a < 3; a++) {
+        memcpy(l.rest.component[a], body->u[a], bytes);
+        memcpy(force.component[a], body->f[a], bytes);
+    }
     double eigenvalue = largest_eigenvalue(&l);
     for (int a = 0; a < 3; a++) memcpy(body->u[a], l.rest.component[a], bytes);
+    /* The gradients go back with the displacement, the force to its own bits. */
+    correspondence_force(model, body, (struct force_mode){.frozen = true}, NULL);
+    for (int a = 0; a < 3; a++) memcpy(body->f[a], force.component[a], bytes);
+    vector_free(&force);
     vector_free(&l.rest);
     vector_free(&l.current);
     vector_free(&l.before);

@@ -11,7 +11,7 @@
 
 #include "correspondence.h"
 
-/* [s].  Costs about 60 force evaluations; leaves u as it was.  Collective, the same on every rank. */
+/* [s].  Costs about 60 force evaluations; leaves u, f and H as they were.  Collective, the same on every rank. */
 double stable_step(struct correspondence *model, struct body *body,
                    const struct materials *materials);
 
