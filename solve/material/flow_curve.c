@@ -2,6 +2,7 @@
 
 #include "memory.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Left end of a cell: the inverse of flow_cell. */
@@ -23,6 +24,17 @@ static double slope_before(const struct hardening *law, double start, double end
     return hardening_slope(law, end - 1e-6 * (end - start));
 }
 
+/* Scales the slopes at both ends of a cell so that its cubic does not overshoot: it rises throughout
+ * where they lie within a circle of three times the chord (Fritsch & Carlson, SIAM J. Numer. Anal. 17
+ * (1980) 238).  Smooth cells are far inside it. */
+static void keep_rising(double chord, double *first, double *last)
+{
+    double most = 3 * fmax(chord, 0), size = hypot(*first, *last);
+    if (!(size > most)) return;
+    *first *= most / size;
+    *last *= most / size;
+}
+
 static void fill_curve(double *table, const struct hardening *first, const struct hardening *second)
 {
     double work = 0;
@@ -39,6 +51,8 @@ static void fill_curve(double *table, const struct hardening *first, const struc
         double next = 0.5 * (hardening_stress(first, end) + hardening_stress(second, end));
         double last = 0.5 * (slope_before(first, p, end) + slope_before(second, p, end));
         double chord = (next - value) / width;
+        keep_rising(chord, &slope, &last);
+        cell[2] = slope;
         cell[3] = (3 * chord - 2 * slope - last) / width;
         cell[4] = (slope + last - 2 * chord) / (width * width);
         work = flow_work(cell, 0, end);

@@ -5,7 +5,8 @@
  * the bit pattern of p + p_ref: an add, a shift, a subtraction.  In each cell the law is a cubic
  * (Hermite, exact value and slope at both ends), beyond p = 4 it goes on along its tangent.
  * Relative error against the law: below 1e-9 for the smooth laws; at the kinks of Hollomon and of
- * tabulated laws an eighth of the cell width times the change of slope. */
+ * tabulated laws an eighth of the cell width times the change of slope; for Ludwik's infinite slope
+ * at p = 0 a fifth of the stress gained in the first cell.  The tables rise wherever the laws do. */
 #ifndef HS_FLOW_CURVE_H
 #define HS_FLOW_CURVE_H
 
