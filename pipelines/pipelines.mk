@@ -87,7 +87,7 @@ $(RESULTS)/study/voigt-$(1).csv $(RESULTS)/study/reuss-$(1).csv &: $(RESULTS)/st
 endef
 $(foreach s,$(SPACINGS),$(eval $(call STUDY_DECKS,$(s))))
 
-$(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS)
-	hspost -q $^ --plot $@
+$(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS) pipelines/study/figure.gp
+	gnuplot -c pipelines/study/figure.gp $(@D) $@ $(SPACINGS)
 $(RESULTS)/study/table.csv: $(STUDY) $(BOUNDS) pipelines/compare.awk
 	awk -f pipelines/compare.awk $(STUDY) $(BOUNDS) > $@
