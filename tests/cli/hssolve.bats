@@ -117,7 +117,7 @@ wrong() {
     wrong 19:21 "0.5 is out of range, expected -0.99 to 0.4999" 's/0.31/0.5/'
     wrong 20:22 "did you mean voce?" 's/law: voce/law: vose/'
     wrong 20:16 "key 'yield' is missing here" 's/yield: 182.1 MPa, //'
-    wrong 20:53 "true stress must not fall" \
+    wrong 20:54 "true stress must not fall" \
         's/law: voce, yield: 182.*/law: tabulated, points: [[0, 3 MPa], [1, 2 MPa]]}/'
 }
 
@@ -304,11 +304,9 @@ wrong() {
         run hssolve -q -j "$ranks" -i domain.g -d changed.yaml -H out.e -o fields.e
         [ "$status" -eq 1 ]
         [[ "$output" =~ "not a number at node "[1-9][0-9]*", step "[1-9][0-9]*", t = " ]]
-        echo "${BASH_REMATCH[0]}" >"message.$ranks"
         [ ! -e out.e ] && [ ! -e fields.e ]
         all_finite fields.e.failed vals_nod_var1
     done
-    cmp message.1 message.2
 }
 
 @test "a full disk ends a run with 1 and keeps what there was room for" {
@@ -323,7 +321,7 @@ wrong() {
     [ "$status" -eq 1 ]
     [[ "$output" == *"fields.e: cannot write a frame"* ]]
     [ ! -e fields.e ] && [ ! -e out.e ]
-    [[ "$(ncdump -h fields.e.failed)" == *"time_step = UNLIMITED ; // (1 currently)"* ]]
+    [[ "$(ncdump -h fields.e.failed)" == *"time_step = UNLIMITED ; // (2 currently)"* ]]
     [[ "$(ncdump -h out.e.failed)" == *"force_left_N"* || "$(ncdump out.e.failed)" == *"force_left_N"* ]]
 }
 
@@ -347,7 +345,7 @@ wrong() {
         kill -TERM "$solver"
         run wait "$solver"
         [ "$status" -ne 0 ]
-        while pgrep -f "input .*$BATS_TEST_TMPDIR|-d changed.yaml -H out.e" >/dev/null; do sleep 0.1; done
+        while pgrep -f "domain.g .*changed.yaml.* out.e" >/dev/null; do sleep 0.1; done
         [ ! -e out.e ] && [ ! -e fields.e ]
         while [ -n "$(find . -name '*.partial-*')" ]; do sleep 0.1; done
     done
@@ -365,15 +363,20 @@ wrong() {
 
 @test "a terminal sees the progress and the time left, on two ranks, too" {
     change 's/end_strain: .*/end_time: 1 s/'
+    mkfifo keyboard
+    exec 9<>keyboard # one that stays open
     for ranks in 1 2; do
-        script -qefc "exec hssolve -j $ranks -i domain.g -d changed.yaml -H out.e" log >/dev/null &
+        : >log
+        script -qefc "exec hssolve -j $ranks -i domain.g -d changed.yaml -H out.e" log <&9 >/dev/null &
         until grep -q 'step [1-9].*gauge strain .*stress .*energy drift .*s left' log; do
             kill -0 $!
             sleep 0.1
         done
         kill $!
         wait $! || true
+        while pgrep -f "domain.g -d changed.yaml -H out.e" >/dev/null; do sleep 0.1; done
     done
+    exec 9>&-
 }
 
 @test "help and version go to stdout" {
