@@ -159,7 +159,7 @@ HS_SIMD static int64_t return_step(int count, struct j2_strip *restrict s, const
         next = next > 0 ? next : 0;
         next = next < most ? next : most;
         double size = fabs(residual);
-        s->grown[i] = (beyond > 0) & (size > exact * q) ? next : g;
+        s->grown[i] = ((beyond > 0) & (size > exact * q)) ? next : g;
         left |= (beyond > 0) & (size > near * q);
     }
     return left;
