@@ -16,6 +16,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define TWO_VOCE                                                                                   \
+    "{law: two_voce, yield: 182.1 MPa, saturation: 300 MPa, rate: 5, saturation_2: 100 MPa, "      \
+    "rate_2: 80}"
+
 static const char *const laws[] = {
     "{law: linear, yield: 182.1 MPa, modulus: 850 MPa}",
     "{law: linear, yield: 150 MPa, modulus: 0}",
@@ -24,8 +28,7 @@ static const char *const laws[] = {
     "{law: hollomon, yield: 182.1 MPa, strength: 900 MPa, exponent: 0.4}",
     "{law: voce, yield: 182.1 MPa, saturation: 513 MPa, rate: 5.32}",
     "{law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}",
-    "{law: two_voce, yield: 182.1 MPa, saturation: 300 MPa, rate: 5, saturation_2: 100 MPa, "
-    "rate_2: 80}",
+    TWO_VOCE,
     "{law: tabulated, points: [[0, 180 MPa], [0.05, 300 MPa], [0.2, 500 MPa], [1, 800 MPa]]}",
 };
 enum { LAWS = sizeof laws / sizeof *laws };
