@@ -1,0 +1,132 @@
+# The three programs together, and the examples of the manual.
+
+bats_require_minimum_version 1.5.0
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR"
+    # The deck of hsdeck(5) is the study of these tests.
+    sed -n '/^\.Sh EXAMPLES/,/^\.Ed/p' "$BATS_TEST_DIRNAME/../../docs/man/hsdeck.5" | grep -v '^\.' >study.yaml
+}
+
+setup() {
+    cd "$BATS_TEST_TMPDIR"
+    cp "$BATS_FILE_TMPDIR/study.yaml" .
+}
+
+# Rows of a curve without what names commands and inputs.
+rows() { grep -v '^#' "$1"; }
+
+@test "hsgen | hssolve | hspost makes a curve of the deck in the manual" {
+    hsgen study.yaml 2>hsgen.log | hssolve 2>hssolve.log | hspost >curve.csv 2>hspost.log
+    grep -q '^# title: Random bimodal nickel, 40 % UFG$' curve.csv
+    [ "$(rows curve.csv | wc -l)" -gt 30 ] # 50 records asked, fewer steps than that at the start
+    # At 0.5 % strain CG flows at 182 + 513 (1 - exp(-5.3 * 0.0043)) = 194 MPa and UFG is elastic, 1050 MPa:
+    # the mixture lies between CG alone and iso-strain, 0.6 * 194 + 0.4 * 1050 = 536 MPa.
+    rows curve.csv | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+        { e = $column["engineering_strain"]; s = $column["engineering_stress_MPa"] }
+        END { print e, s; exit !(e >= 0.005 && s > 194 && s < 536) }'
+}
+
+@test "files and pipes, one rank and two, give the same curve" {
+    hsgen -q study.yaml | hssolve -q | hspost -q >pipe.csv
+    hsgen -q study.yaml -o domain.g
+    hssolve -q -i domain.g -H history.e -o fields.e
+    hspost -q history.e -o files.csv
+    hssolve -q -j 2 <domain.g | hspost -q >ranks.csv
+    diff <(rows pipe.csv) <(rows files.csv)
+    diff <(rows pipe.csv) <(rows ranks.csv)
+}
+
+@test "what fails upstream is told downstream, and no program ends with 0" {
+    sed -i 's/topology: random/topology: rnadom/' study.yaml
+    for ranks in 1 2; do
+        set +e
+        hsgen -q study.yaml 2>hsgen.err | hssolve -q -j "$ranks" 2>hssolve.err | hspost -q >curve.csv 2>hspost.err
+        status=("${PIPESTATUS[@]}")
+        set -e
+        [ "${status[*]}" = "2 2 2" ]
+        grep -q '^hsgen: study.yaml:6:13: .*did you mean random' hsgen.err
+        grep -q '^hssolve: standard input is empty (did the program before it fail?)$' hssolve.err
+        grep -q '^hspost: .*empty' hspost.err
+        [ ! -s curve.csv ]
+        [ "$(cat ./*.err | wc -l)" -eq 3 ]
+    done
+}
+
+@test "a fraction out of reach and a run that fails end the chain the same way" {
+    sed 's/40 %/140 %/' study.yaml >high.yaml
+    run -2 hsgen -q high.yaml -o domain.g
+    [[ "$output" == *"high.yaml:9:17: 1.4 is out of range, expected 1e-06 to 0.999999"* ]]
+    [ ! -e domain.g ]
+    sed 's/  horizon: 1/&\n  safety: 3/' study.yaml >long.yaml
+    set +e
+    hsgen -q long.yaml | hssolve -q 2>hssolve.err | hspost -q >curve.csv
+    status=("${PIPESTATUS[@]}")
+    set -e
+    [ "${status[*]}" = "0 1 2" ]
+    [ ! -s curve.csv ]
+    [ -s hssolve-history.failed ]
+    grep -q 'kept in hssolve-history.failed' hssolve.err
+}
+
+@test "the deck travels: every file of the chain holds it" {
+    hsgen -q study.yaml -o domain.g
+    hssolve -q -i domain.g -H history.e -o fields.e
+    for file in domain.g history.e fields.e; do
+        # ncdump writes a text with its line ends as \n, in quotes
+        ncdump -h "$file" | sed -n '/:hs_deck = /,/;$/p' | sed 's/^[^"]*"//; s/"[^"]*$//; s/\\n$//' >deck
+        diff study.yaml <(sed '${/^$/d}' deck)
+    done
+    [[ "$(ncdump -h history.e)" == *'hs_command = "hsgen -q -o domain.g study.yaml"'* ]] ||
+        [[ "$(ncdump -h history.e)" == *'hs_command = "hsgen -q study.yaml -o domain.g"'* ]]
+    [[ "$(ncdump -h history.e)" == *'hs_solver_command = "hssolve -q -i domain.g -H history.e -o fields.e"'* ]]
+}
+
+@test "the examples of hssolve(1) run" {
+    sed 's/0.5 %/0.3 %/' study.yaml >other.yaml
+    sed -n '/^\.Sh EXAMPLES/,/^\.Sh SEE/p' "$BATS_TEST_DIRNAME/../../docs/man/hssolve.1" |
+        sed -n 's/^\.Dl //; /^hs/p' >examples
+    [ "$(wc -l <examples)" -eq 6 ]
+    bash -o pipefail -e examples
+    for file in curve.csv plate.g fields.e history.e other.csv text.e; do [ -s "$file" ]; done
+}
+
+@test "hsdeck(5) has every key that the programs know" {
+    manual=$BATS_TEST_DIRNAME/../../docs/man/hsdeck.5
+    hsgen -q study.yaml -o domain.g
+    # An unknown key makes a program list the known ones.
+    known() { grep -o 'known: [^)]*' | sed 's/known: //; s/, /\n/g'; }
+    ask() {
+        sed "$2" study.yaml >asked.yaml
+        case $1 in
+        hsgen) run -2 hsgen -q asked.yaml -o asked.g ;;
+        hssolve) run -2 hssolve -q -i domain.g -d asked.yaml -H asked.e ;;
+        hspost) run -2 hspost -q history.e -d asked.yaml -o asked.csv ;;
+        esac
+        known <<<"$output" >>keys
+        [ -n "$(known <<<"$output")" ]
+    }
+    hssolve -q -i domain.g -H history.e
+    ask hsgen 's/^domain:/&\n  asked: 1/'
+    ask hsgen 's/topology: random/topology: harmonic\n  asked: 1/'
+    ask hsgen 's/topology: random/topology: homogeneous\n  asked: 1/'
+    ask hsgen 's/^title:/asked:/'
+    ask hsgen 's/  grips: {/&asked: 1, /'
+    ask hsgen 's/specimen: plate/specimen: dogbone/; s/  gauge: {/&asked: 1, /'
+    ask hsgen 's/  seed: 1/  sets: [{asked: 1}]/'
+    ask hssolve 's/  CG:/&\n    asked: 1/'
+    ask hssolve 's/{set: grip_left/{asked: 1/'
+    ask hssolve 's/  horizon: 1/  asked: 1/'
+    ask hssolve 's/{law: mix/&, asked: 1/'
+    ask hssolve 's/{law: mix/{law: capped, asked: 1/'
+    ask hssolve 's/  history: 50/  asked: 50/'
+    ask hssolve 's/{frames: 4/{asked: 4/'
+    for law in linear swift ludwik hollomon voce two_voce tabulated; do
+        ask hssolve "s/{law: voce/{law: $law, asked: 1/"
+    done
+    ask hspost 's/  modulus_range/  asked/'
+    [ "$(sort -u keys | wc -l)" -gt 60 ]
+    for key in $(sort -u keys); do
+        grep -qE "^\.(It )?Cm (.* )?$key( |$)|\{(.*[ ,])?$key:" "$manual" || { echo "no $key in $manual"; return 1; }
+    done
+}
