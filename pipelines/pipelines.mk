@@ -57,18 +57,23 @@ sed $(1) $< > $@
 endef
 
 $(RESULTS)/ni-hs40-horizon-%/study.yaml: pipelines/ni-hs40/study.yaml
-	$(call VARY,-e 's/^  horizon: 1 /  horizon: $* /' -e 's/^  title: HS40/&\, horizon $*/')
+	$(call VARY,-e 's/^  horizon: 1 /  horizon: $* /' -e 's/^  title: HS40/&$(comma) horizon $*/')
 $(RESULTS)/ni-hs40-half-speed/study.yaml: pipelines/ni-hs40/study.yaml
-	$(call VARY,-e 's/10 m.s/5 m\/s/' -e 's/^  title: HS40/&\, half the speed/')
-HORIZONS := $(RESULTS)/ni-hs40/curve.csv $(foreach h,2 3,$(RESULTS)/ni-hs40-horizon-$(h)/curve.csv)
+	$(call VARY,-e 's/10 m.s/5 m\/s/' -e 's/^  title: HS40/&$(comma) half the speed/')
+# Differences are those of the longer horizon against horizon 1, cost is what hssolve said at the end.
+LONGER := $(foreach h,2 3,$(RESULTS)/ni-hs40-horizon-$(h)/curve.csv)
+HORIZONS := $(RESULTS)/ni-hs40/curve.csv $(LONGER)
 $(RESULTS)/ni-hs40/horizons.csv: $(HORIZONS) pipelines/compare.awk
 	hspost -q $(HORIZONS) --plot $(@D)/horizons.svg
+	for curve in $(LONGER); do hspost -q --difference $$curve $< --strain-range 0.01:0.18; done > $(@D)/horizons-difference.csv
+	grep ' steps in ' $(HORIZONS:curve.csv=hssolve.log) > $(@D)/horizons-cost.txt
 	awk -f pipelines/compare.awk $(HORIZONS) > $@
 
+# The faster against the slower.
 RATES := $(RESULTS)/ni-hs40/curve.csv $(RESULTS)/ni-hs40-half-speed/curve.csv
 $(RESULTS)/ni-hs40/rate.csv: $(RATES)
 	hspost -q $(RATES) --plot $(@D)/rate.svg
-	hspost -q --difference $(RATES) --strain-range 0.01:0.2 > $@
+	hspost -q --difference $(RATES) --strain-range 0.01:0.18 > $@
 
 # The study: one deck a material; spacing and seed are all that varies.  Seeds 2, 5 and 9 are those
 # of the first twelve at which both phases percolate at either spacing; the cells are the same.
@@ -76,7 +81,7 @@ SEEDS := 2 5 9
 STUDY = $(foreach s,$(SPACINGS),$(foreach m,cg ufg hs40 $(SEEDS:%=r40-seed%),$(RESULTS)/study/$(m)-$(s)/curve.csv))
 BOUNDS = $(foreach s,$(SPACINGS),$(RESULTS)/study/voigt-$(s).csv $(RESULTS)/study/reuss-$(s).csv)
 
-study_spacing = -e 's/^  spacing: 25 um/  spacing: $(1:um= um)/' -e 's/^  title: .*/&\, $(1:um= um)/'
+study_spacing = -e 's/^  spacing: 25 um/  spacing: $(1:um= um)/' -e 's/^  title: .*/&$(comma) $(1:um= um)/'
 define STUDY_DECKS
 $(RESULTS)/study/%-$(1)/study.yaml: pipelines/study/%.yaml
 	$$(call VARY,$$(call study_spacing,$(1)))
