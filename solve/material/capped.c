@@ -1,11 +1,13 @@
 /* capped.c - a bond spring on the non-uniform part of the motion that yields like the material.
  *
- *   z = u_j - u_i - (H_i + H_j)/2 xi - z_p                                              (capped.1)
+ *   z = y_j - y_i - Fbar (xi + zeta),  Fbar = (F_i + F_j)/2, zeta the slip               (capped.1)
  *   energy V^2 c w |z|^2 a bond (unordered);  tau = 2 V c w z                           (capped.2)
- *   f_i += tau, f_j -= tau;  S_i, S_j -= tau (x) xi / 2
+ *   f_i += tau, f_j -= tau;  S_i, S_j -= tau (x) (xi + zeta) / 2
  *   c = G (lambda + 4 mu)/kappa_0, kappa_0 = K_11 of the full family                    (capped.3)
  *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
- *   beyond it z_p takes the excess but 2 %
+ *   beyond it the slip takes the excess but 2 %: zeta += Fbar^-1 (excess)
+ *
+ * The slip is kept in the reference configuration, so that it turns with the material.
  *
  * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
@@ -25,7 +27,7 @@ struct capped {
     const struct family *family;
     double shape; /* kappa_0 in lattice units */
     double *
-        *state; /* [n_half] bonds along each half offset, strip by strip: z_p [m], then the energy
+        *state; /* [n_half] bonds along each half offset, strip by strip: zeta [m], then the energy
                        lost so far [J/m^3] */
     int64_t bytes;
 };
@@ -83,7 +85,8 @@ static bool capped_near_nodes(const void *self)
 /* What one strip of bonds works on. */
 struct bond_strip {
     int count;
-    double xi[3], length; /* m */
+    double xi[3], length;  /* m */
+    double slip[3][LANES]; /* m, what z loses in this step */
     double z[3][LANES], cap[LANES],
         stiffness[LANES]; /* stiffness: 2 V c w, so that tau = stiffness z */
 };
@@ -100,25 +103,69 @@ HS_SIMD static void subtract(int count, const double *restrict Hi, const double 
     for (int i = 0; i < count; i++) out[i] -= half_xi * (Hi[i] + Hj[i]);
 }
 
-/* (capped.4): finds the elastic z; z_p and the energy lost move on only where commit = 1. */
-HS_SIMD static void slip(int count, struct bond_strip *restrict s, double *restrict px,
-                         double *restrict py, double *restrict pz, double *restrict lost,
-                         double cap_on, double commit)
+/* out -= (H_i + H_j)/2 zeta for one component of zeta */
+HS_SIMD static void subtract_slip(int count, const double *restrict Hi, const double *restrict Hj,
+                                  const double *restrict zeta, double *restrict out)
 {
+    for (int i = 0; i < count; i++) out[i] -= 0.5 * (Hi[i] + Hj[i]) * zeta[i];
+}
+
+HS_SIMD static void subtract_zeta(int count, const double *restrict zeta, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] -= zeta[i];
+}
+
+/* (capped.4): finds the elastic z and the excess; the energy lost moves on only where commit = 1. */
+HS_SIMD static int64_t slip(int count, struct bond_strip *restrict s, double *restrict lost,
+                            double cap_on, double commit)
+{
+    int64_t any = 0;
     for (int i = 0; i < count; i++) {
-        double x = s->z[0][i] - px[i], y = s->z[1][i] - py[i], z = s->z[2][i] - pz[i];
+        double x = s->z[0][i], y = s->z[1][i], z = s->z[2][i];
         double length = sqrt(x * x + y * y + z * z);
         double excess = (1 - s->cap[i] / (length > 0 ? length : 1)) / (1 + hardening);
         excess = length > s->cap[i] ? cap_on * excess : 0;
+        s->slip[0][i] = excess * x;
+        s->slip[1][i] = excess * y;
+        s->slip[2][i] = excess * z;
         s->z[0][i] = (1 - excess) * x;
         s->z[1][i] = (1 - excess) * y;
         s->z[2][i] = (1 - excess) * z;
-        px[i] += commit * excess * x;
-        py[i] += commit * excess * y;
-        pz[i] += commit * excess * z;
+        any |= excess > 0;
         /* work of the force after the slip: that of a bond that slides, however far in one step */
         lost[i] += commit * s->stiffness[i] * (1 - excess) * excess * length * length;
     }
+    return any;
+}
+
+/* zeta += Fbar^-1 slip */
+HS_SIMD static void add_slip(int count, const struct bond_strip *restrict s,
+                             const double (*restrict F)[LANES], double *restrict px,
+                             double *restrict py, double *restrict pz)
+{
+    for (int i = 0; i < count; i++) {
+        double x = s->slip[0][i], y = s->slip[1][i], z = s->slip[2][i];
+        double xx = F[4][i] * F[8][i] - F[5][i] * F[7][i],
+               yx = F[5][i] * F[6][i] - F[3][i] * F[8][i],
+               zx = F[3][i] * F[7][i] - F[4][i] * F[6][i];
+        double scale = 1 / (F[0][i] * xx + F[1][i] * yx + F[2][i] * zx);
+        px[i] += scale * (xx * x + (F[2][i] * F[7][i] - F[1][i] * F[8][i]) * y +
+                          (F[1][i] * F[5][i] - F[2][i] * F[4][i]) * z);
+        py[i] += scale * (yx * x + (F[0][i] * F[8][i] - F[2][i] * F[6][i]) * y +
+                          (F[2][i] * F[3][i] - F[0][i] * F[5][i]) * z);
+        pz[i] += scale * (zx * x + (F[1][i] * F[6][i] - F[0][i] * F[7][i]) * y +
+                          (F[0][i] * F[4][i] - F[1][i] * F[3][i]) * z);
+    }
+}
+
+static void commit_slip(const struct bond_strip *s, const struct body *body, int64_t i, int64_t j,
+                        double *const zeta[3])
+{
+    double F[9][LANES];
+    for (int k = 0; k < 9; k++)
+        for (int l = 0; l < s->count; l++)
+            F[k][l] = (k % 4 == 0) + 0.5 * (body->H[k][i + l] + body->H[k][j + l]);
+    add_slip(s->count, s, (const double(*)[LANES])F, zeta[0], zeta[1], zeta[2]);
 }
 
 static void find_caps(const struct capped *c, struct bond_strip *s, const struct body *body,
@@ -142,6 +189,13 @@ HS_SIMD static void add_force(int count, const double *restrict z, const double 
     for (int i = 0; i < count; i++) out[i] += factor * stiffness[i] * z[i];
 }
 
+HS_SIMD static void add_slip_stress(int count, const double *restrict z,
+                                    const double *restrict stiffness, const double *restrict zeta,
+                                    double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] -= 0.5 * stiffness[i] * z[i] * zeta[i];
+}
+
 static void capped_energy(const struct body *body, const struct bond_strip *s, const double *lost,
                           int64_t site, struct force_energy *energy)
 {
@@ -160,6 +214,7 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
     const struct offset *offset = &c->family->half[o];
     const int64_t step = grid_shift(&body->grid, offset->step), i = strip->site, j = i + step;
     double *state = c->state[o] + STATE * strip->store, *lost = state + 3 * strip->stride;
+    double *const zeta[3] = {state, state + strip->stride, state + 2 * strip->stride};
     struct bond_strip s = {.count = strip->count};
     double square = 0;
     for (int a = 0; a < 3; a++) {
@@ -174,18 +229,23 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
             if (offset->step[b])
                 subtract(s.count, body->H[3 * a + b] + i, body->H[3 * a + b] + j, 0.5 * s.xi[b],
                          s.z[a]);
+        for (int b = 0; b < 3; b++)
+            subtract_slip(s.count, body->H[3 * a + b] + i, body->H[3 * a + b] + j, zeta[b], s.z[a]);
+        subtract_zeta(s.count, zeta[a], s.z[a]);
     }
-    slip(s.count, &s, state, state + strip->stride, state + 2 * strip->stride, lost,
-         mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
+    int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
     for (int a = 0; a < 3; a++) {
         add_force(s.count, s.z[a], s.stiffness, 1, body->f[a] + i);
         add_force(s.count, s.z[a], s.stiffness, -1, body->f[a] + j);
         for (int b = 0; b < 3; b++) {
+            add_slip_stress(s.count, s.z[a], s.stiffness, zeta[b], body->S[3 * a + b] + i);
+            add_slip_stress(s.count, s.z[a], s.stiffness, zeta[b], body->S[3 * a + b] + j);
             if (!offset->step[b]) continue;
             add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + i);
             add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + j);
         }
     }
+    if (any && mode.commit) commit_slip(&s, body, i, j, zeta);
     if (mode.energy) capped_energy(body, &s, lost, i, energy);
 }
 

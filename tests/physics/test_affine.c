@@ -145,6 +145,7 @@ static void test_forces_of_capped_bonds_turn_below_the_cap(void **state)
     (void)state;
     static const double stretch[9] = {0.03, 0.01, 0, 0, -0.012, 0, 0.004, 0, -0.015};
     check_forces_turn(small_capped, stretch, 5e-6);
+    check_forces_turn(small_capped, stretch, 0.01);
 }
 
 static uint8_t full(const int size[3], const int at[3])
