@@ -337,7 +337,7 @@ wrong() {
 }
 
 @test "a run that is ended from outside leaves no file under its name and no rank behind" {
-    change 's/end_strain: .*/end_time: 1 s/'
+    change 's/end_strain: .*/end_time: 1 s/; s,10 m/s,1 mm/s,' # hours, and little strain
     for ranks in 1 2; do
         hssolve -q -j "$ranks" -i domain.g -d changed.yaml -H out.e -o fields.e &
         solver=$!
@@ -362,7 +362,7 @@ wrong() {
 }
 
 @test "a terminal sees the progress and the time left, on two ranks, too" {
-    change 's/end_strain: .*/end_time: 1 s/'
+    change 's/end_strain: .*/end_time: 1 s/; s,10 m/s,1 mm/s,' # hours, and little strain
     mkfifo keyboard
     exec 9<>keyboard # one that stays open
     for ranks in 1 2; do
