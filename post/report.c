@@ -92,7 +92,8 @@ static void add_extensions(struct properties *list, const struct curve *curve,
                    percent * (total - maximum->stress / line->slope), "%", NAN, "Agt - Rm/m_E")
         ->flag = open;
     properties_add(list, "plateau_width", "", percent * maximum->plateau, "%", NAN,
-                   "extension over which the stress stays within 1e-6 of Rm");
+                   "extension over which the stress stays within %g Rm of Rm",
+                   strength_plateau_share);
     double strain = curve->strain[analysis->fracture] - toe;
     double stress = curve->stress[analysis->fracture];
     const char *end = analysis->broken ? NULL : "curve_ends";

@@ -6,10 +6,11 @@
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 
+const double strength_plateau_share = 1e-4;
+
 enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3 };
 
-static const double proof_offset = 0.002; /* of Rp0.2 */
-static const double plateau_share = 1e-4; /* of Rm; a digitised or computed maximum is flat there */
+static const double proof_offset = 0.002;    /* of Rp0.2 */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
 static const double default_shares[2] = {0.1, 0.4};
 
@@ -166,7 +167,7 @@ struct strength_maximum strength_maximum(const struct curve *curve)
     struct strength_maximum maximum = {row, s[row], e[row], 0, row < curve->n - 1};
     if (!maximum.reached) return maximum;
     long first = row, last = row;
-    double level = (1 - plateau_share) * s[row];
+    double level = (1 - strength_plateau_share) * s[row];
     while (first > 0 && s[first - 1] >= level) first--;
     while (last < curve->n - 1 && s[last + 1] >= level) last++;
     maximum.strain = (e[first] + e[last]) / 2;

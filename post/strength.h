@@ -34,7 +34,11 @@ struct yield_point {
 };
 struct yield_point strength_yield_point(const struct curve *curve, double yield_drop);
 
-/* Maximum force.  strain is that of the middle of the plateau within 1e-6 of Rm. */
+/* The plateau: what lies within this share of Rm below it, so flat that the noise of a digitised or
+ * computed curve decides where its maximum is. */
+extern const double strength_plateau_share;
+
+/* Maximum force.  strain is that of the middle of the plateau. */
 struct strength_maximum {
     long row;
     double stress, strain, plateau; /* Pa, -, - */
