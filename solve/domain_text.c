@@ -216,6 +216,13 @@ static void permute(double *values, const struct place *order, int64_t count)
     free(copy);
 }
 
+static double smallest(const double *values, int64_t count)
+{
+    double low = values[0];
+    for (int64_t i = 1; i < count; i++) low = fmin(low, values[i]);
+    return low;
+}
+
 void domain_sort(struct domain *domain)
 {
     const int64_t n = domain->n_nodes;
@@ -223,10 +230,12 @@ void domain_sort(struct domain *domain)
         attributes_number(&domain->attributes, "spacing_m", cbrt(domain->volume[0]));
     struct place *order = memory_new((size_t)n, sizeof *order);
     bool sorted = true;
+    /* From the corner of the body: lattice sites lie on whole numbers, far from where rounding turns. */
+    const double x = smallest(domain->x, n), y = smallest(domain->y, n), z = smallest(domain->z, n);
     for (int64_t i = 0; i < n; i++) {
-        order[i] =
-            (struct place){llround(domain->z[i] / spacing * 4), llround(domain->y[i] / spacing * 4),
-                           llround(domain->x[i] / spacing * 4), i};
+        order[i] = (struct place){llround((domain->z[i] - z) / spacing * 4),
+                                  llround((domain->y[i] - y) / spacing * 4),
+                                  llround((domain->x[i] - x) / spacing * 4), i};
         sorted &= i == 0 || compare_places(&order[i - 1], &order[i]) < 0;
     }
     if (!sorted) {

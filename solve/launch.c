@@ -13,9 +13,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+/* mpirun tells its processes; srun, too, but so it does to a shell that it started as a single task. */
 static int started_by_launcher(void)
 {
-    return getenv("PMIX_RANK") || getenv("OMPI_COMM_WORLD_SIZE") || getenv("SLURM_STEP_ID");
+    const char *tasks = getenv("SLURM_STEP_NUM_TASKS");
+    return getenv("OMPI_COMM_WORLD_SIZE") || (tasks && strtol(tasks, NULL, 10) > 1);
 }
 
 int launch_wanted(const struct arguments *arguments)

@@ -91,6 +91,33 @@ struct scene scene_read(struct deck *deck)
     return scene;
 }
 
+/* First node that two sets share, -1 for none. */
+static int64_t shared_node(const struct node_set *a, const struct node_set *b)
+{
+    for (int64_t i = 0, j = 0; i < a->count && j < b->count;) {
+        if (a->nodes[i] == b->nodes[j]) return a->nodes[i];
+        if (a->nodes[i] < b->nodes[j])
+            i++;
+        else
+            j++;
+    }
+    return -1;
+}
+
+static void refuse_overlap(const struct scene *scene, const struct domain *domain)
+{
+    for (int i = 0; i < scene->n_boundary; i++)
+        for (int k = 0; k < i; k++) {
+            const struct scene_boundary *a = &scene->boundary[k], *b = &scene->boundary[i];
+            if (a->direction != b->direction) continue;
+            int64_t node = shared_node(domain_set(domain, a->set), domain_set(domain, b->set));
+            if (node >= 0)
+                deck_error(b->node,
+                           "node %lld is held along one direction twice, by '%s' and by '%s'",
+                           (long long)node + 1, a->set, b->set);
+        }
+}
+
 void scene_check_sets(const struct scene *scene, const struct domain *domain)
 {
     const char **names = memory_new((size_t)domain->n_sets, sizeof *names);
@@ -101,6 +128,7 @@ void scene_check_sets(const struct scene *scene, const struct domain *domain)
                        "no node set '%s' in the domain, which has: %s", scene->boundary[i].set,
                        domain->n_sets ? nearest_list(names, domain->n_sets) : "none");
     free(names);
+    refuse_overlap(scene, domain);
 }
 
 void scene_free(struct scene *scene)

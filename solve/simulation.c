@@ -21,7 +21,7 @@ static void read_inputs(struct simulation *s)
 {
     int n_phases = 0;
     long length = 0;
-    char *text = NULL, *name = NULL;
+    char *text = NULL;
     if (s->ranks.rank == 0) {
         domain_input_read(s->arguments, &s->domain, &s->deck);
         s->scene = scene_read(s->deck);
@@ -32,7 +32,6 @@ static void read_inputs(struct simulation *s)
                                       s->domain.phase_names);
         stabilisation_choose(s->scene.stabilisation);
         text = memory_text(deck_text(s->deck));
-        name = memory_text(deck_name(s->deck));
         length = (long)strlen(text);
     }
     lattice_share(&s->lattice, s->ranks.rank);
@@ -58,7 +57,6 @@ static void read_inputs(struct simulation *s)
                                       s->domain.phase_names);
     }
     free(text);
-    free(name);
 }
 
 static void open_outputs(struct simulation *s)
@@ -154,10 +152,7 @@ void simulation_announce(struct simulation *s)
     double start = ranks_clock();
     correspondence_force(s->model, &s->body, (struct force_mode){.frozen = true}, NULL);
     double force = ranks_clock() - start;
-    double memory = (double)(body_memory(&s->body) + correspondence_memory(s->model));
-    struct exact_sum sum = exact_sum_new(1e18);
-    exact_sum_add(&sum, memory);
-    exact_sum_finish(&sum, 1, &memory);
+    double memory = ranks_memory();
     if (s->ranks.rank != 0) return;
     int64_t bonds = family_bonds(&s->family, &s->lattice);
     note("%lld nodes, %lld bonds, %d ranks; step %.3g s (%.2f of the critical %.3g s), about %lld "

@@ -126,8 +126,3 @@ void body_gather(const struct body *body, const double *field, double *out)
     free(values);
     free(sites);
 }
-
-int64_t body_memory(const struct body *body)
-{
-    return body->grid.n_sites * (int64_t)(42 * sizeof(double) + 2);
-}

@@ -46,7 +46,4 @@ static inline void body_only_owned(const struct body *body, int64_t site, int co
         terms[i] = (body->grid.flags[site + i] & SITE_OWNED) ? terms[i] : 0;
 }
 
-/* Bytes a rank holds in arrays over its box. */
-int64_t body_memory(const struct body *body);
-
 #endif

@@ -12,7 +12,7 @@ struct exact_sum exact_sum_new(double bound)
     int exponent;
     frexp(bound > 0 ? bound : 1, &exponent);
     struct exact_sum sum = {.high = ldexp(1.5, exponent + 1)};
-    sum.low = sum.high * 0x1p-30;
+    sum.low = sum.high * 0x1p-24;
     return sum;
 }
 

@@ -34,7 +34,6 @@ struct family family_new(double horizon, int influence)
     const int reach = (int)floor(limit), width = 2 * reach + 1;
     struct family family = {.horizon = horizon,
                             .reach = reach,
-                            .influence = family_influences[influence],
                             .half =
                                 memory_new((size_t)(width * width * width), sizeof(struct offset))};
     for (int z = 0; z <= reach; z++)

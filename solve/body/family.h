@@ -24,7 +24,6 @@ struct family {
     int reach;      /* largest |step| along an axis */
     int n_half;     /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
     struct offset *half;
-    const char *influence;
 };
 
 /* influence: a name of the table in family.c. */

@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static void abort_all(int code)
@@ -73,4 +74,13 @@ void ranks_wait(void)
 double ranks_clock(void)
 {
     return MPI_Wtime();
+}
+
+double ranks_memory(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    double bytes = 1024.0 * (double)usage.ru_maxrss;
+    ranks_sum(&bytes, 1);
+    return bytes;
 }

@@ -26,4 +26,7 @@ void ranks_wait(void); /* until all are here */
 
 double ranks_clock(void); /* s */
 
+/* Most memory that all ranks together have held so far [bytes], as the system counts it.  Collective. */
+double ranks_memory(void);
+
 #endif

@@ -259,7 +259,11 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
     struct exact_sum damped = verlet->kinetic_zero;
 
     half_kick(verlet, body);
-    if (verlet->damping > 0) damp(verlet, body, boundary, verlet->time, &damped);
+    if (verlet->damping > 0) {
+        /* The kick has touched the grips, too; what it gave them is not there to be lost. */
+        boundary_set_velocities(boundary, body, verlet->time);
+        damp(verlet, body, boundary, verlet->time, &damped);
+    }
     boundary_set_velocities(boundary, body, verlet->time + 0.5 * verlet->dt);
     move(verlet, body);
     verlet->step++;

@@ -29,7 +29,6 @@ struct capped {
     double *
         *state; /* [n_half] bonds along each half offset, strip by strip: zeta [m], then the energy
                        lost so far [J/m^3] */
-    int64_t bytes;
 };
 
 static const char *const keys[] = {"stiffness", "cap", NULL};
@@ -66,7 +65,6 @@ static void capped_start(void *self, const struct body *body, const struct strip
     for (int o = 0; o < c->family->n_half; o++) {
         const size_t numbers = (size_t)bonds[o].points * STATE;
         c->state[o] = memory_new(numbers, sizeof(double));
-        c->bytes += (int64_t)(numbers * sizeof(double));
     }
 }
 
@@ -249,11 +247,6 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
     if (mode.energy) capped_energy(body, &s, lost, i, energy);
 }
 
-static int64_t capped_memory(const void *self)
-{
-    return ((const struct capped *)self)->bytes;
-}
-
 static void capped_free(void *self)
 {
     struct capped *c = self;
@@ -271,6 +264,5 @@ const struct stabilisation stabilisation_capped = {
     .node_share = capped_node_share,
     .near_nodes = capped_near_nodes,
     .add = capped_add,
-    .memory = capped_memory,
     .free = capped_free,
 };

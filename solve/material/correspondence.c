@@ -324,10 +324,3 @@ const double *correspondence_plastic_strain(const struct correspondence *model,
 {
     return model->state + J2_STATE * strip->store + (J2_STATE - 1) * strip->stride;
 }
-
-int64_t correspondence_memory(const struct correspondence *model)
-{
-    int64_t numbers = model->nodes->points * J2_STATE + (model->flow ? model->n_sites : 0);
-    return numbers * (int64_t)sizeof(double) + model->n_tasks * (int64_t)sizeof(struct task) +
-           model->stabilisation->memory(model->self);
-}

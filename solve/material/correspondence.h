@@ -39,6 +39,4 @@ const struct strips *correspondence_strips(const struct correspondence *model);
 const double *correspondence_plastic_strain(const struct correspondence *model,
                                             const struct strip *strip);
 
-int64_t correspondence_memory(const struct correspondence *model);
-
 #endif

@@ -130,7 +130,8 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
     return beyond;
 }
 
-/* First guess of g in (j2.3): along the tangent of the flow curve at p.  Points below yield get 0. */
+/* First guess of g in (j2.3): along the tangent of the flow curve at p.  Points below yield get 0 and are
+ * done; open > 0 marks those that are not. */
 HS_SIMD static void return_start(int count, struct j2_strip *restrict s, const double *restrict p,
                                  const double *restrict table)
 {
@@ -138,50 +139,50 @@ HS_SIMD static void return_start(int count, struct j2_strip *restrict s, const d
         int64_t cell = flow_cell(s->curve[i], p[i]);
         double beyond = s->q[i] - s->yield[i];
         double g = beyond / (3 * s->mu[i] + flow_slope(table, cell, p[i]));
-        s->grown[i] = beyond > 0 ? g : 0;
+        g = g > 0 ? g : 0;
+        s->grown[i] = g;
+        s->open[i] = g;
     }
 }
 
-/* One Newton step on (j2.3) for the points that have not converged; returns whether any needs another.
- * The residual falls with g and, hardening being monotone, its root lies in [0, most].  The error of a
- * step is about the square of the one before: from a residual below near, it ends at round-off. */
+/* One Newton step on (j2.3) for the points that are still open; returns whether any stays so.  The
+ * residual falls with g and, hardening being monotone, its root lies in [0, most].  The error of a step is
+ * about the square of the one before: from a residual below near, the step ends at round-off and is the
+ * point's last, whatever its neighbours in the strip need. */
 HS_SIMD static int64_t return_step(int count, struct j2_strip *restrict s, const double *restrict p,
                                    const double *restrict table)
 {
-    const double near = 1e-8, exact = 1e-15;
+    const double near = 1e-8;
     int64_t left = 0;
     for (int i = 0; i < count; i++) {
-        double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i], beyond = q - s->yield[i];
-        double most = beyond / modulus, all = p[i] + g;
+        double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i], open = s->open[i];
+        double most = (q - s->yield[i]) / modulus, all = p[i] + g;
         int64_t cell = flow_cell(s->curve[i], all);
         double residual = q - modulus * g - flow_stress(table, cell, all);
         double next = g + residual / (modulus + flow_slope(table, cell, all));
         next = next > 0 ? next : 0;
         next = next < most ? next : most;
-        double size = fabs(residual);
-        s->grown[i] = ((beyond > 0) & (size > exact * q)) ? next : g;
-        left |= (beyond > 0) & (size > near * q);
+        s->grown[i] = open > 0 ? next : g;
+        open = fabs(residual) > near * q ? open : 0;
+        s->open[i] = open;
+        left |= open > 0;
     }
     return left;
 }
 
-/* Bisection for a point where Newton's method went to and fro between kinks of a table. */
+/* Bisection for the points where Newton's method went to and fro between kinks of a table. */
 static void return_by_bisection(struct j2_strip *s, const double *p, const double *table)
 {
     for (int i = 0; i < s->count; i++) {
-        double modulus = 3 * s->mu[i], q = s->q[i], low = 0;
-        double high = (q - s->yield[i]) / modulus;
-        double g = s->grown[i];
-        double residual =
-            q - modulus * g - flow_stress(table, flow_cell(s->curve[i], p[i] + g), p[i] + g);
-        if (high <= 0 || fabs(residual) <= 1e-12 * q) continue;
+        if (!(s->open[i] > 0)) continue;
+        double modulus = 3 * s->mu[i], q = s->q[i], low = 0, high = (q - s->yield[i]) / modulus;
         for (int step = 0; step < 60; step++) {
-            g = 0.5 * (low + high);
-            residual =
-                q - modulus * g - flow_stress(table, flow_cell(s->curve[i], p[i] + g), p[i] + g);
+            double g = 0.5 * (low + high), all = p[i] + g;
+            double residual =
+                q - modulus * g - flow_stress(table, flow_cell(s->curve[i], all), all);
             *(residual > 0 ? &low : &high) = g;
         }
-        s->grown[i] = g;
+        s->grown[i] = 0.5 * (low + high);
     }
 }
 

@@ -34,7 +34,7 @@ struct j2_strip {
     double stored[LANES];       /* out, where asked for: elastic energy density [J/m^3] */
     double plastic[LANES];      /* out, where asked for: plastic work density [J/m^3] */
     double e[SYMMETRIC][LANES]; /* work: deviator of the elastic strain */
-    double trace[LANES], q[LANES], yield[LANES], grown[LANES], scale[LANES];
+    double trace[LANES], q[LANES], yield[LANES], grown[LANES], open[LANES], scale[LANES];
 };
 
 struct j2_mode {

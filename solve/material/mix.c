@@ -21,7 +21,6 @@
 struct mix {
     double share; /* a */
     const struct materials *materials;
-    int64_t bytes;
     double *share_of[3]; /* g_ib of either bond of the site along each axis (box field) */
     double *state[3];    /* of the bonds along each axis, strip by strip */
 };
@@ -70,7 +69,6 @@ static void mix_start(void *self, const struct body *body, const struct strips b
     for (int a = 0; a < 3; a++) {
         mix->share_of[a] = memory_new(sites, sizeof(double));
         mix->state[a] = j2_state_new(&bonds[a]);
-        mix->bytes += (int64_t)((sites + (size_t)bonds[a].points * J2_STATE) * sizeof(double));
     }
     find_shares(mix, body);
 }
@@ -150,14 +148,6 @@ static void add_both(int count, const double *P, const double *beta, double lowe
     }
 }
 
-HS_SIMD static void add_shares(int count, const double *restrict P, const double *restrict gi,
-                               const double *restrict gj, double weight, double *restrict axial,
-                               double *restrict shifted)
-{
-    for (int i = 0; i < count; i++) axial[i] += weight * gi[i] * P[i];
-    for (int i = 0; i < count; i++) shifted[i] += weight * gj[i] * P[i];
-}
-
 static void mix_energy(const struct mix *mix, const struct body *body, const struct j2_strip *j2,
                        const double *beta, int64_t site, struct force_energy *energy)
 {
@@ -201,13 +191,11 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
             add_both(count, j2.P[k], beta, 0.5 * a, 0.5 * a, body->S[k] + i, step);
         }
     }
-    if (mode.axial) add_shares(count, j2.P[0], gi, gj, a, mode.axial + i, mode.axial + j);
+    if (mode.axial) {
+        add_one(count, j2.P[0], gi, a, mode.axial + i);
+        add_one(count, j2.P[0], gj, a, mode.axial + j);
+    }
     if (mode.energy) mix_energy(mix, body, &j2, beta, i, energy);
-}
-
-static int64_t mix_memory(const void *self)
-{
-    return ((const struct mix *)self)->bytes;
 }
 
 static void mix_free(void *self)
@@ -229,6 +217,5 @@ const struct stabilisation stabilisation_mix = {
     .node_share = mix_node_share,
     .near_nodes = mix_near_nodes,
     .add = mix_add,
-    .memory = mix_memory,
     .free = mix_free,
 };

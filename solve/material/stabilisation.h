@@ -41,7 +41,6 @@ struct stabilisation {
      * stresses to body->S.  flow: current flow stress of the nodes (box field). */
     void (*add)(void *self, struct body *body, int o, const struct strip *strip, const double *flow,
                 struct force_mode mode, struct force_energy *energy);
-    int64_t (*memory)(const void *self); /* bytes of state */
     void (*free)(void *self);
 };
 

@@ -13,6 +13,7 @@ struct gauge {
     double from, to;  /* x of the planes, m */
     double *fraction; /* [n_phases] */
     int64_t *nodes;   /* [n_phases] between the planes */
+    int64_t *layer;   /* [lattice size along x] nodes of the body in each layer */
 };
 
 /* What the sums over the phases count, in this order. */
@@ -30,8 +31,10 @@ static void count_phases(struct gauge *gauge, const struct body *body)
     const struct lattice *lattice = body->lattice;
     int64_t all = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
-        if (lattice->phase[site] == ABSENT || !between(gauge, body, (int)(site % lattice->size[0])))
-            continue;
+        const int x = (int)(site % lattice->size[0]);
+        if (lattice->phase[site] == ABSENT) continue;
+        gauge->layer[x]++;
+        if (!between(gauge, body, x)) continue;
         gauge->nodes[lattice->phase[site]]++;
         all++;
     }
@@ -52,6 +55,7 @@ struct gauge *gauge_new(const struct body *body, const struct domain *domain, in
                  gauge->from, gauge->to);
     gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
     gauge->nodes = memory_new((size_t)n_phases, sizeof *gauge->nodes);
+    gauge->layer = memory_new((size_t)body->lattice->size[0], sizeof *gauge->layer);
     count_phases(gauge, body);
     return gauge;
 }
@@ -62,6 +66,7 @@ void gauge_free(struct gauge *gauge)
     members_free(&gauge->right);
     free(gauge->fraction);
     free(gauge->nodes);
+    free(gauge->layer);
     free(gauge);
 }
 
@@ -111,15 +116,13 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
     }
 }
 
-static struct gauge_section smallest_section(const struct body *body, const double *layers)
+static struct gauge_section smallest_section(const struct gauge *gauge, const struct body *body,
+                                             const double *layers)
 {
     const struct lattice *lattice = body->lattice;
     struct gauge_section smallest = {INFINITY, 0};
-    const int64_t plane = (int64_t)lattice->size[1] * lattice->size[2];
     for (int x = 0; x < lattice->size[0]; x++) {
-        int64_t nodes = 0;
-        for (int64_t line = 0; line < plane; line++)
-            nodes += lattice->phase[line * lattice->size[0] + x] != ABSENT;
+        const int64_t nodes = gauge->layer[x];
         if (nodes == 0 || layers[x] / (double)nodes >= smallest.ratio) continue;
         smallest = (struct gauge_section){layers[x] / (double)nodes,
                                           lattice->origin[0] + x * lattice->spacing};
@@ -154,7 +157,7 @@ void gauge_measure(const struct gauge *gauge, struct correspondence *model, cons
         phases[p] = (struct gauge_phase){v[STRESS] / count, v[TRUE_STRESS] / count,
                                          v[STRAIN] / count, v[PLASTIC] / count};
     }
-    *section = smallest_section(body, values + n_sums);
+    *section = smallest_section(gauge, body, values + n_sums);
     free(sums);
     free(values);
 }
