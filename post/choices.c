@@ -50,6 +50,7 @@ static const struct choice table[] = {
      1, PLACE(fracture_share)},
 };
 _Static_assert(sizeof table / sizeof *table == CHOICE_COUNT, "one row a choice");
+_Static_assert((int)CHOICE_COUNT == (int)DECK_POST_KEYS, "one key of the deck a choice");
 
 struct choices choices_default(void)
 {
@@ -104,9 +105,6 @@ void choices_read_deck(struct choices *choices, const struct deck *deck)
     struct deck_node post = deck_find(deck_root(deck), "post");
     if (!post.index) return;
 
-    const char *known[CHOICE_COUNT + 1] = {0};
-    for (int i = 0; i < CHOICE_COUNT; i++) known[i] = table[i].key;
-    deck_keys(post, known);
     for (int i = 0; i < CHOICE_COUNT; i++) {
         struct deck_node node = deck_find(post, table[i].key);
         if (node.index) read_node(choices, &table[i], node);

@@ -1,7 +1,8 @@
 /* choices.h - what a user may choose about the evaluation of a curve.
  *
  * Each choice is a key of the deck's section "post:" and, with dashes, an option of hspost; the
- * option wins.  To add one: a member here and a row of the table in choices.c. */
+ * option wins.  To add one: a member here, a row of the table in choices.c, its key in
+ * deck_post_keys (lib/deck.c). */
 #ifndef HS_CHOICES_H
 #define HS_CHOICES_H
 
