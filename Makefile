@@ -10,7 +10,6 @@
 # Options: CC=clang, WERROR=1 (warnings are errors), SANITIZE=1 (ASan and UBSan, own build tree).
 
 VERSION := 0.1.0
-REVISION := $(shell git -C $(CURDIR) describe --always --dirty 2>/dev/null)
 PREFIX ?= /usr/local
 CC ?= cc
 CFLAGS ?=

@@ -37,8 +37,6 @@ struct history {
 void exodus_write_history(const struct spool *output, const struct history *history);
 struct history exodus_read_history(const struct spool *input);
 void history_free(struct history *history);
-/* Index of a column, -1 where there is none. */
-int history_column(const struct history *history, const char *name);
 
 /* Fields: the domain with nodal variables, one frame after the other.  Names end in X, Y, Z for
  * vectors, so that ParaView glues them. */

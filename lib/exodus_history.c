@@ -75,10 +75,3 @@ void history_free(struct history *history)
     attributes_free(&history->attributes);
     *history = (struct history){0};
 }
-
-int history_column(const struct history *history, const char *name)
-{
-    for (int i = 0; i < history->n_columns; i++)
-        if (strcmp(history->columns[i], name) == 0) return i;
-    return -1;
-}

@@ -36,13 +36,6 @@ struct property *properties_add(struct properties *list, const char *name, const
     return property;
 }
 
-double properties_value(const struct properties *list, const char *name)
-{
-    for (int i = 0; i < list->count; i++)
-        if (strcmp(list->items[i].name, name) == 0) return list->items[i].value;
-    return NAN;
-}
-
 static void write_row(FILE *file, const struct property *property)
 {
     csv_text(file, property->name);

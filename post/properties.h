@@ -23,9 +23,6 @@ struct property *properties_add(struct properties *list, const char *name, const
                                 double value, const char *unit, double uncertainty,
                                 const char *definition, ...) __attribute__((format(printf, 7, 8)));
 
-/* NAN where there is none of that name. */
-double properties_value(const struct properties *list, const char *name);
-
 /* Lists of one curve or several; with several, a leading column (a member in JSON) names the curve. */
 void properties_write_csv(FILE *file, const struct properties lists[], const char *const titles[],
                           int count);

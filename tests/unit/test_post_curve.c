@@ -6,6 +6,7 @@
 #include "difference.h"
 #include "memory.h"
 #include "mixture.h"
+#include "property.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -178,8 +179,8 @@ static void poor_curves(void **state)
         struct analysis found = analysis_make(&curve, &choices);
         struct properties list = analysis_report(&curve, &found, &choices);
         assert_true(list.count > 40);
-        assert_true(isnan(properties_value(&list, "proof_strength_0.2")));
-        assert_true(isnan(properties_value(&list, "considere_strain")));
+        assert_true(isnan(property_value(&list, "proof_strength_0.2")));
+        assert_true(isnan(property_value(&list, "considere_strain")));
         properties_free(&list);
         curve_free(&curve);
     }

@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include "analysis.h"
+#include "property.h"
 
 #include <stdlib.h>
 
@@ -48,7 +49,7 @@ static struct case_of torsion_nickel(void)
 
 static void expect(const struct case_of *c, const char *name, double value, double tolerance)
 {
-    double found = properties_value(&c->properties, name);
+    double found = property_value(&c->properties, name);
     if (!(fabs(found - value) <= tolerance))
         fail_msg("%s = %.8g, expected %.8g within %.2g", name, found, value, tolerance);
 }
@@ -109,7 +110,7 @@ static void ultra_fine_grained(void **state)
     expect(&c, "extension_at_fracture", 11.02, 0.005);
     expect(&c, "plastic_extension_at_fracture", 7.669, 0.0005);
     expect(&c, "toughness", 147.13, 0.005);
-    assert_true(isnan(properties_value(&c.properties, "hardening_exponent")));
+    assert_true(isnan(property_value(&c.properties, "hardening_exponent")));
     drop(&c);
 }
 

@@ -6,6 +6,7 @@
 #include "deck.h"
 #include "dies.h"
 #include "memory.h"
+#include "property.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -101,9 +102,9 @@ static void history_to_curve(void **state)
     assert_relative(shared.factor, 156e6 / 0.0016, 1e-12);
     struct analysis found = analysis_make(&curve, &choices);
     struct properties list = analysis_report(&curve, &found, &choices);
-    assert_near(properties_value(&list, "reduction_of_area"), 4, 1e-9);
-    assert_relative(properties_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
-    assert_near(properties_value(&list, "CG_fraction"), 0.6, 0);
+    assert_near(property_value(&list, "reduction_of_area"), 4, 1e-9);
+    assert_relative(property_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
+    assert_near(property_value(&list, "CG_fraction"), 0.6, 0);
     properties_free(&list);
     curve_free(&curve);
     input_free(&input);
@@ -208,6 +209,24 @@ static void read_spoilt(const void *argument)
     curve_make(&input, &choices);
 }
 
+/* Each option of a choice is, with underscores, a key of the deck's section, in any order. */
+static void options_are_keys(void **state)
+{
+    (void)state;
+    struct option_row rows[CHOICE_COUNT];
+    const char *texts[CHOICE_COUNT] = {0};
+    choices_options(rows, texts);
+    for (int i = 0; i < CHOICE_COUNT; i++) {
+        int found = 0;
+        char *key = memory_text(rows[i].name);
+        for (char *dash = strchr(key, '-'); dash; dash = strchr(dash, '-')) *dash = '_';
+        for (int k = 0; k < DECK_POST_KEYS; k++) found += strcmp(deck_post_keys[k], key) == 0;
+        if (found != 1) fail_msg("--%s: the deck knows '%s' %d times", rows[i].name, key, found);
+        free(key);
+    }
+    assert_null(deck_post_keys[DECK_POST_KEYS]);
+}
+
 static void spoilt_histories(void **state)
 {
     (void)state;
@@ -233,6 +252,7 @@ int main(void)
         cmocka_unit_test(history_to_curve), cmocka_unit_test(sizes_by_choice),
         cmocka_unit_test(deck_within),      cmocka_unit_test(table_there_and_back),
         cmocka_unit_test(checksum),         cmocka_unit_test(spoilt_histories),
+        cmocka_unit_test(options_are_keys),
     };
     return cmocka_run_group_tests(tests, choose_path, remove_path);
 }
