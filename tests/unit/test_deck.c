@@ -122,7 +122,8 @@ static void test_unknown_keys(void **state)
                 "xyz: 1\n");
     assert_dies(EXIT_USER, "unknown key 'domian' (did you mean domain?", check_sections,
                 "domian: 1\n");
-    assert_dies(EXIT_USER, "study.yaml:1:8: unknown key 'titel' (did you mean title? known: title, ",
+    assert_dies(EXIT_USER,
+                "study.yaml:1:8: unknown key 'titel' (did you mean title? known: title, ",
                 check_sections, "post: {titel: x}\n");
     assert_dies(EXIT_USER, "study.yaml:1:7: expected a mapping", check_sections, "post: 1\n");
 }
