@@ -212,6 +212,7 @@ s/ufg_fraction: 0.40/ufg_fraction: 1.4/|11:
 s/length: 0.8 mm/length: 1.6 mm/|13:
 s/cg: CG/cg: UFG/|7:
 s/  seed: 1/  cores: x.cores/|8:
+$a post: {titel: x}|15:8: unknown key 'titel'
 s/  seed: 1/  sets: [{name: none, box: [[1 m, 1 m, 1 m], [2 m, 2 m, 2 m]]}]/|12:
 END
 }
