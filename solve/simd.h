@@ -1,11 +1,13 @@
 /* simd.h - one source, several vector widths.
  *
  * A function marked HS_SIMD is compiled for the baseline, AVX2 and AVX-512, and the loader picks one
- * by the processor.  Contraction is off (Makefile), so all of them give the same bits. */
+ * by the processor.  Contraction is off (Makefile), so all of them give the same bits; HS_NARROW leaves the
+ * baseline alone, to test that. */
 #ifndef HS_SIMD_H
 #define HS_SIMD_H
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(HS_SANITIZE)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(HS_SANITIZE) &&    \
+    !defined(HS_NARROW)
 #define HS_SIMD                                                                                    \
     __attribute__((noinline, target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
