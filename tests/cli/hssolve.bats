@@ -131,6 +131,19 @@ wrong() {
     wrong 31:3 "are over 1e12 steps" 's/end_strain: 0.005/end_time: 1e6 s/'
 }
 
+@test "sets that hold a node along one direction twice are refused, along two they are not" {
+    wrong 30:5 "node 1 is held along one direction twice, by 'grip_left' and by 'grip_left'" \
+        '29a\  - {set: grip_left, direction: x, velocity: -10 m/s}'
+    # A box around the innermost layer of the left grip, x = -237.5 um, and the next.
+    change 's/^  gauge:.*/&\n  sets: [{name: edge, box: [[-250 um, -1 mm, -1 mm], [-200 um, 1 mm, 1 mm]]}]/
+        29a\  - {set: edge, direction: x, velocity: -10 m/s}'
+    hsgen -q changed.yaml -o edge.g
+    refused 2 "changed.yaml:31:5: node 3 is held along one direction twice, by 'grip_left' and by 'edge'" -i edge.g
+    change '29a\  - {set: grip_left, direction: y, velocity: 0}'
+    hssolve -q -i domain.g -d changed.yaml -H out.e
+    [ -s out.e ]
+}
+
 @test "on two ranks the same errors are told once, with the same exit code" {
     change 's/velocity: 10/velocty: 10/'
     refused 2 "unknown key 'velocty'" -j 2 -i domain.g -d changed.yaml
