@@ -4,17 +4,11 @@
  * In uniaxial strain F = (lambda, 1, 1), L = ln lambda, the deviator of the logarithmic strain is
  * L (2/3, -1/3, -1/3) and flow has one unknown, so that q = 3 mu |2/3 L - e| with de = +-dp in the
  * direction of q: closed forms to the end of any path, however it is cut into steps. */
-#include "check.h"
+#include "one_point.h"
 
-#include "deck.h"
-#include "flow_curve.h"
-#include "j2.h"
 #include "memory.h"
-#include "random.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define TWO_VOCE                                                                                   \
     "{law: two_voce, yield: 182.1 MPa, saturation: 300 MPa, rate: 5, saturation_2: 100 MPa, "      \
@@ -32,51 +26,6 @@ static const char *const laws[] = {
     "{law: tabulated, points: [[0, 180 MPa], [0.05, 300 MPa], [0.2, 500 MPa], [1, 800 MPa]]}",
 };
 enum { LAWS = sizeof laws / sizeof *laws };
-
-static struct hardening read_law(const char *text)
-{
-    struct deck *deck = deck_parse(text, strlen(text), "test");
-    struct hardening law = hardening_read(deck_root(deck));
-    deck_free(deck);
-    return law;
-}
-
-/* One point of a material. */
-struct point {
-    struct hardening law;
-    struct flow_curves curves;
-    struct j2_strip strip; /* point 0 */
-    double state[J2_STATE];
-};
-
-static void point_new(struct point *point, const char *law, double youngs_modulus,
-                      double poissons_ratio)
-{
-    *point = (struct point){.law = read_law(law), .state = {1, 1, 1}};
-    const struct hardening *const laws_of[] = {&point->law};
-    point->curves = flow_curves_new(1, laws_of, laws_of);
-    point->strip.count = 1;
-    point->strip.mu[0] = youngs_modulus / (2 * (1 + poissons_ratio));
-    point->strip.bulk[0] = youngs_modulus / (3 * (1 - 2 * poissons_ratio));
-}
-
-static void point_free(struct point *point)
-{
-    flow_curves_free(&point->curves);
-    hardening_free(&point->law);
-}
-
-static void deform(struct point *point, const double H[9], bool commit)
-{
-    for (int k = 0; k < TENSOR; k++) point->strip.H[k][0] = H[k];
-    j2_update(&point->strip, point->state, 1, point->curves.table,
-              (struct j2_mode){.commit = commit, .energy = true});
-}
-
-static void stretch(struct point *point, double lambda)
-{
-    deform(point, (const double[9]){lambda - 1}, true);
-}
 
 static double von_mises(const struct point *point, double lambda)
 {
@@ -240,167 +189,6 @@ static void test_every_law_in_cycles(void **state)
     }
 }
 
-/* c = a b */
-static void multiply(const double a[9], const double b[9], double c[9])
-{
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            c[3 * i + j] = 0;
-            for (int k = 0; k < 3; k++) c[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-        }
-}
-
-static void rotation(double angle, double R[9])
-{
-    const double n[3] = {2.0 / 7, -3.0 / 7, 6.0 / 7}, c = cos(angle), s = sin(angle);
-    const double cross[9] = {0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0};
-    for (int i = 0; i < 9; i++)
-        R[i] = (i % 4 == 0) * c + (1 - c) * n[i / 3] * n[i % 3] + s * cross[i];
-}
-
-/* A path of general deformations; with turned != 0 each of them is followed by another rotation. */
-static void general_path(struct point *point, double turned, double P[9])
-{
-    for (int n = 1; n <= 20; n++) {
-        const double t = n / 20.0;
-        const double F[9] = {1 + 0.05 * t, 0.06 * t * t, 0.01 * t,
-                             -0.03 * t,    1 - 0.03 * t, 0.02 * sin(5 * t),
-                             0.04 * t,     -0.01 * t,    1 - 0.02 * t * t};
-        double R[9], RF[9], back[9], unturned[9];
-        rotation(turned * n, R);
-        multiply(R, F, RF);
-        for (int k = 0; k < 9; k++) RF[k] -= k % 4 == 0;
-        deform(point, RF, true);
-        for (int k = 0; k < 9; k++) {
-            back[k] = R[3 * (k % 3) + k / 3];
-            unturned[k] = point->strip.P[k][0];
-        }
-        multiply(back, unturned, P);
-    }
-}
-
-/* F -> R F gives P -> R P and the same state, with another rotation in each step. */
-static void test_turns_with_the_frame(void **state)
-{
-    (void)state;
-    struct point still, turned;
-    double P[9], Q[9];
-    point_new(&still, laws[5], 210e9, 0.31);
-    point_new(&turned, laws[5], 210e9, 0.31);
-    general_path(&still, 0, P);
-    general_path(&turned, 0.7, Q);
-    assert_true(still.state[6] > 0.05);
-    /* E times the rounding of 20 steps' strains */
-    for (int k = 0; k < 9; k++) assert_near(Q[k], P[k], 1e-14 * 210e9);
-    for (int k = 0; k < J2_STATE; k++) assert_near(turned.state[k], still.state[k], 1e-13);
-    point_free(&still);
-    point_free(&turned);
-}
-
-/* Plastic flow keeps the volume: det Cp = 1. */
-static void test_flow_keeps_the_volume(void **state)
-{
-    (void)state;
-    struct point point;
-    double P[9];
-    point_new(&point, laws[5], 210e9, 0.31);
-    general_path(&point, 0.3, P);
-    const double *C = point.state;
-    double determinant = C[0] * (C[1] * C[2] - C[4] * C[4]) - C[3] * (C[3] * C[2] - C[4] * C[5]) +
-                         C[5] * (C[3] * C[4] - C[1] * C[5]);
-    assert_near(determinant, 1, 1e-10); /* 20 steps of the series for strains of 1 %: 1e-12 each */
-    point_free(&point);
-}
-
-/* P = d psi/dF by differences of the stored energy, elastic at 5 % of strain. */
-static void test_stress_is_the_gradient_of_the_energy(void **state)
-{
-    (void)state;
-    struct point point;
-    const double H[9] = {0.05, 0.02, -0.01, 0.03, -0.02, 0.01, 0.02, -0.03, 0.01}, h = 1e-5;
-    point_new(&point, "{law: linear, yield: 1000 GPa, modulus: 0}", 210e9, 0.31);
-    deform(&point, H, false);
-    double P[9];
-    for (int k = 0; k < 9; k++) P[k] = point.strip.P[k][0];
-    for (int k = 0; k < 9; k++) {
-        double side[2];
-        for (int s = 0; s < 2; s++) {
-            double moved[9];
-            memcpy(moved, H, sizeof moved);
-            moved[k] += s ? -h : h;
-            deform(&point, moved, false);
-            side[s] = point.strip.stored[0];
-        }
-        /* third derivative ~ 10 E times h^2; rounding 1e-16 of the energy over h */
-        assert_near((side[0] - side[1]) / (2 * h), P[k], 1e-8 * 210e9);
-    }
-    point_free(&point);
-}
-
-/* A point that does not flow keeps its state to the last bit; nothing is written without commit. */
-static void test_state_is_kept(void **state)
-{
-    (void)state;
-    struct point point;
-    double before[J2_STATE];
-    point_new(&point, laws[5], 210e9, 0.31);
-    stretch(&point, 1.01);
-    memcpy(before, point.state, sizeof before);
-    deform(&point, (const double[9]){0.02}, false);
-    assert_memory_equal(before, point.state, sizeof before);
-    stretch(&point, 1.0095); /* unloads */
-    assert_memory_equal(before, point.state, sizeof before);
-    point_free(&point);
-}
-
-/* stored + plastic energy = work of the stress along the path, in steps of 1e-4 by the trapezoidal
- * rule: error (1e-4)^2 of the curvature, 1e-6 at first yield. */
-static void test_work_is_stored_or_plastic(void **state)
-{
-    (void)state;
-    struct point point;
-    point_new(&point, laws[5], 210e9, 0.31);
-    double work = 0, before = 0;
-    for (int n = 1; n <= 500; n++) {
-        stretch(&point, 1 + 1e-4 * n);
-        work += 0.5 * (before + point.strip.P[0][0]) * 1e-4;
-        before = point.strip.P[0][0];
-    }
-    assert_relative(point.strip.stored[0] + point.strip.plastic[0], work, 1e-5);
-    assert_true(point.strip.plastic[0] > 0.01 * point.strip.stored[0]);
-    point_free(&point);
-}
-
-/* The answer does not depend on the other points of the strip, nor on its place: the same bits. */
-static void test_points_are_independent(void **state)
-{
-    (void)state;
-    struct point point;
-    point_new(&point, laws[6], 210e9, 0.31);
-    struct j2_strip all = {.count = LANES};
-    double *states = memory_new(J2_STATE * LANES, sizeof *states);
-    struct random_stream *stream = random_new(1, "points");
-    for (int i = 0; i < LANES; i++) {
-        all.mu[i] = point.strip.mu[0];
-        all.bulk[i] = point.strip.bulk[0];
-        for (int k = 0; k < TENSOR; k++) all.H[k][i] = 0.04 * random_uniform(stream) - 0.02;
-        for (int k = 0; k < 3; k++) states[k * LANES + i] = 1;
-    }
-    random_free(stream);
-    struct j2_strip copy = all;
-    j2_update(&all, states, LANES, point.curves.table, (struct j2_mode){.commit = true});
-    for (int i = 0; i < LANES; i++) {
-        double H[9];
-        for (int k = 0; k < TENSOR; k++) H[k] = copy.H[k][i];
-        memcpy(point.state, (const double[J2_STATE]){1, 1, 1}, sizeof point.state);
-        deform(&point, H, true);
-        for (int k = 0; k < TENSOR; k++) assert_true(point.strip.P[k][0] == all.P[k][i]);
-        for (int k = 0; k < J2_STATE; k++) assert_true(point.state[k] == states[k * LANES + i]);
-    }
-    free(states);
-    point_free(&point);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -409,12 +197,6 @@ int main(void)
         cmocka_unit_test(test_each_point_by_its_own_curve),
         cmocka_unit_test(test_every_law_in_one_step_and_many),
         cmocka_unit_test(test_every_law_in_cycles),
-        cmocka_unit_test(test_turns_with_the_frame),
-        cmocka_unit_test(test_flow_keeps_the_volume),
-        cmocka_unit_test(test_stress_is_the_gradient_of_the_energy),
-        cmocka_unit_test(test_state_is_kept),
-        cmocka_unit_test(test_work_is_stored_or_plastic),
-        cmocka_unit_test(test_points_are_independent),
     };
-    return cmocka_run_group_tests_name("j2", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("j2, radial return", tests, NULL, NULL);
 }
