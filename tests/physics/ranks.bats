@@ -4,7 +4,7 @@
 
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-# study SPECIMEN HORIZON STABILISATION: domain.g; torn at 50 m/s, so that grips, waves, gauge, damping
+# study SPECIMEN HORIZON STABILISATION [LAW OF UFG]: domain.g; torn at 50 m/s, so that grips, waves, gauge, damping
 # and both phases take part within some hundred steps.
 study() {
     cat >study.yaml <<END
@@ -32,7 +32,7 @@ materials:
     density: 8800 kg/m3
     youngs_modulus: 190 GPa
     poissons_ratio: 0.30
-    hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}
+    hardening: ${4:-$voce}
 boundary:
   - {set: grip_left, direction: x, velocity: -50 m/s}
   - {set: grip_right, direction: x, velocity: 50 m/s}
@@ -51,6 +51,10 @@ END
     hsgen -q study.yaml -o domain.g
 }
 
+voce='{law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}'
+# Kinks within what a step can add: Newton's method then takes more steps at some points than at others.
+kinked='{law: tabulated, points: [[0, 600 MPa], [0.0001, 900 MPa], [0.0002, 901 MPa], [0.001, 902 MPa],
+      [0.0011, 1300 MPa], [0.01, 1310 MPa], [0.0101, 1600 MPa], [1, 1700 MPa]]}'
 plate='  specimen: plate
   size: [0.6 mm, 0.3 mm, 0.2 mm]
   gauge: {length: 0.3 mm}'
@@ -100,6 +104,11 @@ compare() {
     study "$plate" '3
   influence: steep' mix
     compare 2
+}
+
+@test "plate, mix, horizon 1, a tabulated law with kinks: 3 ranks give the bits of one" {
+    study "$plate" 1 mix "$kinked"
+    compare 3
 }
 
 @test "under mpirun as well" {
