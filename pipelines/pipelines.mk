@@ -11,6 +11,8 @@
 #   make study                 CG, UFG, HS40 and R40 at two spacings: one figure, one table
 #   make study SPACINGS=25um   the same at the coarse spacing alone
 #
+# Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
+#
 # A run is made anew when its deck is newer, not when a program is: remove its folder for that.
 
 RESULTS := $(BUILD)/results
