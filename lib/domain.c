@@ -2,6 +2,7 @@
 
 #include "memory.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -103,4 +104,18 @@ void domain_free(struct domain *domain)
     free(domain->sets);
     attributes_free(&domain->attributes);
     *domain = (struct domain){0};
+}
+
+double domain_smallest(const double *values, int64_t count)
+{
+    double low = values[0];
+    for (int64_t i = 1; i < count; i++) low = fmin(low, values[i]);
+    return low;
+}
+
+double domain_largest(const double *values, int64_t count)
+{
+    double high = values[0];
+    for (int64_t i = 1; i < count; i++) high = fmax(high, values[i]);
+    return high;
 }

@@ -49,4 +49,8 @@ const struct node_set *domain_set(const struct domain *domain, const char *name)
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes);
 void domain_free(struct domain *domain);
 
+/* Smallest and largest of count values, for the corners of a body. */
+double domain_smallest(const double *values, int64_t count);
+double domain_largest(const double *values, int64_t count);
+
 #endif

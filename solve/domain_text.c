@@ -216,13 +216,6 @@ static void permute(double *values, const struct place *order, int64_t count)
     free(copy);
 }
 
-static double smallest(const double *values, int64_t count)
-{
-    double low = values[0];
-    for (int64_t i = 1; i < count; i++) low = fmin(low, values[i]);
-    return low;
-}
-
 void domain_sort(struct domain *domain)
 {
     const int64_t n = domain->n_nodes;
@@ -231,7 +224,8 @@ void domain_sort(struct domain *domain)
     struct place *order = memory_new((size_t)n, sizeof *order);
     bool sorted = true;
     /* From the corner of the body: lattice sites lie on whole numbers, far from where rounding turns. */
-    const double x = smallest(domain->x, n), y = smallest(domain->y, n), z = smallest(domain->z, n);
+    const double x = domain_smallest(domain->x, n), y = domain_smallest(domain->y, n),
+                 z = domain_smallest(domain->z, n);
     for (int64_t i = 0; i < n; i++) {
         order[i] = (struct place){llround((domain->z[i] - z) / spacing * 4),
                                   llround((domain->y[i] - y) / spacing * 4),

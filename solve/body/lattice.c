@@ -7,20 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double smallest(const double *values, int64_t count)
-{
-    double low = values[0];
-    for (int64_t i = 1; i < count; i++) low = fmin(low, values[i]);
-    return low;
-}
-
-static double largest(const double *values, int64_t count)
-{
-    double high = values[0];
-    for (int64_t i = 1; i < count; i++) high = fmax(high, values[i]);
-    return high;
-}
-
 struct lattice lattice_find(const struct domain *domain)
 {
     struct lattice lattice = {.n_nodes = domain->n_nodes};
@@ -28,8 +14,8 @@ struct lattice lattice_find(const struct domain *domain)
     lattice.spacing = attributes_number(&domain->attributes, "spacing_m", cbrt(domain->volume[0]));
     lattice.n_sites = 1;
     for (int a = 0; a < 3; a++) {
-        lattice.origin[a] = smallest(position[a], domain->n_nodes);
-        double length = largest(position[a], domain->n_nodes) - lattice.origin[a];
+        lattice.origin[a] = domain_smallest(position[a], domain->n_nodes);
+        double length = domain_largest(position[a], domain->n_nodes) - lattice.origin[a];
         double steps = length / lattice.spacing;
         if (!(steps < 1e6)) die_user("the particles span %g m, over a million spacings", length);
         lattice.size[a] = (int)lround(steps) + 1;
