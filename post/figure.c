@@ -146,7 +146,7 @@ void figure_draw(const char *name, const char *path, const struct figure_series 
     /* A gnuplot that is missing or stops early shows in its exit code. */
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigaction(SIGPIPE, &ignore, &before);
-    FILE *gnuplot = popen("exec gnuplot >&2", "w");
+    FILE *gnuplot = popen("LC_ALL=C.UTF-8 exec gnuplot >&2", "w");
     if (!gnuplot) die_run("%s: cannot start gnuplot: %s", name, strerror(errno));
     write_script(gnuplot, terminal, path, series, count, true_curve);
     bool written = fflush(gnuplot) == 0 && !ferror(gnuplot);

@@ -82,13 +82,15 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
 
 int launch_ranks(const struct arguments *a)
 {
-    if (a->deck && strcmp(a->deck, "-") == 0)
-        die_user("-j cannot read the deck from standard input");
+    struct arguments within = *a; /* what the ranks are told */
     struct spool input = spool_input(a->input), history = spool_output(a->history);
+    struct spool deck = a->deck ? spool_input(a->deck) : (struct spool){.descriptor = -1};
     char *input_path = seen_by_others(input.path), *history_path = seen_by_others(history.path);
+    char *deck_path = a->deck ? seen_by_others(deck.path) : NULL;
+    within.deck = deck_path;
     pid_t child = fork();
     if (child < 0) die_run("cannot fork: %s", strerror(errno));
-    if (child == 0) become_mpirun(a, input_path, history_path);
+    if (child == 0) become_mpirun(&within, input_path, history_path);
     int status;
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) die_run("waitpid: %s", strerror(errno));
@@ -98,6 +100,8 @@ int launch_ranks(const struct arguments *a)
     else
         spool_close(&history);
     spool_close(&input);
+    if (a->deck) spool_close(&deck);
+    free(deck_path);
     free(input_path);
     free(history_path);
     return code == 0 || code == EXIT_USER ? code : EXIT_RUN;

@@ -405,3 +405,11 @@ wrong() {
     hssolve --help | grep -q 'hssolve \[-i domain.g\]'
     hssolve --version | grep -q '^hssolve 0'
 }
+
+@test "the deck may come through a pipe, on two ranks, too" {
+    hssolve -q -i domain.g -H one.e
+    hssolve -q -j 2 -i domain.g -H two.e -d <(cat study.yaml)
+    hssolve -q -j 2 -i domain.g -H three.e -d - <study.yaml
+    cmp <(numbers one.e | grep -v deck_name) <(numbers two.e | grep -v deck_name)
+    cmp <(numbers one.e | grep -v deck_name) <(numbers three.e | grep -v deck_name)
+}
