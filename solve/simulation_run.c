@@ -15,9 +15,8 @@ static int64_t first_bad_node(const struct simulation *s)
     for (int64_t site = 0; site < s->lattice.n_sites; site++) {
         if (s->lattice.phase[site] == ABSENT) continue;
         node++;
-        int64_t line = site / s->lattice.size[0];
-        int at[3] = {(int)(site % s->lattice.size[0]), (int)(line % s->lattice.size[1]),
-                     (int)(line / s->lattice.size[1])};
+        int at[3];
+        lattice_position(&s->lattice, site, at);
         int64_t here = grid_site(&s->body.grid, at);
         if (here < 0 || !(s->body.grid.flags[here] & SITE_OWNED)) continue;
         double sum = 0;

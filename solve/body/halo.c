@@ -52,9 +52,8 @@ static int64_t *box_sites(const struct grid *grid, const struct lattice *lattice
 {
     int64_t *box = memory_new((size_t)count, sizeof *box);
     for (int64_t i = 0; i < count; i++) {
-        int64_t line = sites[i] / lattice->size[0];
-        int at[3] = {(int)(sites[i] % lattice->size[0]), (int)(line % lattice->size[1]),
-                     (int)(line / lattice->size[1])};
+        int at[3];
+        lattice_position(lattice, sites[i], at);
         box[i] = grid_site(grid, at);
     }
     return box;

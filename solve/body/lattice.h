@@ -33,6 +33,15 @@ static inline int64_t lattice_site(const struct lattice *lattice, int x, int y, 
     return ((int64_t)z * lattice->size[1] + y) * lattice->size[0] + x;
 }
 
+/* The reverse. */
+static inline void lattice_position(const struct lattice *lattice, int64_t site, int at[3])
+{
+    int64_t line = site / lattice->size[0];
+    at[0] = (int)(site % lattice->size[0]);
+    at[1] = (int)(line % lattice->size[1]);
+    at[2] = (int)(line / lattice->size[1]);
+}
+
 /* Phase at any integer position, ABSENT outside. */
 static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y, int z)
 {

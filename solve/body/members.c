@@ -56,9 +56,8 @@ struct members members_new(const struct body *body, const struct domain *domain,
     members.sites = memory_new((size_t)members.n_all, sizeof *members.sites);
     double sum = 0;
     for (int64_t i = 0; i < members.n_all; i++) {
-        int64_t line = sites[i] / lattice->size[0];
-        int at[3] = {(int)(sites[i] % lattice->size[0]), (int)(line % lattice->size[1]),
-                     (int)(line / lattice->size[1])};
+        int at[3];
+        lattice_position(lattice, sites[i], at);
         double x = lattice->origin[0] + at[0] * lattice->spacing;
         sum += x;
         members.low_x = fmin(members.low_x, x);

@@ -16,6 +16,7 @@ struct boundary_set {
     struct exact_sum zero; /* empty sum of forces */
     double moved;          /* along its direction so far, m */
     double total_force;    /* at the end of the step, over all ranks, N */
+    double force_before;   /* the same a step earlier, N */
 };
 
 struct boundary {

@@ -187,7 +187,10 @@ static void finish_sums(struct verlet *verlet, const struct body *body, struct b
     verlet->balance.plastic = values[2];
     verlet->balance.stabilisation = values[3];
     verlet->balance.damping += values[4];
-    for (int b = 0; b < boundary->count; b++) boundary->sets[b].total_force = values[ENERGIES + b];
+    for (int b = 0; b < boundary->count; b++) {
+        boundary->sets[b].force_before = boundary->sets[b].total_force;
+        boundary->sets[b].total_force = values[ENERGIES + b];
+    }
     free(sums);
     free(values);
 }
@@ -236,7 +239,7 @@ void verlet_free(struct verlet *verlet)
 }
 
 /* Work of the sets over a step: mean force times way, and what their own mass has gained. */
-static void add_work(struct verlet *verlet, struct boundary *boundary, const double *force_before)
+static void add_work(struct verlet *verlet, struct boundary *boundary)
 {
     const double end = verlet->time, start = end - verlet->dt;
     const double before = boundary_factor(boundary, start), after = boundary_factor(boundary, end),
@@ -246,7 +249,7 @@ static void add_work(struct verlet *verlet, struct boundary *boundary, const dou
         double way = middle * set->velocity * verlet->dt;
         set->moved += way;
         verlet->balance.work +=
-            0.5 * (force_before[b] + set->total_force) * way +
+            0.5 * (set->force_before + set->total_force) * way +
             0.5 * set->mass * set->velocity * set->velocity * (after * after - before * before);
     }
 }
@@ -254,8 +257,6 @@ static void add_work(struct verlet *verlet, struct boundary *boundary, const dou
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
                  struct correspondence *model, double *axial)
 {
-    double *force_before = memory_new((size_t)boundary->count, sizeof *force_before);
-    for (int b = 0; b < boundary->count; b++) force_before[b] = boundary->sets[b].total_force;
     struct exact_sum damped = verlet->kinetic_zero;
 
     half_kick(verlet, body);
@@ -278,6 +279,5 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
     boundary_set_velocities(boundary, body, verlet->time);
 
     finish_sums(verlet, body, boundary, &energy, &damped);
-    add_work(verlet, boundary, force_before);
-    free(force_before);
+    add_work(verlet, boundary);
 }

@@ -1,4 +1,5 @@
 #include "dies.h"
+#include "directory.h"
 
 #include "exodus.h"
 #include "memory.h"
@@ -353,25 +354,6 @@ static void test_full_disk(void **state)
     (void)state;
     assert_dies(EXIT_RUN, "full.g: cannot write", write_on_full_disk, "full.g");
     assert_int_not_equal(access("full.g", F_OK), 0);
-}
-
-/* --- a directory of the test's own ------------------------------------------------------------ */
-
-static int enter_directory(void **state)
-{
-    char *directory = strdup("/tmp/test_exodus-XXXXXX");
-    if (mkdtemp(directory) == NULL || chdir(directory) != 0) return -1;
-    *state = directory;
-    return 0;
-}
-
-static int leave_directory(void **state)
-{
-    char *command = memory_print("rm -r %s", (char *)*state);
-    int status = system(command);
-    free(command);
-    free(*state);
-    return status;
 }
 
 int main(void)

@@ -1,4 +1,5 @@
 #include "dies.h"
+#include "directory.h"
 
 #include "memory.h"
 #include "spool.h"
@@ -9,25 +10,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
-
-/* --- a directory of the test's own ------------------------------------------------------------ */
-
-static int enter_directory(void **state)
-{
-    char *directory = strdup("/tmp/test_spool-XXXXXX");
-    if (mkdtemp(directory) == NULL || chdir(directory) != 0) return -1;
-    *state = directory;
-    return 0;
-}
-
-static int leave_directory(void **state)
-{
-    char *command = memory_print("rm -r %s", (char *)*state);
-    int status = system(command);
-    free(command);
-    free(*state);
-    return status;
-}
 
 static int count_files(void)
 {
