@@ -44,14 +44,23 @@ static void read_solver(struct scene *scene, struct deck_node solver)
 {
     static const char *const types[] = {"explicit"};
     deck_keys(solver, (const char *const[]){"type", "horizon", "influence", "stabilisation",
-                                            "end_strain", "end_time", "safety", "start", "ramp",
-                                            "damping", "energy_tolerance", NULL});
+                                            "plane", "volumes", "surface_correction", "end_strain",
+                                            "end_time", "safety", "start", "ramp", "damping",
+                                            "energy_tolerance", NULL});
     deck_choice(deck_get(solver, "type"), types, 1);
-    scene->horizon = deck_number(deck_get(solver, "horizon"), "1", 1, 3.5);
+    scene->horizon = deck_number(deck_get(solver, "horizon"), "1", 1, 8);
+    scene->influence = -1;
     if (deck_has(solver, "influence"))
         scene->influence =
             deck_choice(deck_get(solver, "influence"), family_influences, family_influence_count);
-    scene->stabilisation = deck_get(solver, "stabilisation");
+    static const char *const volumes[] = {"whole", "partial"}, *const planes[] = {"stress",
+                                                                                  "strain"};
+    scene->solver = solver;
+    if (deck_has(solver, "volumes"))
+        scene->partial_volumes = deck_choice(deck_get(solver, "volumes"), volumes, 2) == 1;
+    if (deck_has(solver, "plane"))
+        scene->plane =
+            deck_choice(deck_get(solver, "plane"), planes, 2) ? PLANE_STRAIN : PLANE_STRESS;
     if (deck_has(solver, "end_strain") == deck_has(solver, "end_time"))
         deck_error(solver, "give one of end_strain and end_time");
     scene->end_strain = number_or(solver, "end_strain", "1", 1e-9, 10, 0);

@@ -4,6 +4,7 @@
 
 #include "deck.h"
 #include "domain.h"
+#include "material.h"
 
 #include <stdbool.h>
 
@@ -27,9 +28,11 @@ struct scene_fields {
 
 struct scene {
     struct deck *deck;
-    double horizon; /* spacings */
-    int influence;
-    struct deck_node stabilisation;
+    double horizon;          /* spacings */
+    int influence;           /* -1: that of the formulation */
+    struct deck_node solver; /* for what belongs to the formulation */
+    bool partial_volumes;
+    enum plane plane;
     int n_boundary;
     struct scene_boundary *boundary;
     double end_strain, end_time; /* one of them; the other is 0 */

@@ -15,6 +15,27 @@ static const struct domain *own_domain(const struct simulation *s)
     return s->ranks.rank == 0 ? &s->domain : NULL;
 }
 
+static void check_plane(const struct simulation *s)
+{
+    const bool flat = s->lattice.dimensions == 2;
+    if (flat && s->scene.plane == SPACE)
+        deck_error(s->scene.solver, "a body of one layer needs 'plane: stress' or 'plane: strain'");
+    if (!flat && s->scene.plane != SPACE)
+        deck_error(deck_get(s->scene.solver, "plane"),
+                   "the body has three dimensions (domain.dimensions: 2 makes one layer)");
+}
+
+static void read_model(struct simulation *s)
+{
+    const struct scene *scene = &s->scene;
+    s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), s->domain.n_phases,
+                                  s->domain.phase_names, scene->plane);
+    int influence = scene->influence >= 0 ? scene->influence
+                                          : family_influence(s->materials.formulation->influence);
+    s->family = family_new(scene->horizon, influence, scene->partial_volumes);
+    s->model = model_new(scene->solver, &s->family, &s->materials);
+}
+
 /* Rank 0 reads and checks everything a user can get wrong; the others follow what is known to be good,
  * so that each error is told once. */
 static void read_inputs(struct simulation *s)
@@ -28,9 +49,8 @@ static void read_inputs(struct simulation *s)
         s->lattice = lattice_find(&s->domain);
         scene_check_sets(&s->scene, &s->domain);
         n_phases = s->domain.n_phases;
-        s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), n_phases,
-                                      s->domain.phase_names);
-        stabilisation_choose(s->scene.stabilisation);
+        check_plane(s);
+        read_model(s);
         text = memory_text(deck_text(s->deck));
         length = (long)strlen(text);
     }
@@ -53,8 +73,7 @@ static void read_inputs(struct simulation *s)
         note_set_quiet(1);
         s->deck = deck_parse(text, (size_t)length, "deck");
         s->scene = scene_read(s->deck);
-        s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), n_phases,
-                                      s->domain.phase_names);
+        read_model(s);
     }
     free(text);
 }
@@ -81,13 +100,11 @@ static void open_outputs(struct simulation *s)
 
 static void build(struct simulation *s)
 {
-    s->family = family_new(s->scene.horizon, s->scene.influence);
-    const struct stabilisation *stabilisation = stabilisation_choose(s->scene.stabilisation);
-    void *self = stabilisation->read(s->scene.stabilisation, &s->family, &s->materials);
-    const struct offset *bonds;
-    int n_bonds = stabilisation->bonds(self, &s->family, &bonds);
-    s->body = body_new(&s->lattice, &s->family, bonds, n_bonds, s->ranks);
-    s->model = correspondence_new(&s->body, &s->materials, stabilisation, self);
+    const struct offset *near;
+    int n_near = model_near(s->model, &s->family, &near);
+    s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
+    s->bonds = bonds_new(&s->body);
+    model_start(s->model, &s->body, s->bonds);
     s->boundary =
         boundary_new(&s->scene, &s->body, own_domain(s), 10 * materials_stiffest(&s->materials));
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
@@ -150,7 +167,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
 void simulation_announce(struct simulation *s)
 {
     double start = ranks_clock();
-    correspondence_force(s->model, &s->body, (struct force_mode){.frozen = true}, NULL);
+    model_force(s->model, &s->body, (struct force_mode){.frozen = true}, NULL);
     double force = ranks_clock() - start;
     double memory = ranks_memory();
     if (s->ranks.rank != 0) return;
@@ -173,7 +190,8 @@ void simulation_free(struct simulation *s)
     verlet_free(&s->verlet);
     gauge_free(s->gauge);
     boundary_free(&s->boundary);
-    correspondence_free(s->model);
+    model_free(s->model);
+    bonds_free(s->bonds);
     body_free(&s->body);
     materials_free(&s->materials);
     family_free(&s->family);

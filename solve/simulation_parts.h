@@ -2,10 +2,11 @@
 #ifndef HS_SIMULATION_PARTS_H
 #define HS_SIMULATION_PARTS_H
 
+#include "bonds.h"
 #include "boundary.h"
-#include "correspondence.h"
 #include "fields.h"
 #include "gauge.h"
+#include "model.h"
 #include "recorder.h"
 #include "scene.h"
 #include "simulation.h"
@@ -21,7 +22,8 @@ struct simulation {
     struct family family;
     struct materials materials;
     struct body body;
-    struct correspondence *model;
+    struct model *model;
+    struct bonds *bonds;
     struct boundary boundary;
     struct gauge *gauge;
     struct verlet verlet;

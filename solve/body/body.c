@@ -48,7 +48,8 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     body.owned = grid_strips(&body.grid, SITE_OWNED, 0);
     body.near = grid_strips(&body.grid, SITE_NEAR, 0);
     body.ghosts = grid_strips(&body.grid, SITE_NEAR, SITE_OWNED);
-    body.volume = lattice->spacing * lattice->spacing * lattice->spacing;
+    body.volume = lattice->node_volume;
+    body.n_nodes = lattice->n_nodes;
     make_fields(body.u, 3, body.grid.n_sites);
     make_fields(body.v, 3, body.grid.n_sites);
     make_fields(body.f, 3, body.grid.n_sites);
@@ -85,10 +86,8 @@ static int64_t pack(const struct body *body, const double *field, double *values
     int64_t n = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
-            int at[3];
-            grid_position(&body->grid, body->owned.items[s].site + i, at);
             values[n] = field[body->owned.items[s].site + i];
-            sites[n++] = lattice_site(body->lattice, at[0], at[1], at[2]);
+            sites[n++] = body_number(body, body->owned.items[s].site + i);
         }
     return n;
 }

@@ -18,7 +18,9 @@ struct body {
     struct grid grid;
     struct halo *displacement_halo, *stress_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
-    double volume;                     /* of a node, m^3 */
+    double volume;                     /* of a node, m^3; of scattered ones their mean */
+    double *volumes;                   /* box field where they differ, else NULL */
+    int64_t n_nodes;                   /* of the whole body */
     int64_t unsupported;               /* nodes of the whole body without a deformation gradient */
 
     /* Fields over the grid's box. */
@@ -38,6 +40,36 @@ void body_free(struct body *body);
 
 /* Gathers an owned field to rank 0 in node order: out[n_nodes] there (NULL elsewhere).  Collective. */
 void body_gather(const struct body *body, const double *field, double *out);
+
+/* Reference position of a site [m]. */
+static inline void body_position(const struct body *body, int64_t site, double x[3])
+{
+    int at[3];
+    grid_position(&body->grid, site, at);
+    lattice_coordinates(body->lattice, at, x);
+}
+
+/* A number of the site's node that is the same on every rank: its site in the lattice. */
+static inline int64_t body_number(const struct body *body, int64_t site)
+{
+    int at[3];
+    grid_position(&body->grid, site, at);
+    return lattice_site(body->lattice, at[0], at[1], at[2]);
+}
+
+/* Volume of the node at a site [m^3]. */
+static inline double body_volume(const struct body *body, int64_t site)
+{
+    return body->volumes ? body->volumes[site] : body->volume;
+}
+
+/* terms[i] times the volume of the node at site + i. */
+static inline void body_times_volume(const struct body *body, int64_t site, int count,
+                                     double *terms)
+{
+    for (int i = 0; i < count; i++)
+        terms[i] *= body->volumes ? body->volumes[site + i] : body->volume;
+}
 
 /* terms[i] becomes 0 where site + i is not owned: another rank counts it. */
 static inline void body_only_owned(const struct body *body, int64_t site, int count, double *terms)

@@ -6,33 +6,82 @@
 #include <stdlib.h>
 #include <string.h>
 
-static double constant(double length)
+static double constant(double length, double horizon)
 {
-    (void)length;
+    (void)length, (void)horizon;
     return 1;
 }
 
 /* w = |xi|^-8 (xi in spacings): nearly the nearest neighbours alone, which keeps thin shells apart at
  * horizons of two and three spacings. */
-static double steep(double length)
+static double steep(double length, double horizon)
 {
+    (void)horizon;
     return pow(length, -8);
 }
 
-static double (*const influences[])(double length) = {constant, steep};
-const char *const family_influences[] = {"constant", "steep"};
-const int family_influence_count = 2;
+static double inverse(double length, double horizon)
+{
+    (void)horizon;
+    return 1 / length;
+}
+
+static double linear(double length, double horizon)
+{
+    return length < horizon ? 1 - length / horizon : 0;
+}
+
+static double gaussian(double length, double horizon)
+{
+    return exp(-4 * length * length / (horizon * horizon));
+}
+
+/* The cubic B-spline with its support on the horizon. */
+static double spline(double length, double horizon)
+{
+    const double q = length / horizon, left = q < 1 ? 1 - q : 0;
+    return q < 0.5 ? 1 - 6 * q * q * (1 - q) : 2 * left * left * left;
+}
+
+static double (*const influences[])(double length, double horizon) = {constant, steep,    inverse,
+                                                                      linear,   gaussian, spline};
+const char *const family_influences[] = {"constant", "steep",    "inverse",
+                                         "linear",   "gaussian", "spline"};
+const int family_influence_count = sizeof family_influences / sizeof *family_influences;
+
+int family_influence(const char *name)
+{
+    int number = 0;
+    while (strcmp(family_influences[number], name) != 0) number++;
+    return number;
+}
+
+double family_moment(const struct family *family, int power)
+{
+    /* Simpson's rule; the functions are smooth but for the middle of the spline, which is a node. */
+    enum { INTERVALS = 4096 };
+    const double step = family->horizon / INTERVALS;
+    double sum = 0;
+    if (family->influence == family_influence("steep")) return INFINITY;
+    for (int k = 1; k <= INTERVALS; k++) {
+        const double r = k * step, weight = k == INTERVALS ? 1 : k % 2 ? 4 : 2;
+        sum += weight * influences[family->influence](r, family->horizon) * pow(r, power);
+    }
+    return sum * step / 3;
+}
 
 static bool in_half(int x, int y, int z)
 {
     return z > 0 || (z == 0 && (y > 0 || (y == 0 && x > 0)));
 }
 
-struct family family_new(double horizon, int influence)
+struct family family_new(double horizon, int influence, bool partial)
 {
     const double limit = horizon * (1 + 1e-9);
     const int reach = (int)floor(limit), width = 2 * reach + 1;
     struct family family = {.horizon = horizon,
+                            .influence = influence,
+                            .partial = partial,
                             .reach = reach,
                             .half =
                                 memory_new((size_t)(width * width * width), sizeof(struct offset))};
@@ -41,8 +90,9 @@ struct family family_new(double horizon, int influence)
             for (int x = -reach; x <= reach; x++) {
                 double length = sqrt(x * x + y * y + z * z);
                 if (!in_half(x, y, z) || length > limit) continue;
+                double part = partial ? fmin(1, fmax(0, horizon + 0.5 - length)) : 1;
                 family.half[family.n_half++] =
-                    (struct offset){{x, y, z}, influences[influence](length)};
+                    (struct offset){{x, y, z}, part * influences[influence](length, horizon)};
             }
     return family;
 }
@@ -90,6 +140,8 @@ bool family_shape(const struct family *family, const struct lattice *lattice, co
             for (int a = 0; a < 3; a++) first[a] += w * sign * step[a];
         }
     }
+    /* In a plane nothing moves across it. */
+    if (lattice->dimensions == 2) K[2] = 1;
     return invert(K, inverse);
 }
 

@@ -21,16 +21,25 @@ struct offset {
 
 struct family {
     double horizon; /* in spacings */
-    int reach;      /* largest |step| along an axis */
-    int n_half;     /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
+    int influence;
+    bool partial;
+    int reach;  /* largest |step| along an axis */
+    int n_half; /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
     struct offset *half;
 };
 
-/* influence: a name of the table in family.c. */
-struct family family_new(double horizon, int influence);
+/* influence: a name of the table in family.c.  partial: the volume of a member near the horizon counts by
+ * the part of its cell within it, 1/2 + horizon - |xi| (in spacings) between 0 and 1 (Parks, Lehoucq,
+ * Plimpton, Silling, Comput. Phys. Commun. 179 (2008) 777, eq. (19)). */
+struct family family_new(double horizon, int influence, bool partial);
 void family_free(struct family *family);
 extern const char *const family_influences[];
 extern const int family_influence_count;
+int family_influence(const char *name); /* its number */
+
+/* Integral of w r^power over 0 <= r <= horizon, in spacings: the moments of the continuum.  Infinite for
+ * the steep function. */
+double family_moment(const struct family *family, int power);
 
 /* Inverse shape tensor (xx yy zz xy yz zx) and s_i of the site at (x, y, z).  Where the members
  * present do not span space (det K < 1e-4 (tr K/3)^3) the inverse is zero and the answer false: such

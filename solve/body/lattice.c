@@ -30,6 +30,8 @@ struct lattice lattice_find(const struct domain *domain)
     for (int64_t s = 0; s < lattice.n_sites; s++) lattice.phase[s] = ABSENT;
 
     const double volume = lattice.spacing * lattice.spacing * lattice.spacing;
+    lattice.dimensions = 3;
+    lattice.node_volume = volume;
     int64_t before = -1;
     for (int64_t i = 0; i < domain->n_nodes; i++) {
         int at[3];

@@ -13,8 +13,11 @@ enum { ABSENT = 255 };
 
 struct lattice {
     int size[3];
-    double spacing;   /* m */
-    double origin[3]; /* m, position of site (0, 0, 0) */
+    int dimensions;     /* 2: one layer of particles in z */
+    double spacing;     /* m */
+    double thickness;   /* of the layer where dimensions is 2, m */
+    double node_volume; /* m^3 */
+    double origin[3];   /* m, position of site (0, 0, 0) */
     int64_t n_sites, n_nodes;
     uint8_t *phase; /* [n_sites] or ABSENT */
 };
@@ -48,6 +51,12 @@ static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y,
     const int *n = lattice->size;
     if (x < 0 || y < 0 || z < 0 || x >= n[0] || y >= n[1] || z >= n[2]) return ABSENT;
     return lattice->phase[lattice_site(lattice, x, y, z)];
+}
+
+/* Reference position of a site [m]. */
+static inline void lattice_coordinates(const struct lattice *lattice, const int at[3], double x[3])
+{
+    for (int a = 0; a < 3; a++) x[a] = lattice->origin[a] + at[a] * lattice->spacing;
 }
 
 #endif

@@ -58,10 +58,11 @@ struct members members_new(const struct body *body, const struct domain *domain,
     for (int64_t i = 0; i < members.n_all; i++) {
         int at[3];
         lattice_position(lattice, sites[i], at);
-        double x = lattice->origin[0] + at[0] * lattice->spacing;
-        sum += x;
-        members.low_x = fmin(members.low_x, x);
-        members.high_x = fmax(members.high_x, x);
+        double x[3];
+        lattice_coordinates(lattice, at, x);
+        sum += x[0];
+        members.low_x = fmin(members.low_x, x[0]);
+        members.high_x = fmax(members.high_x, x[0]);
         int64_t site = grid_site(&body->grid, at);
         if (site >= 0 && (body->grid.flags[site] & SITE_OWNED))
             members.sites[members.count++] = site;

@@ -82,7 +82,8 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
         const double *f = body->f[set->direction];
         sums[b] = set->zero;
         for (int64_t i = 0; i < set->members.count; i++)
-            exact_sum_add(&sums[b], -f[set->members.sites[i]] * body->volume);
+            exact_sum_add(&sums[b],
+                          -f[set->members.sites[i]] * body_volume(body, set->members.sites[i]));
     }
 }
 
@@ -107,10 +108,8 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             int64_t site = body->owned.items[s].site + i;
-            int at[3];
-            grid_position(&body->grid, site, at);
             double x[3];
-            for (int a = 0; a < 3; a++) x[a] = lattice->origin[a] + at[a] * lattice->spacing;
+            body_position(body, site, x);
             double along = fmin(fmax(x[0], left->inner), right->inner);
             body->v[0][site] = left->velocity + rate * (along - left->inner);
             bool gripped = x[0] < left->inner || x[0] > right->inner;

@@ -16,7 +16,7 @@ struct vector {
 };
 
 struct lanczos {
-    struct correspondence *model;
+    struct model *model;
     struct body *body;
     const struct materials *materials;
     struct vector rest, current, before, image;
@@ -73,10 +73,8 @@ static void start_vector(const struct lanczos *l)
     const struct body *body = l->body;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
-            int at[3];
             int64_t site = body->owned.items[s].site + i;
-            grid_position(&body->grid, site, at);
-            uint64_t number = (uint64_t)lattice_site(body->lattice, at[0], at[1], at[2]);
+            uint64_t number = (uint64_t)body_number(body, site);
             for (unsigned a = 0; a < 3; a++)
                 l->current.component[a][site] =
                     (double)(random_hash(1, "stable step", 3 * number + a) >> 11) * 0x1p-53 - 0.5;
@@ -95,7 +93,7 @@ static void apply(const struct lanczos *l, double amplitude)
             memcpy(u.component[a], l->rest.component[a],
                    (size_t)body->grid.n_sites * sizeof(double));
         combine(body, sign * amplitude, &l->current, 1, &u);
-        correspondence_force(l->model, body, frozen, NULL);
+        model_force(l->model, body, frozen, NULL);
         combine(body, -0.5 * sign / amplitude, &force, sign > 0 ? 0 : 1, &image);
     }
     for (int64_t s = 0; s < body->owned.count; s++)
@@ -132,7 +130,7 @@ static double upper_bound(const double *diagonal, const double *off, int n)
 
 static double largest_eigenvalue(struct lanczos *l)
 {
-    const double nodes = (double)l->body->lattice->n_nodes;
+    const double nodes = (double)l->body->n_nodes;
     double heaviest = 0, diagonal[STEPS], off[STEPS];
     for (int i = 0; i < l->materials->count; i++)
         heaviest = fmax(heaviest, l->materials->items[i].density);
@@ -161,8 +159,7 @@ static double largest_eigenvalue(struct lanczos *l)
     return upper_bound(diagonal, off, n);
 }
 
-double stable_step(struct correspondence *model, struct body *body,
-                   const struct materials *materials)
+double stable_step(struct model *model, struct body *body, const struct materials *materials)
 {
     struct lanczos l = {.model = model,
                         .body = body,
@@ -180,7 +177,7 @@ double stable_step(struct correspondence *model, struct body *body,
     double eigenvalue = largest_eigenvalue(&l);
     for (int a = 0; a < 3; a++) memcpy(body->u[a], l.rest.component[a], bytes);
     /* The gradients go back with the displacement, the force to its own bits. */
-    correspondence_force(model, body, (struct force_mode){.frozen = true}, NULL);
+    model_force(model, body, (struct force_mode){.frozen = true}, NULL);
     for (int a = 0; a < 3; a++) memcpy(body->f[a], force.component[a], bytes);
     vector_free(&force);
     vector_free(&l.rest);

@@ -9,11 +9,10 @@
 #ifndef HS_STABLE_STEP_H
 #define HS_STABLE_STEP_H
 
-#include "correspondence.h"
+#include "model.h"
 
 /* [s].  Costs about 60 force evaluations; leaves u, f and H as they were.  Collective, the same on every
  * rank. */
-double stable_step(struct correspondence *model, struct body *body,
-                   const struct materials *materials);
+double stable_step(struct model *model, struct body *body, const struct materials *materials);
 
 #endif

@@ -49,21 +49,18 @@ static struct affine affine_motion(const struct boundary *boundary, const struct
 static void affine_velocity(const struct affine *affine, const struct body *body, int64_t site,
                             double velocity[3])
 {
-    const struct lattice *lattice = body->lattice;
-    int at[3];
-    grid_position(&body->grid, site, at);
-    double x = lattice->origin[0] + at[0] * lattice->spacing;
-    double along = fmin(fmax(x, affine->left), affine->right) - affine->left;
+    double x[3];
+    body_position(body, site, x);
+    double along = fmin(fmax(x[0], affine->left), affine->right) - affine->left;
     velocity[0] = affine->left_velocity + affine->rate * along;
     for (int a = 1; a < 3; a++) {
-        double across = lattice->origin[a] + at[a] * lattice->spacing - affine->centre[a];
-        velocity[a] = -affine->contraction * affine->rate * across;
+        velocity[a] = -affine->contraction * affine->rate * (x[a] - affine->centre[a]);
     }
 }
 
 static double node_mass(const struct verlet *verlet, const struct body *body, int64_t site)
 {
-    return body->volume / verlet->inverse_density[body->grid.phase[site]];
+    return body_volume(body, site) / verlet->inverse_density[body->grid.phase[site]];
 }
 
 /* Velocity decays towards the affine motion over half a step; lost takes the energy. */
@@ -145,7 +142,8 @@ static void sum_kinetic(const struct verlet *verlet, const struct body *body,
         strip_density(verlet, body, strip, inverse_density);
         speed_squared(strip->count, body->v[0] + strip->site, body->v[1] + strip->site,
                       body->v[2] + strip->site, inverse_density, terms);
-        exact_sum_add_strip(kinetic, strip->count, terms, 0.5 * body->volume);
+        body_times_volume(body, strip->site, strip->count, terms);
+        exact_sum_add_strip(kinetic, strip->count, terms, 0.5);
     }
 }
 
@@ -158,9 +156,7 @@ static void sum_masses(const struct verlet *verlet, const struct body *body,
         const struct boundary_set *set = &boundary->sets[b];
         sums[b] = verlet->kinetic_zero;
         for (int64_t i = 0; i < set->members.count; i++)
-            exact_sum_add(&sums[b],
-                          body->volume /
-                              verlet->inverse_density[body->grid.phase[set->members.sites[i]]]);
+            exact_sum_add(&sums[b], node_mass(verlet, body, set->members.sites[i]));
     }
     exact_sum_finish(sums, boundary->count, masses);
     free(sums);
@@ -202,19 +198,18 @@ static double affine_energy(const struct verlet *verlet, const struct body *body
     const double density = 1 / verlet->inverse_density[0];
     double speed =
         boundary->sets[boundary->right].velocity - boundary->sets[boundary->left].velocity;
-    return body->volume * (double)body->lattice->n_nodes * density * speed * speed / 24;
+    return body->volume * (double)body->n_nodes * density * speed * speed / 24;
 }
 
 struct verlet verlet_new(double dt, double damping, const struct materials *materials,
-                         struct body *body, struct boundary *boundary, struct correspondence *model)
+                         struct body *body, struct boundary *boundary, struct model *model)
 {
     struct verlet verlet = {.dt = dt, .damping = damping};
     verlet.inverse_density = memory_new((size_t)materials->count, sizeof(double));
     for (int i = 0; i < materials->count; i++)
         verlet.inverse_density[i] = 1 / materials->items[i].density;
     /* No energy density of a metal exceeds its Young's modulus. */
-    const double bound =
-        (double)body->lattice->n_nodes * body->volume * materials_stiffest(materials);
+    const double bound = (double)body->n_nodes * body->volume * materials_stiffest(materials);
     const struct exact_sum zero = exact_sum_new(4 * bound);
     verlet.zero = (struct force_energy){zero, zero, zero};
     verlet.kinetic_zero = zero;
@@ -225,7 +220,7 @@ struct verlet verlet_new(double dt, double damping, const struct materials *mate
     free(masses);
 
     struct force_energy energy = verlet.zero;
-    correspondence_force(model, body, (struct force_mode){.commit = true, .energy = true}, &energy);
+    model_force(model, body, (struct force_mode){.commit = true, .energy = true}, &energy);
     finish_sums(&verlet, body, boundary, &energy, &verlet.kinetic_zero);
     verlet.balance.initial = verlet.balance.kinetic;
     verlet.balance.reference = affine_energy(&verlet, body, boundary);
@@ -255,7 +250,7 @@ static void add_work(struct verlet *verlet, struct boundary *boundary)
 }
 
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
-                 struct correspondence *model, double *axial)
+                 struct model *model, double *axial)
 {
     struct exact_sum damped = verlet->kinetic_zero;
 
@@ -271,8 +266,8 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
     verlet->time += verlet->dt;
 
     struct force_energy energy = verlet->zero;
-    correspondence_force(
-        model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial}, &energy);
+    model_force(model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial},
+                &energy);
     half_kick(verlet, body);
     boundary_set_velocities(boundary, body, verlet->time);
     if (verlet->damping > 0) damp(verlet, body, boundary, verlet->time, &damped);

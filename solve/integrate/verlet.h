@@ -8,8 +8,8 @@
 #define HS_VERLET_H
 
 #include "boundary.h"
-#include "correspondence.h"
 #include "energy.h"
+#include "model.h"
 
 struct verlet {
     double dt, time;
@@ -23,13 +23,12 @@ struct verlet {
 
 /* Starts from the body's u = 0, velocities as set; evaluates the first force. */
 struct verlet verlet_new(double dt, double damping, const struct materials *materials,
-                         struct body *body, struct boundary *boundary,
-                         struct correspondence *model);
+                         struct body *body, struct boundary *boundary, struct model *model);
 void verlet_free(struct verlet *verlet);
 
 /* One step; the balance is that at its end.  axial as in struct force_mode.  Collective. */
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
-                 struct correspondence *model, double *axial);
+                 struct model *model, double *axial);
 
 /* Kinetic energy [J] of the motion beyond the uniform stretching that the grips impose: waves, and necks.
  * Collective. */

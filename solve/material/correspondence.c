@@ -1,6 +1,16 @@
-#include "correspondence.h"
-
+/* correspondence.c - non-ordinary state-based peridynamics: a classical law at every node.
+ *
+ *   H_i = [sum_j w V (u_j - u_i) (x) xi] K_i^-1,  F_i = 1 + H_i                   (correspondence.1)
+ *   f_i = sum_j w V (Q_i + Q_j) xi,  Q = S K^-1,  S = P(F) + stabilisation        (correspondence.2)
+ *
+ * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18; total Lagrangian.  The
+ * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
+ * too, without any surface correction. */
+#include "gradient.h"
+#include "j2.h"
 #include "memory.h"
+#include "model.h"
+#include "stabilisation.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -80,26 +90,40 @@ double *j2_state_new(const struct strips *strips)
     return state;
 }
 
-struct correspondence *correspondence_new(const struct body *body,
-                                          const struct materials *materials,
-                                          const struct stabilisation *stabilisation, void *self)
+static void *correspondence_read(struct deck_node solver, const struct family *family,
+                                 const struct materials *materials)
 {
     struct correspondence *model = memory_new(1, sizeof *model);
+    struct deck_node map = deck_get(solver, "stabilisation");
     model->materials = materials;
-    model->stabilisation = stabilisation;
-    model->self = self;
+    model->stabilisation = stabilisation_choose(map);
+    model->self = model->stabilisation->read(map, family, materials);
+    return model;
+}
+
+static int correspondence_near(const void *self, const struct family *family,
+                               const struct offset **offsets)
+{
+    const struct correspondence *model = self;
+    return model->stabilisation->bonds(model->self, family, offsets);
+}
+
+static void correspondence_start(void *self, const struct body *body, struct bonds *bonds)
+{
+    struct correspondence *model = self;
+    (void)bonds;
     model->n_sites = body->grid.n_sites;
-    model->node_share = stabilisation->node_share(self);
-    model->near_nodes = stabilisation->near_nodes(self);
+    model->node_share = model->stabilisation->node_share(model->self);
+    model->near_nodes = model->stabilisation->near_nodes(model->self);
     model->nodes = model->near_nodes ? &body->near : &body->owned;
     model->state = j2_state_new(model->nodes);
     if (model->near_nodes) model->flow = memory_new((size_t)model->n_sites, sizeof(double));
     list_tasks(model, body);
-    return model;
 }
 
-void correspondence_free(struct correspondence *model)
+static void correspondence_free(void *self)
 {
+    struct correspondence *model = self;
     model->stabilisation->free(model->self);
     free(model->tasks);
     free(model->state);
@@ -107,56 +131,10 @@ void correspondence_free(struct correspondence *model)
     free(model);
 }
 
-/* G_ab += (u_a(+xi) - u_a(-xi)) w xi_b over one pair of family members; u = 0 where there is none. */
-HS_SIMD static void add_pair(int count, const double *restrict plus, const double *restrict minus,
-                             double weight, double *restrict out)
+/* Equivalent plastic strain of the points of a strip: [strip->count]. */
+static const double *plastic_strain(const struct correspondence *model, const struct strip *strip)
 {
-    for (int i = 0; i < count; i++) out[i] += (plus[i] - minus[i]) * weight;
-}
-
-/* row_b = (G_b - u s_b) K^-1, for one row (component) of H */
-HS_SIMD static void gradient_row(int count, const double *restrict u, const double *restrict sx,
-                                 const double *restrict sy, const double *restrict sz,
-                                 const double *restrict xx, const double *restrict yy,
-                                 const double *restrict zz, const double *restrict xy,
-                                 const double *restrict yz, const double *restrict zx,
-                                 double inverse_spacing, const double (*restrict G)[LANES],
-                                 double *restrict hx, double *restrict hy, double *restrict hz)
-{
-    for (int i = 0; i < count; i++) {
-        double gx = (G[0][i] - u[i] * sx[i]) * inverse_spacing,
-               gy = (G[1][i] - u[i] * sy[i]) * inverse_spacing,
-               gz = (G[2][i] - u[i] * sz[i]) * inverse_spacing;
-        hx[i] = gx * xx[i] + gy * xy[i] + gz * zx[i];
-        hy[i] = gx * xy[i] + gy * yy[i] + gz * yz[i];
-        hz[i] = gx * zx[i] + gy * yz[i] + gz * zz[i];
-    }
-}
-
-static void displacement_gradient(struct body *body)
-{
-    const struct family *family = body->family;
-    double *const *K = body->inverse, *const *s = body->first;
-    for (int64_t n = 0; n < body->near.count; n++) {
-        const int count = body->near.items[n].count;
-        const int64_t i = body->near.items[n].site;
-        for (int a = 0; a < 3; a++) {
-            double G[3][LANES] = {{0}};
-            const double *u = body->u[a] + i;
-            for (int o = 0; o < family->n_half; o++) {
-                const struct offset *offset = &family->half[o];
-                const int64_t shift = grid_shift(&body->grid, offset->step);
-                for (int b = 0; b < 3; b++)
-                    if (offset->step[b])
-                        add_pair(count, u + shift, u - shift, offset->weight * offset->step[b],
-                                 G[b]);
-            }
-            gradient_row(count, u, s[0] + i, s[1] + i, s[2] + i, K[0] + i, K[1] + i, K[2] + i,
-                         K[3] + i, K[4] + i, K[5] + i, 1 / body->lattice->spacing,
-                         (const double(*)[LANES])G, body->H[3 * a] + i, body->H[3 * a + 1] + i,
-                         body->H[3 * a + 2] + i);
-        }
-    }
+    return model->state + J2_STATE * strip->store + (J2_STATE - 1) * strip->stride;
 }
 
 static void load_nodes(const struct correspondence *model, const struct body *body,
@@ -174,12 +152,24 @@ static void load_nodes(const struct correspondence *model, const struct body *bo
     }
 }
 
-void correspondence_stress(struct correspondence *model, const struct body *body,
-                           const struct strip *strip, struct j2_strip *j2)
+static void correspondence_prepare(void *self, struct body *body, double *axial)
 {
-    load_nodes(model, body, strip, j2);
-    j2_update(j2, model->state + J2_STATE * strip->store, strip->stride,
+    (void)self, (void)body, (void)axial; /* the force has filled it, with the share of the bonds */
+}
+
+static void correspondence_observe(void *self, const struct body *body, const struct strip *strip,
+                                   struct node_state *node)
+{
+    struct correspondence *model = self;
+    struct j2_strip j2;
+    load_nodes(model, body, strip, &j2);
+    j2_update(&j2, model->state + J2_STATE * strip->store, strip->stride,
               model->materials->curves.table, (struct j2_mode){.frozen = true});
+    j2_cauchy(&j2, node->cauchy);
+    const size_t bytes = (size_t)strip->count * sizeof(double);
+    node->count = strip->count;
+    for (int k = 0; k < TENSOR; k++) memcpy(node->H[k], j2.H[k], bytes);
+    memcpy(node->plastic, plastic_strain(model, strip), bytes);
 }
 
 HS_SIMD static void write_scaled(int count, const double *restrict P, double weight,
@@ -203,7 +193,7 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     for (int k = 0; k < 3; k++) memset(body->f[k] + site, 0, bytes);
     if (mode.axial) write_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
 
-    const double *p = correspondence_plastic_strain(model, strip);
+    const double *p = plastic_strain(model, strip);
     for (int i = 0; model->flow && i < strip->count; i++)
         model->flow[site + i] = flow_stress(all->curves.table, flow_cell(j2.curve[i], p[i]), p[i]);
     if (!mode.energy) return;
@@ -293,8 +283,8 @@ static void divergence(struct body *body)
                 const int64_t shift = grid_shift(&body->grid, offset->step);
                 for (int b = 0; b < 3; b++)
                     if (offset->step[b])
-                        add_pair(count, Q[b] + i + shift, Q[b] + i - shift,
-                                 offset->weight * offset->step[b], G);
+                        gradient_add_pair(count, Q[b] + i + shift, Q[b] + i - shift,
+                                          offset->weight * offset->step[b], G);
             }
             add_divergence(count, Q[0] + i, Q[1] + i, Q[2] + i, s[0] + i, s[1] + i, s[2] + i, G,
                            body->f[a] + i);
@@ -302,9 +292,10 @@ static void divergence(struct body *body)
     }
 }
 
-void correspondence_force(struct correspondence *model, struct body *body, struct force_mode mode,
-                          struct force_energy *energy)
+static void correspondence_force(void *self, struct body *body, struct force_mode mode,
+                                 struct force_energy *energy)
 {
+    struct correspondence *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
     displacement_gradient(body);
     clear_ghosts(body);
@@ -314,13 +305,22 @@ void correspondence_force(struct correspondence *model, struct body *body, struc
     divergence(body);
 }
 
-const struct strips *correspondence_strips(const struct correspondence *model)
+static const struct strips *correspondence_strips(const void *self, const struct body *body)
 {
-    return model->nodes;
+    (void)body;
+    return ((const struct correspondence *)self)->nodes;
 }
 
-const double *correspondence_plastic_strain(const struct correspondence *model,
-                                            const struct strip *strip)
-{
-    return model->state + J2_STATE * strip->store + (J2_STATE - 1) * strip->stride;
-}
+const struct formulation formulation_correspondence = {
+    .name = "correspondence",
+    .influence = "constant",
+    .keys = (const char *const[]){"stabilisation", NULL},
+    .read = correspondence_read,
+    .near = correspondence_near,
+    .start = correspondence_start,
+    .force = correspondence_force,
+    .prepare = correspondence_prepare,
+    .observe = correspondence_observe,
+    .strips = correspondence_strips,
+    .free = correspondence_free,
+};

@@ -2,35 +2,100 @@
 
 #include "die.h"
 #include "memory.h"
+#include "model.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The models a material may name.  hardened: the model has a key "hardening". */
-static const struct model {
+/* The models a material may name. */
+static const struct kind {
     const char *name;
-    bool hardened;
-} models[] = {
-    {"correspondence", true},          /* finite-strain J2 in logarithmic strain */
-    {"correspondence_elastic", false}, /* the same without a yield point */
+    const struct formulation *formulation;
+    bool hardened; /* has a key "hardening" */
+    bool central;  /* central forces alone, which fix Poisson's ratio */
+} kinds[] = {
+    {"correspondence", &formulation_correspondence, true, false}, /* J2 in logarithmic strain */
+    {"correspondence_elastic", &formulation_correspondence, false, false}, /* without yield */
+    {"bond_based", &formulation_bond_based, false, true}, /* prototype microelastic */
 };
-enum { MODEL_COUNT = sizeof models / sizeof *models };
+enum { KIND_COUNT = sizeof kinds / sizeof *kinds };
 
-static struct material read_material(struct deck_node map, const char *name)
+/* Poisson's ratio of central forces: 1/4, in plane stress 1/3. */
+static double central_ratio(enum plane plane)
 {
-    const char *names[MODEL_COUNT];
-    for (int i = 0; i < MODEL_COUNT; i++) names[i] = models[i].name;
-    const struct model *model = &models[deck_choice(deck_get(map, "model"), names, MODEL_COUNT)];
+    return plane == PLANE_STRESS ? 1.0 / 3 : 0.25;
+}
+
+/* E and nu from two of E, nu, K, G; of a material of central forces, which has its nu, from one. */
+static void read_elasticity(struct deck_node map, const struct kind *kind, enum plane plane,
+                            struct material *m)
+{
+    static const char *const keys[] = {"youngs_modulus", "poissons_ratio", "bulk_modulus",
+                                       "shear_modulus"};
+    enum { E, NU, K, G };
+    double value[4];
+    bool given[4];
+    int count = 0;
+    for (int k = 0; k < 4; k++) {
+        given[k] = deck_has(map, keys[k]);
+        if (!given[k]) continue;
+        struct deck_node node = deck_get(map, keys[k]);
+        value[k] =
+            k == NU ? deck_number(node, "1", -0.99, 0.4999) : deck_number(node, "Pa", 1, 1e14);
+        count++;
+    }
+    if (kind->central) {
+        const double ratio = central_ratio(plane);
+        if (given[NU] && !(fabs(value[NU] - ratio) < 1e-3))
+            deck_error(deck_get(map, keys[NU]),
+                       "%g: a bond-based material has Poisson's ratio %s, whatever its deck says; "
+                       "leave it out, or take an ordinary one",
+                       value[NU], plane == PLANE_STRESS ? "1/3 in plane stress" : "1/4");
+        count += !given[NU];
+        given[NU] = true;
+        value[NU] = ratio;
+    }
+    if (count != 2)
+        deck_error(map, "material '%s' needs %s", m->name,
+                   kind->central ? "one of youngs_modulus, bulk_modulus and shear_modulus"
+                                 : "two of youngs_modulus, poissons_ratio, bulk_modulus and "
+                                   "shear_modulus");
+    if (given[K] && given[G]) {
+        value[E] = 9 * value[K] * value[G] / (3 * value[K] + value[G]);
+        value[NU] = (3 * value[K] - 2 * value[G]) / (2 * (3 * value[K] + value[G]));
+    } else if (!given[NU]) {
+        value[NU] =
+            given[K] ? (3 * value[K] - value[E]) / (6 * value[K]) : value[E] / (2 * value[G]) - 1;
+    } else if (!given[E]) {
+        value[E] = given[K] ? 3 * value[K] * (1 - 2 * value[NU]) : 2 * value[G] * (1 + value[NU]);
+    }
+    if (!(value[NU] > -0.99 && value[NU] < 0.4999))
+        deck_error(map, "material '%s': its moduli give a Poisson's ratio of %g", m->name,
+                   value[NU]);
+    m->youngs_modulus = value[E];
+    m->poissons_ratio = value[NU];
+    m->shear_modulus = value[E] / (2 * (1 + value[NU]));
+    m->bulk_modulus = value[E] / (3 * (1 - 2 * value[NU]));
+}
+
+static const struct kind *read_kind(struct deck_node map)
+{
+    const char *names[KIND_COUNT];
+    for (int i = 0; i < KIND_COUNT; i++) names[i] = kinds[i].name;
+    return &kinds[deck_choice(deck_get(map, "model"), names, KIND_COUNT)];
+}
+
+static struct material read_material(struct deck_node map, const char *name, enum plane plane)
+{
+    const struct kind *kind = read_kind(map);
     deck_keys(map, (const char *const[]){"model", "density", "youngs_modulus", "poissons_ratio",
-                                         model->hardened ? "hardening" : NULL, NULL});
+                                         "bulk_modulus", "shear_modulus",
+                                         kind->hardened ? "hardening" : NULL, NULL});
     struct material m = {.name = name};
     m.density = deck_number(deck_get(map, "density"), "kg/m3", 1e-3, 1e6);
-    m.youngs_modulus = deck_number(deck_get(map, "youngs_modulus"), "Pa", 1, 1e14);
-    m.poissons_ratio = deck_number(deck_get(map, "poissons_ratio"), "1", -0.99, 0.4999);
-    m.shear_modulus = m.youngs_modulus / (2 * (1 + m.poissons_ratio));
-    m.bulk_modulus = m.youngs_modulus / (3 * (1 - 2 * m.poissons_ratio));
-    m.hardening = model->hardened ? hardening_read(deck_get(map, "hardening")) : hardening_none();
+    read_elasticity(map, kind, plane, &m);
+    m.hardening = kind->hardened ? hardening_read(deck_get(map, "hardening")) : hardening_none();
     return m;
 }
 
@@ -54,15 +119,23 @@ static void make_pairs(struct materials *all)
     free(second);
 }
 
-struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[])
+struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[],
+                                enum plane plane)
 {
     struct materials all = {.count = n_phases,
+                            .plane = plane,
                             .items = memory_new((size_t)n_phases, sizeof(struct material))};
     for (int i = 0; i < n_phases; i++) {
         struct deck_node map = deck_find(section, phase_names[i]);
         if (map.index == 0)
             deck_error(section, "no material for the domain's phase '%s'", phase_names[i]);
-        all.items[i] = read_material(map, phase_names[i]);
+        all.items[i] = read_material(map, phase_names[i], plane);
+        const struct formulation *formulation = read_kind(map)->formulation;
+        if (i > 0 && formulation != all.formulation)
+            deck_error(deck_get(map, "model"),
+                       "all materials of a body share one formulation: '%s' is %s, '%s' is %s",
+                       phase_names[i], formulation->name, phase_names[0], all.formulation->name);
+        all.formulation = formulation;
     }
     for (int i = 0; i < deck_count(section); i++) {
         bool used = false;

@@ -6,6 +6,11 @@
 #include "flow_curve.h"
 #include "hardening.h"
 
+struct formulation;
+
+/* Dimension, and in two of them what is zero across the plane. */
+enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
+
 struct material {
     const char *name; /* of the phase */
     double density;   /* kg/m^3 */
@@ -18,14 +23,17 @@ struct material {
  * means of their moduli and of their flow stresses: pair = a * count + b. */
 struct materials {
     int count;
+    enum plane plane;
+    const struct formulation *formulation; /* of all of them */
     struct material *items;
     struct flow_curves curves; /* [count * count] by pair */
     double *shear, *bulk;      /* [count * count] by pair, Pa */
 };
 
 /* One entry for each phase of the domain; a phase without an entry is an error, an entry without a
- * phase only a note. */
-struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[]);
+ * phase only a note.  Dies where the materials have not one formulation in common. */
+struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[],
+                                enum plane plane);
 void materials_free(struct materials *materials);
 
 /* Fastest longitudinal wave [m/s] and largest Young's modulus [Pa]. */

@@ -7,22 +7,9 @@
 #ifndef HS_STABILISATION_H
 #define HS_STABILISATION_H
 
-#include "body.h"
-#include "material.h"
+#include "model.h"
 
 #include <stdbool.h>
-
-struct force_mode {
-    bool commit;   /* plastic state moves on */
-    bool frozen;   /* no yield, for the stable step */
-    bool energy;   /* sum up energies */
-    double *axial; /* where not NULL: nominal stress P_xx of each node is added here (box field) */
-};
-
-/* Sums over the whole body [J]. */
-struct force_energy {
-    struct exact_sum stored, plastic, stabilisation;
-};
 
 struct stabilisation {
     const char *name;

@@ -63,21 +63,18 @@ struct fields *fields_open(const struct spool *output, const struct domain *doma
     return fields;
 }
 
-static void find_node_values(struct fields *fields, struct correspondence *model,
-                             const struct body *body)
+static void find_node_values(struct fields *fields, struct model *model, struct body *body)
 {
-    const struct strips *strips = correspondence_strips(model);
+    model_prepare(model, body, NULL);
+    const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
-        struct j2_strip j2;
-        double cauchy[SYMMETRIC][LANES];
-        correspondence_stress(model, body, strip, &j2);
-        j2_cauchy(&j2, cauchy);
-        for (int k = 0; k < SYMMETRIC; k++)
-            memcpy(fields->stress[k] + strip->site, cauchy[k],
-                   (size_t)strip->count * sizeof(double));
-        memcpy(fields->plastic + strip->site, correspondence_plastic_strain(model, strip),
-               (size_t)strip->count * sizeof(double));
+        const size_t bytes = (size_t)strip->count * sizeof(double);
+        struct node_state node;
+        model_observe(model, body, strip, &node);
+        for (int k = 0; k < MOST_COMPONENTS; k++)
+            memcpy(fields->stress[k] + strip->site, node.cauchy[k], bytes);
+        memcpy(fields->plastic + strip->site, node.plastic, bytes);
     }
 }
 
@@ -118,8 +115,7 @@ static const double *component(struct fields *fields, int variable, int c, struc
     return fields->scalar;
 }
 
-void fields_write(struct fields *fields, double time, struct correspondence *model,
-                  struct body *body)
+void fields_write(struct fields *fields, double time, struct model *model, struct body *body)
 {
     int variable = 0;
     find_node_values(fields, model, body);

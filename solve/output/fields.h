@@ -2,8 +2,8 @@
 #ifndef HS_FIELDS_H
 #define HS_FIELDS_H
 
-#include "correspondence.h"
 #include "domain.h"
+#include "model.h"
 #include "scene.h"
 #include "spool.h"
 
@@ -16,8 +16,7 @@ struct fields;
 /* domain: rank 0's; elsewhere NULL.  Collective. */
 struct fields *fields_open(const struct spool *output, const struct domain *domain,
                            const struct scene_fields *wanted, const struct body *body);
-void fields_write(struct fields *fields, double time, struct correspondence *model,
-                  struct body *body);
+void fields_write(struct fields *fields, double time, struct model *model, struct body *body);
 void fields_close(struct fields *fields);
 
 #endif

@@ -97,22 +97,20 @@ struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct 
 }
 
 static void add_strip(const struct gauge *gauge, const struct body *body, const struct strip *strip,
-                      const struct j2_strip *j2, const double *axial, const double *plastic,
-                      struct exact_sum *sums, struct exact_sum *layers)
+                      const struct node_state *node, const double *axial, struct exact_sum *sums,
+                      struct exact_sum *layers)
 {
-    double cauchy[SYMMETRIC][LANES];
-    j2_cauchy(j2, cauchy);
     for (int i = 0; i < strip->count; i++) {
         int64_t site = strip->site + i;
         if (!(body->grid.flags[site] & SITE_OWNED)) continue;
-        double section = (1 + j2->H[4][i]) * (1 + j2->H[8][i]) - j2->H[5][i] * j2->H[7][i];
+        double section = (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
         exact_sum_add(&layers[strip->x + i], section);
         if (!between(gauge, body, strip->x + i)) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * QUANTITIES;
         exact_sum_add(&phase[STRESS], axial[site]);
-        exact_sum_add(&phase[TRUE_STRESS], cauchy[0][i]);
-        exact_sum_add(&phase[STRAIN], j2->H[0][i]);
-        exact_sum_add(&phase[PLASTIC], plastic[i]);
+        exact_sum_add(&phase[TRUE_STRESS], node->cauchy[0][i]);
+        exact_sum_add(&phase[STRAIN], node->H[0][i]);
+        exact_sum_add(&phase[PLASTIC], node->plastic[i]);
     }
 }
 
@@ -130,7 +128,7 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
     return smallest;
 }
 
-void gauge_measure(const struct gauge *gauge, struct correspondence *model, const struct body *body,
+void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
                    const double *axial, struct gauge_phase *phases, struct gauge_section *section)
 {
     const int n_sums = gauge->n_phases * QUANTITIES, n_layers = body->lattice->size[0];
@@ -141,13 +139,12 @@ void gauge_measure(const struct gauge *gauge, struct correspondence *model, cons
         sums[k] = exact_sum_new(nodes * (k % QUANTITIES <= TRUE_STRESS ? 1e13 : 1e3));
     for (int k = 0; k < n_layers; k++) sums[n_sums + k] = exact_sum_new(nodes * 1e3);
 
-    const struct strips *strips = correspondence_strips(model);
+    const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
-        struct j2_strip j2;
-        correspondence_stress(model, body, strip, &j2);
-        add_strip(gauge, body, strip, &j2, axial, correspondence_plastic_strain(model, strip), sums,
-                  sums + n_sums);
+        struct node_state node;
+        model_observe(model, body, strip, &node);
+        add_strip(gauge, body, strip, &node, axial, sums, sums + n_sums);
     }
     double *values = memory_new((size_t)(n_sums + n_layers), sizeof *values);
     exact_sum_finish(sums, n_sums + n_layers, values);

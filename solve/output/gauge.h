@@ -2,8 +2,8 @@
 #ifndef HS_GAUGE_H
 #define HS_GAUGE_H
 
-#include "correspondence.h"
 #include "domain.h"
+#include "model.h"
 
 struct gauge;
 
@@ -35,9 +35,9 @@ struct gauge_section {
     double ratio, x;
 };
 
-/* axial: nominal stress xx of each node (box field, from correspondence_force).  phases[n_phases].
+/* axial: nominal stress xx of each node (box field, from model_force).  phases[n_phases].
  * Collective. */
-void gauge_measure(const struct gauge *gauge, struct correspondence *model, const struct body *body,
+void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
                    const double *axial, struct gauge_phase *phases, struct gauge_section *section);
 
 #endif

@@ -80,12 +80,13 @@ static double *new_record(struct recorder *recorder, double time)
 
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      const struct verlet *verlet, const struct boundary *boundary,
-                     struct correspondence *model, const struct body *body, const double *axial)
+                     struct model *model, struct body *body, double *axial)
 {
     struct gauge_section section;
     struct gauge_phase *phases = memory_new((size_t)recorder->n_phases, sizeof *phases);
     const struct gauge_planes planes = gauge_displacements(gauge, body);
     const double extension = planes.right - planes.left;
+    model_prepare(model, body, axial);
     gauge_measure(gauge, model, body, axial, phases, &section);
     const double unsteady = verlet_unsteady_energy(verlet, body, boundary);
     if (body->ranks.rank == 0) {

@@ -3,7 +3,6 @@
 #define HS_RECORDER_H
 
 #include "boundary.h"
-#include "correspondence.h"
 #include "exodus.h"
 #include "gauge.h"
 #include "verlet.h"
@@ -21,6 +20,6 @@ void recorder_free(struct recorder *recorder);
 /* Adds a record; axial as in gauge_measure.  Returns the gauge's nominal strain.  Collective. */
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      const struct verlet *verlet, const struct boundary *boundary,
-                     struct correspondence *model, const struct body *body, const double *axial);
+                     struct model *model, struct body *body, double *axial);
 
 #endif

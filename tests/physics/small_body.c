@@ -37,7 +37,11 @@ int small_ranks_stop(void **state)
 
 static struct lattice lattice_of(const struct small_case *wanted)
 {
-    struct lattice lattice = {.spacing = SMALL_SPACING, .n_sites = 1};
+    struct lattice lattice = {.dimensions = wanted->plane ? 2 : 3,
+                              .spacing = SMALL_SPACING,
+                              .thickness = SMALL_SPACING,
+                              .node_volume = SMALL_SPACING * SMALL_SPACING * SMALL_SPACING,
+                              .n_sites = 1};
     for (int a = 0; a < 3; a++) {
         lattice.size[a] = wanted->size[a];
         lattice.n_sites *= wanted->size[a];
@@ -56,27 +60,28 @@ static struct lattice lattice_of(const struct small_case *wanted)
 void small_body_new(struct small_body *small, const struct small_case *wanted)
 {
     char *names[] = {"A", "B"};
-    char *text = memory_print("{materials: %s, stabilisation: %s}", wanted->materials,
-                              wanted->stabilisation);
+    char *text = wanted->stabilisation ? memory_print("{materials: %s, stabilisation: %s}",
+                                                      wanted->materials, wanted->stabilisation)
+                                       : memory_print("{materials: %s}", wanted->materials);
     small->deck = deck_parse(text, strlen(text), "test");
     free(text);
     struct deck_node root = deck_root(small->deck);
     small->lattice = lattice_of(wanted);
-    small->family = family_new(wanted->horizon, wanted->influence);
-    small->materials =
-        materials_read(deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names);
-    struct deck_node map = deck_get(root, "stabilisation");
-    const struct stabilisation *stabilisation = stabilisation_choose(map);
-    void *self = stabilisation->read(map, &small->family, &small->materials);
-    const struct offset *bonds;
-    int n_bonds = stabilisation->bonds(self, &small->family, &bonds);
-    small->body = body_new(&small->lattice, &small->family, bonds, n_bonds, (struct ranks){0, 1});
-    small->model = correspondence_new(&small->body, &small->materials, stabilisation, self);
+    small->family = family_new(wanted->horizon, wanted->influence, wanted->partial);
+    small->materials = materials_read(
+        deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
+    small->model = model_new(root, &small->family, &small->materials);
+    const struct offset *near;
+    int n_near = model_near(small->model, &small->family, &near);
+    small->body = body_new(&small->lattice, &small->family, near, n_near, (struct ranks){0, 1});
+    small->bonds = bonds_new(&small->body);
+    model_start(small->model, &small->body, small->bonds);
 }
 
 void small_body_free(struct small_body *small)
 {
-    correspondence_free(small->model);
+    model_free(small->model);
+    bonds_free(small->bonds);
     body_free(&small->body);
     materials_free(&small->materials);
     family_free(&small->family);
@@ -117,21 +122,23 @@ void small_body_shake(struct small_body *small, double amplitude, long seed)
 
 void small_body_force(struct small_body *small, bool commit, bool frozen)
 {
-    correspondence_force(small->model, &small->body,
-                         (struct force_mode){.commit = commit, .frozen = frozen}, NULL);
+    model_force(small->model, &small->body, (struct force_mode){.commit = commit, .frozen = frozen},
+                NULL);
 }
 
-void small_body_plastic_range(const struct small_body *small, double range[2])
+void small_body_plastic_range(struct small_body *small, double range[2])
 {
-    const struct strips *strips = correspondence_strips(small->model);
+    const struct strips *strips = model_strips(small->model, &small->body);
+    struct node_state node;
     range[0] = INFINITY;
     range[1] = 0;
-    for (int64_t s = 0; s < strips->count; s++)
-        for (int i = 0; i < strips->items[s].count; i++) {
-            double p = correspondence_plastic_strain(small->model, &strips->items[s])[i];
-            range[0] = fmin(range[0], p);
-            range[1] = fmax(range[1], p);
+    for (int64_t s = 0; s < strips->count; s++) {
+        model_observe(small->model, &small->body, &strips->items[s], &node);
+        for (int i = 0; i < node.count; i++) {
+            range[0] = fmin(range[0], node.plastic[i]);
+            range[1] = fmax(range[1], node.plastic[i]);
         }
+    }
 }
 
 double small_body_elastic_energy(struct small_body *small)
@@ -141,8 +148,8 @@ double small_body_elastic_energy(struct small_body *small)
         exact_sum_new(0.01 * materials_stiffest(&small->materials) *
                       (double)small->lattice.n_nodes * small->body.volume);
     struct force_energy energy = {zero, zero, zero};
-    correspondence_force(small->model, &small->body,
-                         (struct force_mode){.frozen = true, .energy = true}, &energy);
+    model_force(small->model, &small->body, (struct force_mode){.frozen = true, .energy = true},
+                &energy);
     double values[2];
     exact_sum_finish((const struct exact_sum[]){energy.stored, energy.stabilisation}, 2, values);
     return values[0] + values[1];

@@ -3,20 +3,24 @@
 #ifndef HS_SMALL_BODY_H
 #define HS_SMALL_BODY_H
 
+#include "bonds.h"
 #include "boundary.h"
-#include "correspondence.h"
+#include "j2.h"
+#include "model.h"
 
 #define SMALL_SPACING 25e-6 /* m */
 
 /* What to build. */
 struct small_case {
     int size[3];
-    double horizon; /* spacings */
-    int influence;  /* 0 constant, 1 steep */
-    const char *stabilisation;
-    const char *materials; /* a mapping; the phases are its first "A", "B", ... */
-    int n_phases;          /* 0: one */
+    double horizon;            /* spacings */
+    int influence;             /* 0 constant, 1 steep, ... as in family.c */
+    const char *stabilisation; /* NULL: not a correspondence material */
+    const char *materials;     /* a mapping; the phases are its first "A", "B", ... */
+    int n_phases;              /* 0: one */
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
+    enum plane plane; /* not SPACE: one layer as thick as the spacing */
+    bool partial;     /* volumes */
 };
 
 struct small_body {
@@ -25,7 +29,8 @@ struct small_body {
     struct family family;
     struct materials materials;
     struct body body;
-    struct correspondence *model;
+    struct model *model;
+    struct bonds *bonds;
 };
 
 /* Elastic, and nickel with Voce's law; both of phase A, and of phase B a stronger nickel. */
@@ -55,7 +60,7 @@ void small_body_shake(struct small_body *small, double amplitude, long seed);
 void small_body_force(struct small_body *small, bool commit, bool frozen);
 
 /* Smallest and largest equivalent plastic strain of the nodes. */
-void small_body_plastic_range(const struct small_body *small, double range[2]);
+void small_body_plastic_range(struct small_body *small, double range[2]);
 
 /* stored + stabilisation energy of the last state, elastic [J] */
 double small_body_elastic_energy(struct small_body *small);

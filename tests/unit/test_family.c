@@ -21,7 +21,7 @@ static void test_sizes(void **state)
     static const double horizons[] = {1, 1.45, 1.75, 2, 2.25, 3, 3.015};
     static const int halves[] = {3, 9, 13, 16, 28, 61, 61}, reach[] = {1, 1, 1, 2, 2, 3, 3};
     for (int h = 0; h < 7; h++) {
-        struct family family = family_new(horizons[h], 0);
+        struct family family = family_new(horizons[h], 0, false);
         assert_int_equal(family.n_half, halves[h]);
         assert_int_equal(family.reach, reach[h]);
         for (int o = 0; o < family.n_half; o++) {
@@ -42,7 +42,7 @@ static void test_steep_weights(void **state)
     (void)state;
     assert_int_equal(family_influence_count, 2);
     assert_string_equal(family_influences[1], "steep");
-    struct family family = family_new(3, 1);
+    struct family family = family_new(3, 1, false);
     for (int o = 0; o < family.n_half; o++) {
         const int *s = family.half[o].step;
         const double square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
@@ -59,7 +59,7 @@ static void test_inside(void **state)
     static const double K[] = {2, 26};
     for (int horizon = 1; horizon <= 2; horizon++) {
         struct lattice lattice = box(7, 7, 7);
-        struct family family = family_new(horizon, 0);
+        struct family family = family_new(horizon, 0, false);
         double inverse[6], first[3];
         assert_true(family_shape(&family, &lattice, (int[]){3, 3, 3}, inverse, first));
         for (int k = 0; k < 3; k++) {
@@ -78,7 +78,7 @@ static void test_inverse_everywhere(void **state)
     struct lattice lattice = box(6, 5, 5);
     lattice.phase[lattice_site(&lattice, 2, 2, 0)] = ABSENT;
     lattice.phase[lattice_site(&lattice, 3, 4, 4)] = ABSENT;
-    struct family family = family_new(2, 1);
+    struct family family = family_new(2, 1, false);
     for (int64_t site = 0; site < lattice.n_sites; site++) {
         const int at[3] = {(int)(site % 6), (int)(site / 6 % 5), (int)(site / 30)};
         double K[3][3] = {{0}}, s[3] = {0}, k[6], first[3];
@@ -116,7 +116,7 @@ static void test_no_gradient(void **state)
     static const int sizes[][3] = {{5, 5, 1}, {5, 1, 1}, {1, 1, 1}};
     for (int k = 0; k < 3; k++) {
         struct lattice lattice = box(sizes[k][0], sizes[k][1], sizes[k][2]);
-        struct family family = family_new(2, 0);
+        struct family family = family_new(2, 0, false);
         double inverse[6], first[3];
         assert_false(family_shape(&family, &lattice, (int[]){0, 0, 0}, inverse, first));
         for (int i = 0; i < 6; i++) assert_true(inverse[i] == 0);
@@ -130,7 +130,7 @@ static void test_bonds(void **state)
 {
     (void)state;
     struct lattice lattice = box(5, 4, 3);
-    struct family near = family_new(1, 0), wide = family_new(2, 0);
+    struct family near = family_new(1, 0, false), wide = family_new(2, 0, false);
     assert_int_equal(family_bonds(&near, &lattice), 4 * 4 * 3 + 5 * 3 * 3 + 5 * 4 * 2);
     int64_t expected = 0;
     for (int o = 0; o < wide.n_half; o++) {

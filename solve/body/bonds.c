@@ -1,0 +1,146 @@
+#include "bonds.h"
+
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Where a strip of a lattice comes in the order of the sums: line by line, by offset, then along x. */
+struct place {
+    int key[4];
+    struct bond_strip strip;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct place *s = a, *t = b;
+    for (int k = 0; k < 4; k++)
+        if (s->key[k] != t->key[k]) return s->key[k] < t->key[k] ? -1 : 1;
+    return 0;
+}
+
+/* The phases of both ends where all bonds of the strip have the same. */
+static int common_pair(const struct grid *grid, int64_t i, int64_t shift, int count)
+{
+    const uint8_t a = grid->phase[i], b = grid->phase[i + shift];
+    for (int k = 1; k < count; k++)
+        if (grid->phase[i + k] != a || grid->phase[i + shift + k] != b) return -1;
+    return 16 * a + b;
+}
+
+static void find_geometry(struct bonds *bonds)
+{
+    const struct body *body = bonds->body;
+    const struct family *family = body->family;
+    bonds->shift = memory_new((size_t)family->n_half, sizeof *bonds->shift);
+    bonds->geometry = memory_new((size_t)family->n_half, sizeof *bonds->geometry);
+    bonds->volume[0] = body->volume;
+    for (int o = 0; o < family->n_half; o++) {
+        const struct offset *offset = &family->half[o];
+        struct bond_geometry *g = &bonds->geometry[o];
+        double square = 0;
+        for (int a = 0; a < 3; a++) {
+            g->xi[a] = offset->step[a] * body->lattice->spacing;
+            square += g->xi[a] * g->xi[a];
+        }
+        g->length = sqrt(square);
+        g->weight = offset->weight;
+        bonds->shift[o] = grid_shift(&body->grid, offset->step);
+    }
+}
+
+struct bonds *bonds_new(const struct body *body)
+{
+    struct bonds *bonds = memory_new(1, sizeof *bonds);
+    const struct grid *grid = &body->grid;
+    const struct family *family = body->family;
+    bonds->body = body;
+    find_geometry(bonds);
+    struct strips *strips = memory_new((size_t)family->n_half, sizeof *strips);
+    for (int o = 0; o < family->n_half; o++) {
+        strips[o] = grid_bond_strips(grid, family->half[o].step);
+        bonds->count += strips[o].count;
+    }
+    struct place *places = memory_new((size_t)bonds->count, sizeof *places), *next = places;
+    for (int o = 0; o < family->n_half; o++) {
+        for (int64_t s = 0; s < strips[o].count; s++) {
+            const struct strip *strip = &strips[o].items[s];
+            int at[3];
+            grid_position(grid, strip->site, at);
+            *next++ = (struct place){
+                {at[2], at[1], o, at[0]},
+                {.count = strip->count,
+                 .offset = o,
+                 .pair = common_pair(grid, strip->site, bonds->shift[o], strip->count),
+                 .i = strip->site}};
+        }
+        strips_free(&strips[o]);
+    }
+    free(strips);
+    qsort(places, (size_t)bonds->count, sizeof *places, compare_places);
+    bonds->strips = memory_new((size_t)bonds->count, sizeof *bonds->strips);
+    for (int64_t s = 0; s < bonds->count; s++) {
+        bonds->strips[s] = places[s].strip;
+        bonds->strips[s].store = bonds->points;
+        bonds->points += bonds_stride(places[s].strip.count);
+    }
+    free(places);
+    return bonds;
+}
+
+void bonds_free(struct bonds *bonds)
+{
+    for (int64_t s = 0; s < bonds->count; s++) free(bonds->strips[s].weight);
+    free(bonds->strips);
+    free(bonds->shift);
+    free(bonds->geometry);
+    free(bonds->lower);
+    free(bonds->upper);
+    for (int a = 0; a < 3; a++) free(bonds->xi[a]);
+    free(bonds->length);
+    free(bonds->volume_lower);
+    free(bonds->volume_upper);
+    free(bonds);
+}
+
+struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip)
+{
+    struct bond_view view = {.count = strip->count, .stride = bonds_stride(strip->count)};
+    const int64_t i = strip->i;
+    if (strip->offset < 0) {
+        view.geometry_step = view.weight_step = 1;
+        for (int a = 0; a < 3; a++) view.xi[a] = bonds->xi[a] + i;
+        view.length = bonds->length + i;
+        view.volume_i = bonds->volume_lower + i;
+        view.volume_j = bonds->volume_upper + i;
+        view.weight = strip->weight;
+        view.lower = bonds->lower + i;
+        view.upper = bonds->upper + i;
+        return view;
+    }
+    const struct bond_geometry *g = &bonds->geometry[strip->offset];
+    for (int a = 0; a < 3; a++) view.xi[a] = &g->xi[a];
+    view.length = &g->length;
+    view.volume_i = view.volume_j = bonds->volume;
+    view.weight = strip->weight ? strip->weight : &g->weight;
+    view.weight_step = strip->weight ? 1 : 0;
+    view.i = i;
+    view.j = i + bonds->shift[strip->offset];
+    view.apart = bonds->shift[strip->offset] >= strip->count;
+    return view;
+}
+
+double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
+{
+    if (strip->weight) return strip->weight;
+    strip->weight = memory_new((size_t)bonds_stride(strip->count), sizeof *strip->weight);
+    for (int k = 0; k < strip->count; k++) strip->weight[k] = bonds->geometry[strip->offset].weight;
+    return strip->weight;
+}
+
+void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms)
+{
+    const uint8_t *flags = bonds->body->grid.flags;
+    for (int k = 0; k < view->count; k++)
+        terms[k] = (flags[bond_lower(view, k)] & SITE_OWNED) ? terms[k] : 0;
+}

@@ -1,0 +1,118 @@
+/* bonds.h - every pair of particles in each other's family, once.
+ *
+ * Bonds come in strips of at most LANES, listed in an order that the whole body fixes, so that a sum over
+ * the bonds of a node has the same terms in the same order on any number of ranks.  On a lattice the bonds
+ * of a strip share their offset and their ends lie side by side; between scattered particles each
+ * has its own.  A bond across a cut is on the list of both ranks.
+ *
+ * The weight of a bond is what its material multiplies it by: influence function, partial volume and
+ * surface correction; 0 once it is broken, or where a crack has cut it from the start.  It is one number for
+ * a whole strip of a lattice until something makes the bonds of the strip differ. */
+#ifndef HS_BONDS_H
+#define HS_BONDS_H
+
+#include "body.h"
+#include "simd.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+struct bond_strip {
+    int count;
+    int offset;     /* on a lattice: number of the half offset; else -1 */
+    int pair;       /* phase of i times 16 plus phase of j where all bonds have the same, else -1 */
+    int64_t i;      /* on a lattice: site of the first lower end; else: first entry of the lists */
+    int64_t store;  /* sum of the strides before it: room for one number a bond */
+    double *weight; /* [count] of its own, or NULL: all have the offset's */
+};
+
+struct bond_geometry {
+    double xi[3], length; /* m */
+    double weight;
+};
+
+struct bonds {
+    const struct body *body;
+    int64_t count;
+    int64_t points; /* sum of the strides */
+    struct bond_strip *strips;
+    /* Of a lattice. */
+    int64_t *shift;                 /* [half offsets] from i to j */
+    struct bond_geometry *geometry; /* [half offsets] */
+    double volume[1];
+    /* Between scattered particles: of each bond. */
+    int64_t *lower, *upper;
+    double *xi[3], *length, *volume_lower, *volume_upper;
+};
+
+/* A strip as a kernel reads it: element k of an array is array[k * geometry_step]. */
+struct bond_view {
+    int count;
+    int stride;          /* count rounded up to whole vectors */
+    int geometry_step;   /* 0: one number for all bonds */
+    int weight_step;     /* the same of the weight */
+    const double *xi[3]; /* m */
+    const double *length;
+    const double *volume_i, *volume_j; /* of the ends, m^3 */
+    const double *weight;
+    int64_t i, j;                 /* sites of the first ends on a lattice */
+    const int64_t *lower, *upper; /* sites of the ends, or NULL on a lattice */
+    bool apart;                   /* no site is an end of two bonds: sums may go there directly */
+};
+
+struct bonds *bonds_new(const struct body *body);
+void bonds_free(struct bonds *bonds);
+
+static inline int bonds_stride(int count)
+{
+    return (count + 7) / 8 * 8;
+}
+
+struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip);
+
+/* The strip's weights as an array of its own, which may be changed. */
+double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip);
+
+/* Sites of the ends of bond k of a view. */
+static inline int64_t bond_lower(const struct bond_view *view, int k)
+{
+    return view->lower ? view->lower[k] : view->i + k;
+}
+static inline int64_t bond_upper(const struct bond_view *view, int k)
+{
+    return view->upper ? view->upper[k] : view->j + k;
+}
+
+/* A field at the lower or the upper ends: where it lies, or gathered into the buffer [LANES]. */
+static inline const double *bond_gather(const struct bond_view *view, bool upper,
+                                        const double *field, double *buffer)
+{
+    const int64_t *ends = upper ? view->upper : view->lower;
+    if (!ends) return field + (upper ? view->j : view->i);
+    for (int k = 0; k < view->count; k++) buffer[k] = field[ends[k]];
+    return buffer;
+}
+
+/* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer [LANES], which
+ * bond_scatter then adds.  Of a lattice strip the lower ends are always apart from each other; the upper
+ * ones are the lower ends of others in the strip when the offset runs along x. */
+static inline double *bond_target(const struct bond_view *view, bool upper, double *field,
+                                  double *buffer)
+{
+    if (!view->lower && (!upper || view->apart)) return field + (upper ? view->j : view->i);
+    memset(buffer, 0, (size_t)view->count * sizeof *buffer);
+    return buffer;
+}
+
+static inline void bond_scatter(const struct bond_view *view, bool upper, double *field,
+                                const double *buffer)
+{
+    if (!view->lower && (!upper || view->apart)) return;
+    for (int k = 0; k < view->count; k++)
+        field[upper ? bond_upper(view, k) : bond_lower(view, k)] += buffer[k];
+}
+
+/* terms[k] becomes 0 where another rank counts the bond: the owner of its lower end. */
+void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms);
+
+#endif

@@ -1,0 +1,53 @@
+#include "gradient.h"
+
+/* G_ab += (u_a(+xi) - u_a(-xi)) w xi_b over one pair of family members; u = 0 where there is none. */
+HS_SIMD void gradient_add_pair(int count, const double *restrict plus, const double *restrict minus,
+                               double weight, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += (plus[i] - minus[i]) * weight;
+}
+
+/* row_b = (G_b - u s_b) K^-1, for one row (component) of H */
+HS_SIMD static void gradient_row(int count, const double *restrict u, const double *restrict sx,
+                                 const double *restrict sy, const double *restrict sz,
+                                 const double *restrict xx, const double *restrict yy,
+                                 const double *restrict zz, const double *restrict xy,
+                                 const double *restrict yz, const double *restrict zx,
+                                 double inverse_spacing, const double (*restrict G)[LANES],
+                                 double *restrict hx, double *restrict hy, double *restrict hz)
+{
+    for (int i = 0; i < count; i++) {
+        double gx = (G[0][i] - u[i] * sx[i]) * inverse_spacing,
+               gy = (G[1][i] - u[i] * sy[i]) * inverse_spacing,
+               gz = (G[2][i] - u[i] * sz[i]) * inverse_spacing;
+        hx[i] = gx * xx[i] + gy * xy[i] + gz * zx[i];
+        hy[i] = gx * xy[i] + gy * yy[i] + gz * yz[i];
+        hz[i] = gx * zx[i] + gy * yz[i] + gz * zz[i];
+    }
+}
+
+void displacement_gradient(struct body *body)
+{
+    const struct family *family = body->family;
+    double *const *K = body->inverse, *const *s = body->first;
+    for (int64_t n = 0; n < body->near.count; n++) {
+        const int count = body->near.items[n].count;
+        const int64_t i = body->near.items[n].site;
+        for (int a = 0; a < 3; a++) {
+            double G[3][LANES] = {{0}};
+            const double *u = body->u[a] + i;
+            for (int o = 0; o < family->n_half; o++) {
+                const struct offset *offset = &family->half[o];
+                const int64_t shift = grid_shift(&body->grid, offset->step);
+                for (int b = 0; b < 3; b++)
+                    if (offset->step[b])
+                        gradient_add_pair(count, u + shift, u - shift,
+                                          offset->weight * offset->step[b], G[b]);
+            }
+            gradient_row(count, u, s[0] + i, s[1] + i, s[2] + i, K[0] + i, K[1] + i, K[2] + i,
+                         K[3] + i, K[4] + i, K[5] + i, 1 / body->lattice->spacing,
+                         (const double(*)[LANES])G, body->H[3 * a] + i, body->H[3 * a + 1] + i,
+                         body->H[3 * a + 2] + i);
+        }
+    }
+}

@@ -1,0 +1,19 @@
+/* gradient.h - the deformation gradient of a node from the motion of its family.
+ *
+ *   H_i = [sum_j w V (u_j - u_i) (x) xi] K_i^-1,  F_i = 1 + H_i                   (correspondence.1)
+ *
+ * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18. */
+#ifndef HS_GRADIENT_H
+#define HS_GRADIENT_H
+
+#include "body.h"
+#include "simd.h"
+
+/* body->H at near sites from body->u, whose ghosts are up to date. */
+void displacement_gradient(struct body *body);
+
+/* out[i] += (plus[i] - minus[i]) weight: one pair +-xi of a family, u = 0 where there is no member. */
+void gradient_add_pair(int count, const double *restrict plus, const double *restrict minus,
+                       double weight, double *restrict out);
+
+#endif

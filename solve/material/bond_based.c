@@ -1,0 +1,288 @@
+/* bond_based.c - the prototype microelastic material: central forces, each bond a spring.
+ *
+ *   s = (|y| - |xi|)/|xi|,  y = xi + u_j - u_i                                       (bond_based.1)
+ *   f_i = sum_j c w s V_j y/|y|                                                      (bond_based.2)
+ *   c = 18 K/M in space, 8 K_2/M in a plane, M = integral of w |xi| over the family  (bond_based.3)
+ *
+ * Silling, Askari, Computers & Structures 83 (2005) 1526, section 3, with w = 1: c = 18 K/(pi delta^4);
+ * K_2 is the bulk modulus of the plane, E/(2(1 - nu)) in plane stress and E/(2(1 + nu)(1 - 2 nu)) in plane
+ * strain: with w = 1, c = 9 E/(pi h delta^3) and 48 E/(5 pi h delta^3) (Trageser, Seleson, J. Peridyn.
+ * Nonlocal Model. 2 (2020) 278).  Central forces fix Poisson's ratio: 1/4, in plane stress 1/3.  A bond
+ * between two phases has the mean of their c. */
+#include "bonds.h"
+#include "gradient.h"
+#include "memory.h"
+#include "model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct bond_based {
+    const struct materials *materials;
+    const struct family *family;
+    struct bonds *bonds;
+    double *modulus; /* c of each pair of phases, a * count + b [N/m^6] */
+};
+
+static void *bond_based_read(struct deck_node solver, const struct family *family,
+                             const struct materials *materials)
+{
+    struct bond_based *model = memory_new(1, sizeof *model);
+    if (family->influence == family_influence("steep"))
+        deck_error(deck_get(solver, "influence"),
+                   "the steep influence function has no continuum that a micromodulus could match");
+    model->materials = materials;
+    model->family = family;
+    return model;
+}
+
+static int bond_based_near(const void *self, const struct family *family,
+                           const struct offset **offsets)
+{
+    (void)self, (void)family, (void)offsets;
+    return 0;
+}
+
+/* (bond_based.3) */
+static double micromodulus(const struct material *m, enum plane plane, const struct family *family,
+                           const struct lattice *lattice)
+{
+    const double pi = acos(-1), dx = lattice->spacing, E = m->youngs_modulus,
+                 nu = m->poissons_ratio;
+    if (plane == SPACE)
+        return 18 * m->bulk_modulus / (4 * pi * family_moment(family, 3) * pow(dx, 4));
+    double K = plane == PLANE_STRESS ? E / (2 * (1 - nu)) : E / (2 * (1 + nu) * (1 - 2 * nu));
+    return 8 * K / (2 * pi * lattice->thickness * family_moment(family, 2) * pow(dx, 3));
+}
+
+static void bond_based_start(void *self, const struct body *body, struct bonds *bonds)
+{
+    struct bond_based *model = self;
+    const struct materials *all = model->materials;
+    const int n = all->count;
+    model->bonds = bonds;
+    model->modulus = memory_new((size_t)(n * n), sizeof *model->modulus);
+    for (int a = 0; a < n; a++)
+        for (int b = 0; b < n; b++)
+            model->modulus[a * n + b] =
+                0.5 * (micromodulus(&all->items[a], all->plane, model->family, body->lattice) +
+                       micromodulus(&all->items[b], all->plane, model->family, body->lattice));
+}
+
+/* Micromodulus of the bonds of a strip: one number (step 0) or one a bond, in the buffer. */
+static const double *moduli(const struct bond_based *model, const struct bond_strip *strip,
+                            const struct bond_view *view, double *buffer, int *step)
+{
+    const uint8_t *phase = model->bonds->body->grid.phase;
+    const int n = model->materials->count;
+    *step = strip->pair < 0;
+    if (strip->pair >= 0) return &model->modulus[strip->pair / 16 * n + strip->pair % 16];
+    for (int k = 0; k < view->count; k++)
+        buffer[k] = model->modulus[phase[bond_lower(view, k)] * n + phase[bond_upper(view, k)]];
+    return buffer;
+}
+
+/* Displacement of both ends, and where their forces go. */
+struct ends {
+    const double *lower[3], *upper[3];
+};
+
+/* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m.  e =
+ * (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to round-off for small displacements, too. */
+HS_INLINE void pull(int count, struct ends u, const struct bond_view *v, int g, int w,
+                    const double *c, int m, double *const fi[3], double *const fj[3])
+{
+    const double *ux = u.lower[0], *uy = u.lower[1], *uz = u.lower[2];
+    const double *vx = u.upper[0], *vy = u.upper[1], *vz = u.upper[2];
+    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
+    const double *Vi = v->volume_i, *Vj = v->volume_j;
+    double *ix = fi[0], *iy = fi[1], *iz = fi[2], *jx = fj[0], *jy = fj[1], *jz = fj[2];
+#pragma omp simd
+    for (int k = 0; k < count; k++) {
+        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g];
+        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
+        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
+        x += a;
+        y += b;
+        z += d;
+        double now = sqrt(x * x + y * y + z * z);
+        double force = c[k * m] * W[k * w] * longer / ((now + length) * (length * now));
+        double i = force * Vj[k * g], j = force * Vi[k * g];
+        ix[k] += i * x;
+        iy[k] += i * y;
+        iz[k] += i * z;
+        jx[k] -= j * x;
+        jy[k] -= j * y;
+        jz[k] -= j * z;
+    }
+}
+
+#define VARIANT(name, g, w, m)                                                                     \
+    HS_SIMD static void name(int count, struct ends u, const struct bond_view *v, const double *c, \
+                             double *const fi[3], double *const fj[3])                             \
+    {                                                                                              \
+        pull(count, u, v, g, w, c, m, fi, fj);                                                     \
+    }
+VARIANT(pull_alike, 0, 0, 0)
+VARIANT(pull_weighted, 0, 1, 0)
+VARIANT(pull_phases, 0, 0, 1)
+VARIANT(pull_weighted_phases, 0, 1, 1)
+VARIANT(pull_scattered, 1, 1, 0)
+VARIANT(pull_scattered_phases, 1, 1, 1)
+#undef VARIANT
+
+static struct ends find_ends(const struct bond_view *view, const struct body *body,
+                             double buffer[6][LANES])
+{
+    struct ends ends;
+    for (int a = 0; a < 3; a++) {
+        ends.lower[a] = bond_gather(view, false, body->u[a], buffer[a]);
+        ends.upper[a] = bond_gather(view, true, body->u[a], buffer[3 + a]);
+    }
+    return ends;
+}
+
+static void pull_strip(const struct bond_based *model, struct body *body,
+                       const struct bond_strip *strip)
+{
+    static void (*const variants[2][2][2])(int, struct ends, const struct bond_view *,
+                                           const double *, double *const[3], double *const[3]) = {
+        {{pull_alike, pull_phases}, {pull_weighted, pull_weighted_phases}},
+        {{NULL, NULL}, {pull_scattered, pull_scattered_phases}}};
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    double displacement[6][LANES], force[6][LANES], moduli_buffer[LANES], *fi[3], *fj[3];
+    int several;
+    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    for (int a = 0; a < 3; a++) {
+        fi[a] = bond_target(&view, false, body->f[a], force[a]);
+        fj[a] = bond_target(&view, true, body->f[a], force[3 + a]);
+    }
+    variants[view.geometry_step][view.weight_step][several](
+        view.count, find_ends(&view, body, displacement), &view, c, fi, fj);
+    for (int a = 0; a < 3; a++) {
+        bond_scatter(&view, false, body->f[a], force[a]);
+        bond_scatter(&view, true, body->f[a], force[3 + a]);
+    }
+}
+
+/* Extension |y| - |xi| of bond k. */
+static double extension(const struct bond_view *view, const struct ends *u, int k)
+{
+    double longer = 0, square = 0;
+    for (int a = 0; a < 3; a++) {
+        double xi = view->xi[a][k * view->geometry_step], eta = u->upper[a][k] - u->lower[a][k];
+        longer += (2 * xi + eta) * eta;
+        square += (xi + eta) * (xi + eta);
+    }
+    return longer / (sqrt(square) + view->length[k * view->geometry_step]);
+}
+
+/* Energy of a bond c w s^2 |xi| V_i V_j/2. */
+static void add_energy(const struct bond_based *model, const struct body *body,
+                       const struct bond_strip *strip, struct exact_sum *stored)
+{
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    double displacement[6][LANES], moduli_buffer[LANES], terms[LANES];
+    const struct ends u = find_ends(&view, body, displacement);
+    int several, g = view.geometry_step;
+    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    for (int k = 0; k < view.count; k++) {
+        double e = extension(&view, &u, k);
+        terms[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
+                   view.length[k * g] * view.volume_i[k * g] * view.volume_j[k * g];
+    }
+    bonds_only_owned(model->bonds, &view, terms);
+    exact_sum_add_strip(stored, view.count, terms, 1);
+}
+
+static void clear(const struct body *body, double *const fields[], int count)
+{
+    for (int k = 0; k < count; k++)
+        memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
+}
+
+static void bond_based_force(void *self, struct body *body, struct force_mode mode,
+                             struct force_energy *energy)
+{
+    const struct bond_based *model = self;
+    halo_exchange(body->displacement_halo, body->u, 3);
+    clear(body, body->f, 3);
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        pull_strip(model, body, &model->bonds->strips[s]);
+    if (!mode.energy) return;
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        add_energy(model, body, &model->bonds->strips[s], &energy->stored);
+}
+
+/* Nominal stress of a node: half of f (x) xi over its bonds (Silling, Lehoucq, J. Elasticity 93 (2008) 13, for
+ * uniform deformation). */
+static void add_stress(const struct bond_based *model, struct body *body,
+                       const struct bond_strip *strip)
+{
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    double displacement[6][LANES], moduli_buffer[LANES];
+    const struct ends u = find_ends(&view, body, displacement);
+    int several, g = view.geometry_step;
+    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    for (int k = 0; k < view.count; k++) {
+        double y[3], square = 0, length = view.length[k * g];
+        for (int a = 0; a < 3; a++) {
+            y[a] = view.xi[a][k * g] + u.upper[a][k] - u.lower[a][k];
+            square += y[a] * y[a];
+        }
+        double half = 0.5 * c[k * several] * view.weight[k * view.weight_step] *
+                      extension(&view, &u, k) / (length * sqrt(square));
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b < 3; b++) {
+                double term = half * y[a] * view.xi[b][k * g];
+                body->S[3 * a + b][bond_lower(&view, k)] += term * view.volume_j[k * g];
+                body->S[3 * a + b][bond_upper(&view, k)] += term * view.volume_i[k * g];
+            }
+    }
+}
+
+static void bond_based_prepare(void *self, struct body *body, double *axial)
+{
+    const struct bond_based *model = self;
+    displacement_gradient(body);
+    clear(body, body->S, 9);
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        add_stress(model, body, &model->bonds->strips[s]);
+    if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
+}
+
+static void bond_based_observe(void *self, const struct body *body, const struct strip *strip,
+                               struct node_state *node)
+{
+    (void)self;
+    node_state_from_nominal(body, strip, node);
+    memset(node->plastic, 0, sizeof node->plastic);
+}
+
+static const struct strips *bond_based_strips(const void *self, const struct body *body)
+{
+    (void)self;
+    return &body->owned;
+}
+
+static void bond_based_free(void *self)
+{
+    struct bond_based *model = self;
+    free(model->modulus);
+    free(model);
+}
+
+const struct formulation formulation_bond_based = {
+    .name = "bond-based",
+    .influence = "constant",
+    .keys = (const char *const[]){"surface_correction", NULL},
+    .read = bond_based_read,
+    .near = bond_based_near,
+    .start = bond_based_start,
+    .force = bond_based_force,
+    .prepare = bond_based_prepare,
+    .observe = bond_based_observe,
+    .strips = bond_based_strips,
+    .free = bond_based_free,
+};

@@ -1,0 +1,90 @@
+#include "model.h"
+
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Keys of the solver section that are not for every formulation. */
+static void check_keys(struct deck_node solver, const struct formulation *formulation)
+{
+    static const char *const special[] = {"stabilisation", "surface_correction"};
+    for (size_t k = 0; k < sizeof special / sizeof *special; k++) {
+        bool known = false;
+        for (int i = 0; formulation->keys[i]; i++)
+            known |= strcmp(formulation->keys[i], special[k]) == 0;
+        if (!known && deck_has(solver, special[k]))
+            deck_error(deck_get(solver, special[k]), "%s materials have no '%s'", formulation->name,
+                       special[k]);
+    }
+}
+
+struct model *model_new(struct deck_node solver, const struct family *family,
+                        const struct materials *materials)
+{
+    struct model *model = memory_new(1, sizeof *model);
+    model->formulation = materials->formulation;
+    check_keys(solver, model->formulation);
+    model->self = model->formulation->read(solver, family, materials);
+    return model;
+}
+
+void model_free(struct model *model)
+{
+    model->formulation->free(model->self);
+    free(model);
+}
+
+int model_near(const struct model *model, const struct family *family,
+               const struct offset **offsets)
+{
+    return model->formulation->near(model->self, family, offsets);
+}
+
+void model_start(struct model *model, const struct body *body, struct bonds *bonds)
+{
+    model->formulation->start(model->self, body, bonds);
+}
+
+void model_force(struct model *model, struct body *body, struct force_mode mode,
+                 struct force_energy *energy)
+{
+    model->formulation->force(model->self, body, mode, energy);
+}
+
+void model_prepare(struct model *model, struct body *body, double *axial)
+{
+    model->formulation->prepare(model->self, body, axial);
+}
+
+const struct strips *model_strips(const struct model *model, const struct body *body)
+{
+    return model->formulation->strips(model->self, body);
+}
+
+void model_observe(struct model *model, const struct body *body, const struct strip *strip,
+                   struct node_state *state)
+{
+    model->formulation->observe(model->self, body, strip, state);
+}
+
+void node_state_from_nominal(const struct body *body, const struct strip *strip,
+                             struct node_state *state)
+{
+    static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+    state->count = strip->count;
+    for (int i = 0; i < strip->count; i++) {
+        double F[9], P[9];
+        for (int k = 0; k < 9; k++) {
+            state->H[k][i] = body->H[k][strip->site + i];
+            F[k] = state->H[k][i] + (k % 4 == 0);
+            P[k] = body->S[k][strip->site + i];
+        }
+        double J = F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
+                   F[2] * (F[3] * F[7] - F[4] * F[6]);
+        for (int k = 0; k < 6; k++) {
+            const double *a = P + 3 * row[k], *b = F + 3 * column[k];
+            state->cauchy[k][i] = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / J;
+        }
+    }
+}

@@ -1,0 +1,88 @@
+/* model.h - the formulation of peridynamics that a body obeys: how its particles act on each other.
+ *
+ * All phases of a body share one formulation, each with a material law of its own.  The time loop and the
+ * output know this page alone.  To add a formulation: one file, and the materials that obey it in the
+ * table of material.c. */
+#ifndef HS_MODEL_H
+#define HS_MODEL_H
+
+#include "body.h"
+#include "material.h"
+#include "simd.h"
+
+#include <stdbool.h>
+
+struct bonds;
+
+struct force_mode {
+    bool commit;   /* plastic state moves on */
+    bool frozen;   /* no yield, for the stable step */
+    bool energy;   /* sum up energies */
+    double *axial; /* where not NULL: nominal stress P_xx of each node is added here (box field) */
+};
+
+/* Sums over the whole body [J]. */
+struct force_energy {
+    struct exact_sum stored, plastic, stabilisation;
+};
+
+/* What is seen of a strip of nodes. */
+struct node_state {
+    int count;
+    double H[9][LANES];      /* displacement gradient, row by row */
+    double cauchy[6][LANES]; /* Pa: xx yy zz xy yz zx */
+    double plastic[LANES];   /* equivalent plastic strain */
+};
+
+struct formulation {
+    const char *name;
+    const char *influence;   /* the function it takes where the deck names none */
+    const char *const *keys; /* of the deck's solver section that only some formulations have */
+    /* Reads what the deck's solver section says to it. */
+    void *(*read)(struct deck_node solver, const struct family *family,
+                  const struct materials *materials);
+    /* The half offsets of bonds whose both ends need a deformation gradient: how many. */
+    int (*near)(const void *self, const struct family *family, const struct offset **offsets);
+    /* bonds: of the body, with their weights as they stand at any time. */
+    void (*start)(void *self, const struct body *body, struct bonds *bonds);
+    /* Internal force density body->f at owned nodes from body->u; brings the ghosts of u up to date.
+     * energy may be NULL where mode.energy is false.  Collective. */
+    void (*force)(void *self, struct body *body, struct force_mode mode,
+                  struct force_energy *energy);
+    /* Makes the nodes' states ready to be seen; axial as in struct force_mode, filled by whichever of
+     * force and prepare comes to it.  Nothing is committed.  Collective. */
+    void (*prepare)(void *self, struct body *body, double *axial);
+    void (*observe)(void *self, const struct body *body, const struct strip *strip,
+                    struct node_state *state);
+    /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip. */
+    const struct strips *(*strips)(const void *self, const struct body *body);
+    void (*free)(void *self);
+};
+
+extern const struct formulation formulation_correspondence, formulation_bond_based;
+
+struct model {
+    const struct formulation *formulation;
+    void *self;
+};
+
+/* The formulation of the materials, which dies where they have not one in common. */
+struct model *model_new(struct deck_node solver, const struct family *family,
+                        const struct materials *materials);
+void model_free(struct model *model);
+
+int model_near(const struct model *model, const struct family *family,
+               const struct offset **offsets);
+void model_start(struct model *model, const struct body *body, struct bonds *bonds);
+void model_force(struct model *model, struct body *body, struct force_mode mode,
+                 struct force_energy *energy);
+void model_prepare(struct model *model, struct body *body, double *axial);
+const struct strips *model_strips(const struct model *model, const struct body *body);
+void model_observe(struct model *model, const struct body *body, const struct strip *strip,
+                   struct node_state *state);
+
+/* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S. */
+void node_state_from_nominal(const struct body *body, const struct strip *strip,
+                             struct node_state *state);
+
+#endif
