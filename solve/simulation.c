@@ -15,6 +15,11 @@ static const struct domain *own_domain(const struct simulation *s)
     return s->ranks.rank == 0 ? &s->domain : NULL;
 }
 
+static void read_particles(struct simulation *s)
+{
+    s->lattice = lattice_find(&s->domain);
+}
+
 static void check_plane(const struct simulation *s)
 {
     const bool flat = s->lattice.dimensions == 2;
@@ -46,7 +51,7 @@ static void read_inputs(struct simulation *s)
     if (s->ranks.rank == 0) {
         domain_input_read(s->arguments, &s->domain, &s->deck);
         s->scene = scene_read(s->deck);
-        s->lattice = lattice_find(&s->domain);
+        read_particles(s);
         scene_check_sets(&s->scene, &s->domain);
         n_phases = s->domain.n_phases;
         check_plane(s);
@@ -170,8 +175,8 @@ void simulation_announce(struct simulation *s)
     model_force(s->model, &s->body, (struct force_mode){.frozen = true}, NULL);
     double force = ranks_clock() - start;
     double memory = ranks_memory();
+    const int64_t bonds = bonds_total(s->bonds);
     if (s->ranks.rank != 0) return;
-    int64_t bonds = family_bonds(&s->family, &s->lattice);
     note("%lld nodes, %lld bonds, %d ranks; step %.3g s (%.2f of the critical %.3g s), about %lld "
          "steps "
          "to %.3g s; strain rate %.3g 1/s, fastest wave %.0f m/s; %.0f MB; about %.0f s",

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void make_fields(double *fields[], int count, int64_t n_sites)
 {
@@ -57,7 +58,12 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     make_fields(body.S, 9, body.grid.n_sites);
     make_fields(body.inverse, 6, body.grid.n_sites);
     make_fields(body.first, 3, body.grid.n_sites);
-    shape_tensors(&body);
+    if (lattice->point[0]) {
+        body.volumes = memory_new((size_t)body.grid.n_sites, sizeof(double));
+        memcpy(body.volumes, lattice->volume, (size_t)lattice->n_sites * sizeof(double));
+    } else {
+        shape_tensors(&body);
+    }
     return body;
 }
 
@@ -70,6 +76,7 @@ void body_free(struct body *body)
     free_fields(body->S, 9);
     free_fields(body->inverse, 6);
     free_fields(body->first, 3);
+    free(body->volumes);
     strips_free(&body->owned);
     strips_free(&body->near);
     strips_free(&body->ghosts);

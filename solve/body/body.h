@@ -10,6 +10,8 @@
 #include "partition.h"
 #include "ranks.h"
 
+struct bonds;
+
 struct body {
     struct ranks ranks;
     const struct lattice *lattice;
@@ -18,10 +20,11 @@ struct body {
     struct grid grid;
     struct halo *displacement_halo, *stress_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
-    double volume;                     /* of a node, m^3; of scattered ones their mean */
-    double *volumes;                   /* box field where they differ, else NULL */
-    int64_t n_nodes;                   /* of the whole body */
-    int64_t unsupported;               /* nodes of the whole body without a deformation gradient */
+    struct bonds *bonds;
+    double volume;       /* of a node, m^3; of scattered ones their mean */
+    double *volumes;     /* box field where they differ, else NULL */
+    int64_t n_nodes;     /* of the whole body */
+    int64_t unsupported; /* nodes of the whole body without a deformation gradient */
 
     /* Fields over the grid's box. */
     double *u[3];       /* displacement, m */

@@ -1,6 +1,7 @@
 #include "bonds.h"
 
 #include "memory.h"
+#include "scattered.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,9 +50,15 @@ static void find_geometry(struct bonds *bonds)
     }
 }
 
-struct bonds *bonds_new(const struct body *body)
+struct bonds *bonds_new(struct body *body)
 {
     struct bonds *bonds = memory_new(1, sizeof *bonds);
+    body->bonds = bonds;
+    if (body->lattice->point[0]) {
+        scattered_bonds(bonds, body);
+        scattered_shapes(body);
+        return bonds;
+    }
     const struct grid *grid = &body->grid;
     const struct family *family = body->family;
     bonds->body = body;
@@ -132,6 +139,7 @@ struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *
 
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
 {
+    bonds->changed = true;
     if (strip->weight) return strip->weight;
     strip->weight = memory_new((size_t)bonds_stride(strip->count), sizeof *strip->weight);
     for (int k = 0; k < strip->count; k++) strip->weight[k] = bonds->geometry[strip->offset].weight;
@@ -143,4 +151,16 @@ void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, d
     const uint8_t *flags = bonds->body->grid.flags;
     for (int k = 0; k < view->count; k++)
         terms[k] = (flags[bond_lower(view, k)] & SITE_OWNED) ? terms[k] : 0;
+}
+
+int64_t bonds_total(const struct bonds *bonds)
+{
+    double total = 0; /* exact below 2^53 */
+    for (int64_t s = 0; s < bonds->count; s++) {
+        const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
+        for (int k = 0; k < view.count; k++)
+            total += (bonds->body->grid.flags[bond_lower(&view, k)] & SITE_OWNED) != 0;
+    }
+    ranks_sum(&total, 1);
+    return (int64_t)total;
 }

@@ -35,6 +35,7 @@ struct bonds {
     const struct body *body;
     int64_t count;
     int64_t points; /* sum of the strides */
+    bool changed;   /* some weight has changed since the shape tensors were made */
     struct bond_strip *strips;
     /* Of a lattice. */
     int64_t *shift;                 /* [half offsets] from i to j */
@@ -60,7 +61,8 @@ struct bond_view {
     bool apart;                   /* no site is an end of two bonds: sums may go there directly */
 };
 
-struct bonds *bonds_new(const struct body *body);
+/* Of a body, which keeps them as body->bonds; frees nothing of it. */
+struct bonds *bonds_new(struct body *body);
 void bonds_free(struct bonds *bonds);
 
 static inline int bonds_stride(int count)
@@ -111,6 +113,9 @@ static inline void bond_scatter(const struct bond_view *view, bool upper, double
     for (int k = 0; k < view->count; k++)
         field[upper ? bond_upper(view, k) : bond_lower(view, k)] += buffer[k];
 }
+
+/* Bonds of the whole body.  Collective. */
+int64_t bonds_total(const struct bonds *bonds);
 
 /* terms[k] becomes 0 where another rank counts the bond: the owner of its lower end. */
 void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms);

@@ -75,6 +75,12 @@ static bool in_half(int x, int y, int z)
     return z > 0 || (z == 0 && (y > 0 || (y == 0 && x > 0)));
 }
 
+double family_weight(const struct family *family, double length)
+{
+    double part = family->partial ? fmin(1, fmax(0, family->horizon + 0.5 - length)) : 1;
+    return part * influences[family->influence](length, family->horizon);
+}
+
 struct family family_new(double horizon, int influence, bool partial)
 {
     const double limit = horizon * (1 + 1e-9);
@@ -90,9 +96,8 @@ struct family family_new(double horizon, int influence, bool partial)
             for (int x = -reach; x <= reach; x++) {
                 double length = sqrt(x * x + y * y + z * z);
                 if (!in_half(x, y, z) || length > limit) continue;
-                double part = partial ? fmin(1, fmax(0, horizon + 0.5 - length)) : 1;
                 family.half[family.n_half++] =
-                    (struct offset){{x, y, z}, part * influences[influence](length, horizon)};
+                    (struct offset){{x, y, z}, family_weight(&family, length)};
             }
     return family;
 }
@@ -103,7 +108,7 @@ void family_free(struct family *family)
     *family = (struct family){0};
 }
 
-static bool invert(const double K[6], double inverse[6])
+bool family_invert(const double K[6], double inverse[6])
 {
     double xx = K[1] * K[2] - K[4] * K[4], xy = K[4] * K[5] - K[3] * K[2],
            zx = K[3] * K[4] - K[1] * K[5];
@@ -142,20 +147,5 @@ bool family_shape(const struct family *family, const struct lattice *lattice, co
     }
     /* In a plane nothing moves across it. */
     if (lattice->dimensions == 2) K[2] = 1;
-    return invert(K, inverse);
-}
-
-int64_t family_bonds(const struct family *family, const struct lattice *lattice)
-{
-    int64_t bonds = 0;
-    for (int z = 0; z < lattice->size[2]; z++)
-        for (int y = 0; y < lattice->size[1]; y++)
-            for (int x = 0; x < lattice->size[0]; x++) {
-                if (lattice_phase(lattice, x, y, z) == ABSENT) continue;
-                for (int o = 0; o < family->n_half; o++) {
-                    const int *s = family->half[o].step;
-                    bonds += lattice_phase(lattice, x + s[0], y + s[1], z + s[2]) != ABSENT;
-                }
-            }
-    return bonds;
+    return family_invert(K, inverse);
 }

@@ -41,13 +41,16 @@ int family_influence(const char *name); /* its number */
  * the steep function. */
 double family_moment(const struct family *family, int power);
 
+/* Influence function times partial volume at a length in spacings. */
+double family_weight(const struct family *family, double length);
+
+/* K^-1 of a symmetric K (xx yy zz xy yz zx); zero, and false, where det K < 1e-4 (tr K/3)^3. */
+bool family_invert(const double K[6], double inverse[6]);
+
 /* Inverse shape tensor (xx yy zz xy yz zx) and s_i of the site at (x, y, z).  Where the members
  * present do not span space (det K < 1e-4 (tr K/3)^3) the inverse is zero and the answer false: such
  * a node has no deformation gradient and carries no stress. */
 bool family_shape(const struct family *family, const struct lattice *lattice, const int at[3],
                   double inverse[6], double first[3]);
-
-/* Bonds (ordered pairs / 2) of the whole body. */
-int64_t family_bonds(const struct family *family, const struct lattice *lattice);
 
 #endif

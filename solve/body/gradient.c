@@ -1,5 +1,7 @@
 #include "gradient.h"
 
+#include "scattered.h"
+
 /* G_ab += (u_a(+xi) - u_a(-xi)) w xi_b over one pair of family members; u = 0 where there is none. */
 HS_SIMD void gradient_add_pair(int count, const double *restrict plus, const double *restrict minus,
                                double weight, double *restrict out)
@@ -28,6 +30,10 @@ HS_SIMD static void gradient_row(int count, const double *restrict u, const doub
 
 void displacement_gradient(struct body *body)
 {
+    if (body->lattice->point[0]) {
+        scattered_gradient(body);
+        return;
+    }
     const struct family *family = body->family;
     double *const *K = body->inverse, *const *s = body->first;
     for (int64_t n = 0; n < body->near.count; n++) {

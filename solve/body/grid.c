@@ -1,6 +1,7 @@
 #include "grid.h"
 
 #include "memory.h"
+#include "neighbours.h"
 #include "simd.h"
 
 #include <stdlib.h>
@@ -59,15 +60,71 @@ static void mark_around(struct grid *grid, int around, const struct offset *offs
     free(marked);
 }
 
+/* The same among scattered particles. */
+static void mark_neighbours(struct grid *grid, const struct lattice *lattice,
+                            const struct neighbours *neighbours, int around, uint8_t mark)
+{
+    uint8_t *marked = memory_new((size_t)lattice->n_sites, 1);
+    int64_t *members = NULL, room = 0;
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        if (!(grid->flags[site] & around)) continue;
+        int64_t count = neighbours_find(neighbours, lattice->point, site, &members, &room);
+        for (int64_t k = 0; k < count; k++) marked[members[k]] = 1;
+    }
+    for (int64_t site = 0; site < lattice->n_sites; site++)
+        if (marked[site]) grid->flags[site] |= mark;
+    free(members);
+    free(marked);
+}
+
 static void drop_owned(struct grid *grid, uint8_t mark)
 {
     for (int64_t site = 0; site < grid->n_sites; site++)
         if (grid->flags[site] & SITE_OWNED) grid->flags[site] &= (uint8_t)~mark;
 }
 
+/* Near sites that are not owned move. */
+static void near_sites_move(struct grid *grid)
+{
+    for (int64_t site = 0; site < grid->n_sites; site++)
+        if ((grid->flags[site] & (SITE_OWNED | SITE_NEAR)) == SITE_NEAR)
+            grid->flags[site] |= SITE_MOVES;
+}
+
+static void allocate(struct grid *grid)
+{
+    grid->size[0] = (grid->size[0] + 7) / 8 * 8; /* lines start on cache lines */
+    grid->step[0] = 1;
+    grid->step[1] = grid->size[0];
+    grid->step[2] = grid->step[1] * grid->size[1];
+    grid->n_sites = grid->step[2] * grid->size[2];
+    grid->phase = memory_new((size_t)grid->n_sites, 1);
+    grid->flags = memory_new((size_t)grid->n_sites, 1);
+}
+
+/* Each rank has room for all of the row. */
+static struct grid grid_scattered(const struct lattice *lattice, const struct partition *partition,
+                                  const struct family *family, int n_bonds, int rank)
+{
+    struct grid grid = {.rank = rank, .size = {lattice->size[0], 1, 1}};
+    allocate(&grid);
+    fill(&grid, lattice, partition);
+    if (grid.n_owned == lattice->n_nodes) return grid;
+    struct neighbours neighbours =
+        neighbours_new(lattice->point, lattice->n_sites, family->horizon * lattice->spacing);
+    if (n_bonds > 0) mark_neighbours(&grid, lattice, &neighbours, SITE_OWNED, SITE_NEAR);
+    mark_neighbours(&grid, lattice, &neighbours, SITE_OWNED, SITE_STRESSED);
+    mark_neighbours(&grid, lattice, &neighbours, SITE_NEAR, SITE_MOVES);
+    drop_owned(&grid, SITE_STRESSED | SITE_MOVES);
+    near_sites_move(&grid);
+    neighbours_free(&neighbours);
+    return grid;
+}
+
 struct grid grid_new(const struct lattice *lattice, const struct partition *partition,
                      const struct family *family, const struct offset *bonds, int n_bonds, int rank)
 {
+    if (lattice->point[0]) return grid_scattered(lattice, partition, family, n_bonds, rank);
     struct grid grid = {.rank = rank};
     int low[3], high[3];
     owned_box(lattice, partition, rank, low, high);
@@ -77,13 +134,7 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
         grid.origin[a] = low[a] - pad;
         grid.size[a] = high[a] - low[a] + 2 * pad;
     }
-    grid.size[0] = (grid.size[0] + 7) / 8 * 8; /* lines start on cache lines */
-    grid.step[0] = 1;
-    grid.step[1] = grid.size[0];
-    grid.step[2] = grid.step[1] * grid.size[1];
-    grid.n_sites = grid.step[2] * grid.size[2];
-    grid.phase = memory_new((size_t)grid.n_sites, 1);
-    grid.flags = memory_new((size_t)grid.n_sites, 1);
+    allocate(&grid);
     fill(&grid, lattice, partition);
     if (grid.n_owned == lattice->n_nodes) return grid;
 
@@ -91,9 +142,7 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     mark_around(&grid, SITE_OWNED, family->half, family->n_half, SITE_STRESSED);
     mark_around(&grid, SITE_NEAR, family->half, family->n_half, SITE_MOVES);
     drop_owned(&grid, SITE_STRESSED | SITE_MOVES);
-    for (int64_t site = 0; site < grid.n_sites; site++)
-        if ((grid.flags[site] & (SITE_OWNED | SITE_NEAR)) == SITE_NEAR)
-            grid.flags[site] |= SITE_MOVES;
+    near_sites_move(&grid);
     return grid;
 }
 

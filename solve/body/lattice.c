@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct lattice lattice_find(const struct domain *domain)
 {
@@ -61,16 +62,55 @@ struct lattice lattice_find(const struct domain *domain)
     return lattice;
 }
 
+struct lattice lattice_scattered(const struct domain *domain, double thickness)
+{
+    const int64_t n = domain->n_nodes;
+    const double *const position[3] = {domain->x, domain->y, domain->z};
+    struct lattice lattice = {.size = {(int)n, 1, 1}, .dimensions = 3, .n_sites = n, .n_nodes = n};
+    if (n > INT32_MAX) die_user("more than 2^31 scattered particles");
+    lattice.phase = memory_new((size_t)n, 1);
+    lattice.volume = memory_new((size_t)n, sizeof(double));
+    memcpy(lattice.phase, domain->phase, (size_t)n);
+    memcpy(lattice.volume, domain->volume, (size_t)n * sizeof(double));
+    for (int64_t i = 0; i < n; i++) lattice.node_volume += domain->volume[i];
+    lattice.node_volume /= (double)n;
+    for (int a = 0; a < 3; a++) {
+        lattice.point[a] = memory_new((size_t)n, sizeof(double));
+        memcpy(lattice.point[a], position[a], (size_t)n * sizeof(double));
+        lattice.origin[a] = domain_smallest(position[a], n);
+        lattice.extent[a] = domain_largest(position[a], n) - lattice.origin[a];
+    }
+    lattice.spacing = cbrt(lattice.node_volume);
+    if (thickness > 0 && lattice.extent[2] < 1e-6 * lattice.spacing) {
+        lattice.dimensions = 2;
+        lattice.thickness = thickness;
+        lattice.spacing = sqrt(lattice.node_volume / thickness);
+    }
+    return lattice;
+}
+
 void lattice_share(struct lattice *lattice, int rank)
 {
-    uint8_t *phase = lattice->phase;
+    void *own[5] = {lattice->phase, lattice->volume, lattice->point[0], lattice->point[1],
+                    lattice->point[2]};
     ranks_share(lattice, sizeof *lattice);
-    lattice->phase = rank == 0 ? phase : memory_new((size_t)lattice->n_sites, 1);
-    ranks_share(lattice->phase, (size_t)lattice->n_sites);
+    const size_t n = (size_t)lattice->n_sites;
+    const int arrays = lattice->point[0] ? 5 : 1;
+    for (int k = 0; k < arrays; k++) {
+        const size_t size = k == 0 ? 1 : sizeof(double);
+        if (rank != 0) own[k] = memory_new(n, size);
+        ranks_share(own[k], n * size);
+    }
+    lattice->phase = own[0];
+    if (arrays == 1) return;
+    lattice->volume = own[1];
+    for (int a = 0; a < 3; a++) lattice->point[a] = own[2 + a];
 }
 
 void lattice_free(struct lattice *lattice)
 {
     free(lattice->phase);
+    free(lattice->volume);
+    for (int a = 0; a < 3; a++) free(lattice->point[a]);
     *lattice = (struct lattice){0};
 }

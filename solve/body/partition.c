@@ -6,6 +6,7 @@
 
 #include <metis.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* METIS' compressed graph of the cells that hold particles. */
 struct cell_graph {
@@ -120,8 +121,45 @@ static void cut(struct partition *p, const struct lattice *lattice, int size)
     graph_free(&graph);
 }
 
+/* The owner of each scattered particle: that of the cell, as wide as on a lattice, where it lies. */
+static struct partition partition_scattered(const struct lattice *lattice, int reach, int rank,
+                                            int size)
+{
+    struct lattice bins = {.n_sites = 1};
+    const int64_t n = lattice->n_sites;
+    int64_t *bin = memory_new((size_t)n, sizeof *bin);
+    for (int a = 0; a < 3; a++) {
+        bins.size[a] = (int)(lattice->extent[a] / lattice->spacing) + 1;
+        bins.n_sites *= bins.size[a];
+    }
+    bins.phase = memory_new((size_t)bins.n_sites, 1);
+    memset(bins.phase, ABSENT, (size_t)bins.n_sites);
+    struct partition p = {.edge = 1, .cells = {(int)n, 1, 1}};
+    p.owner = memory_new((size_t)n, sizeof *p.owner);
+    for (int64_t i = 0; i < n; i++) {
+        int at[3];
+        for (int a = 0; a < 3; a++) {
+            at[a] = (int)((lattice->point[a][i] - lattice->origin[a]) / lattice->spacing);
+            at[a] = at[a] < bins.size[a] ? at[a] : bins.size[a] - 1;
+        }
+        bin[i] = lattice_site(&bins, at[0], at[1], at[2]);
+        bins.phase[bin[i]] = 0;
+    }
+    struct partition cells = partition_new(&bins, reach, rank, size);
+    for (int64_t i = 0; i < n; i++) {
+        int at[3];
+        lattice_position(&bins, bin[i], at);
+        p.owner[i] = partition_owner(&cells, at[0], at[1], at[2]);
+    }
+    partition_free(&cells);
+    lattice_free(&bins);
+    free(bin);
+    return p;
+}
+
 struct partition partition_new(const struct lattice *lattice, int reach, int rank, int size)
 {
+    if (lattice->point[0]) return partition_scattered(lattice, reach, rank, size);
     struct partition p = {.edge = reach > 2 ? reach : 2};
     for (int a = 0; a < 3; a++) p.cells[a] = (lattice->size[a] + p.edge - 1) / p.edge;
     p.owner = memory_new((size_t)cell_count(&p), sizeof *p.owner);

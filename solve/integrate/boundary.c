@@ -28,9 +28,7 @@ struct boundary boundary_new(const struct scene *scene, const struct body *body,
         .count = scene->n_boundary,
         .sets = memory_new((size_t)scene->n_boundary, sizeof(struct boundary_set)),
         .ramp = scene->ramp};
-    const struct lattice *lattice = body->lattice;
-    const double spacing = lattice->spacing;
-    const double middle = lattice->origin[0] + 0.5 * (lattice->size[0] - 1) * spacing;
+    const double spacing = body->lattice->spacing, middle = lattice_middle(body->lattice, 0);
     for (int i = 0; i < boundary.count; i++) {
         const struct scene_boundary *wanted = &scene->boundary[i];
         struct members members = members_new(body, domain, wanted->set);
@@ -100,11 +98,9 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
 {
     const struct boundary_set *left = &boundary->sets[boundary->left];
     const struct boundary_set *right = &boundary->sets[boundary->right];
-    const struct lattice *lattice = body->lattice;
     const double rate = boundary_strain_rate(boundary);
     double centre[3];
-    for (int a = 0; a < 3; a++)
-        centre[a] = lattice->origin[a] + 0.5 * (lattice->size[a] - 1) * lattice->spacing;
+    for (int a = 0; a < 3; a++) centre[a] = lattice_middle(body->lattice, a);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             int64_t site = body->owned.items[s].site + i;

@@ -32,7 +32,6 @@ struct affine {
 static struct affine affine_motion(const struct boundary *boundary, const struct body *body,
                                    double time)
 {
-    const struct lattice *lattice = body->lattice;
     const struct boundary_set *left = &boundary->sets[boundary->left];
     const double factor = boundary_factor(boundary, time);
     struct affine affine = {.left_velocity = factor * left->velocity,
@@ -40,8 +39,7 @@ static struct affine affine_motion(const struct boundary *boundary, const struct
                             .left = left->inner,
                             .right = boundary->sets[boundary->right].inner,
                             .contraction = 0.5}; /* of plastic flow, which lasts longest */
-    for (int a = 0; a < 3; a++)
-        affine.centre[a] = lattice->origin[a] + 0.5 * (lattice->size[a] - 1) * lattice->spacing;
+    for (int a = 0; a < 3; a++) affine.centre[a] = lattice_middle(body->lattice, a);
     return affine;
 }
 

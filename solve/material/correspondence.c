@@ -10,6 +10,7 @@
 #include "j2.h"
 #include "memory.h"
 #include "model.h"
+#include "scattered.h"
 #include "stabilisation.h"
 
 #include <stdlib.h>
@@ -270,6 +271,10 @@ HS_SIMD static void add_divergence(int count, const double *restrict qx, const d
 
 static void divergence(struct body *body)
 {
+    if (body->lattice->point[0]) {
+        scattered_divergence(body);
+        return;
+    }
     const struct family *family = body->family;
     double *const *s = body->first;
     for (int64_t n = 0; n < body->owned.count; n++) {

@@ -13,17 +13,26 @@ struct gauge {
     double from, to;  /* x of the planes, m */
     double *fraction; /* [n_phases] */
     int64_t *nodes;   /* [n_phases] between the planes */
-    int64_t *layer;   /* [lattice size along x] nodes of the body in each layer */
+    int64_t *layer;   /* [layers] nodes of the body in each layer */
 };
 
 /* What the sums over the phases count, in this order. */
 enum { STRESS, TRUE_STRESS, STRAIN, PLASTIC, QUANTITIES };
 
-static bool between(const struct gauge *gauge, const struct body *body, int x)
+static bool between(const struct gauge *gauge, const struct lattice *lattice, double x)
 {
-    double position = body->lattice->origin[0] + x * body->lattice->spacing;
-    double slack = 1e-6 * body->lattice->spacing;
-    return position >= gauge->from - slack && position <= gauge->to + slack;
+    double slack = 1e-6 * lattice->spacing;
+    return x >= gauge->from - slack && x <= gauge->to + slack;
+}
+
+/* Layers of nodes along x: those of the lattice, or slices as thick. */
+static int layers(const struct lattice *lattice)
+{
+    return (int)lround(lattice_extent(lattice, 0) / lattice->spacing) + 1;
+}
+static int layer(const struct lattice *lattice, double x)
+{
+    return (int)lround((x - lattice->origin[0]) / lattice->spacing);
 }
 
 static void count_phases(struct gauge *gauge, const struct body *body)
@@ -31,10 +40,13 @@ static void count_phases(struct gauge *gauge, const struct body *body)
     const struct lattice *lattice = body->lattice;
     int64_t all = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
-        const int x = (int)(site % lattice->size[0]);
+        int at[3];
+        double x[3];
         if (lattice->phase[site] == ABSENT) continue;
-        gauge->layer[x]++;
-        if (!between(gauge, body, x)) continue;
+        lattice_position(lattice, site, at);
+        lattice_coordinates(lattice, at, x);
+        gauge->layer[layer(lattice, x[0])]++;
+        if (!between(gauge, lattice, x[0])) continue;
         gauge->nodes[lattice->phase[site]]++;
         all++;
     }
@@ -55,7 +67,7 @@ struct gauge *gauge_new(const struct body *body, const struct domain *domain, in
                  gauge->from, gauge->to);
     gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
     gauge->nodes = memory_new((size_t)n_phases, sizeof *gauge->nodes);
-    gauge->layer = memory_new((size_t)body->lattice->size[0], sizeof *gauge->layer);
+    gauge->layer = memory_new((size_t)layers(body->lattice), sizeof *gauge->layer);
     count_phases(gauge, body);
     return gauge;
 }
@@ -83,7 +95,7 @@ double gauge_fraction(const struct gauge *gauge, int phase)
 struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body)
 {
     const struct members *sets[2] = {&gauge->left, &gauge->right};
-    const double reach = 100 * body->lattice->size[0] * body->lattice->spacing;
+    const double reach = 100 * (lattice_extent(body->lattice, 0) + body->lattice->spacing);
     struct exact_sum sums[2];
     for (int k = 0; k < 2; k++) {
         sums[k] = exact_sum_new((double)sets[k]->n_all * reach);
@@ -98,14 +110,16 @@ struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct 
 
 static void add_strip(const struct gauge *gauge, const struct body *body, const struct strip *strip,
                       const struct node_state *node, const double *axial, struct exact_sum *sums,
-                      struct exact_sum *layers)
+                      struct exact_sum *sections)
 {
     for (int i = 0; i < strip->count; i++) {
         int64_t site = strip->site + i;
         if (!(body->grid.flags[site] & SITE_OWNED)) continue;
+        double x[3];
+        body_position(body, site, x);
         double section = (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
-        exact_sum_add(&layers[strip->x + i], section);
-        if (!between(gauge, body, strip->x + i)) continue;
+        exact_sum_add(&sections[layer(body->lattice, x[0])], section);
+        if (!between(gauge, body->lattice, x[0])) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * QUANTITIES;
         exact_sum_add(&phase[STRESS], axial[site]);
         exact_sum_add(&phase[TRUE_STRESS], node->cauchy[0][i]);
@@ -115,14 +129,14 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
 }
 
 static struct gauge_section smallest_section(const struct gauge *gauge, const struct body *body,
-                                             const double *layers)
+                                             const double *sections)
 {
     const struct lattice *lattice = body->lattice;
     struct gauge_section smallest = {INFINITY, 0};
-    for (int x = 0; x < lattice->size[0]; x++) {
+    for (int x = 0; x < layers(lattice); x++) {
         const int64_t nodes = gauge->layer[x];
-        if (nodes == 0 || layers[x] / (double)nodes >= smallest.ratio) continue;
-        smallest = (struct gauge_section){layers[x] / (double)nodes,
+        if (nodes == 0 || sections[x] / (double)nodes >= smallest.ratio) continue;
+        smallest = (struct gauge_section){sections[x] / (double)nodes,
                                           lattice->origin[0] + x * lattice->spacing};
     }
     return smallest;
@@ -131,7 +145,7 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
 void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
                    const double *axial, struct gauge_phase *phases, struct gauge_section *section)
 {
-    const int n_sums = gauge->n_phases * QUANTITIES, n_layers = body->lattice->size[0];
+    const int n_sums = gauge->n_phases * QUANTITIES, n_layers = layers(body->lattice);
     struct exact_sum *sums = memory_new((size_t)(n_sums + n_layers), sizeof *sums);
     const double nodes = (double)body->lattice->n_nodes;
     /* Stresses stay below 1e13 Pa, strains and section ratios below 1e3. */

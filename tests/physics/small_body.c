@@ -57,6 +57,40 @@ static struct lattice lattice_of(const struct small_case *wanted)
     return lattice;
 }
 
+/* The same particles as scattered ones. */
+static struct lattice scattered(struct lattice *lattice, double jitter)
+{
+    const size_t n = (size_t)lattice->n_nodes;
+    struct domain domain = {.n_nodes = lattice->n_nodes,
+                            .x = memory_new(n, sizeof(double)),
+                            .y = memory_new(n, sizeof(double)),
+                            .z = memory_new(n, sizeof(double)),
+                            .volume = memory_new(n, sizeof(double)),
+                            .phase = memory_new(n, 1)};
+    struct random_stream *stream = random_new(1, "jitter");
+    int64_t node = 0;
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        int at[3];
+        double x[3];
+        if (lattice->phase[site] == ABSENT) continue;
+        lattice_position(lattice, site, at);
+        lattice_coordinates(lattice, at, x);
+        for (int a = 0; a < lattice->dimensions; a++)
+            x[a] += jitter * SMALL_SPACING * (2 * random_uniform(stream) - 1);
+        domain.x[node] = x[0];
+        domain.y[node] = x[1];
+        domain.z[node] = x[2];
+        domain.volume[node] = lattice->node_volume;
+        domain.phase[node++] = lattice->phase[site];
+    }
+    random_free(stream);
+    struct lattice result =
+        lattice_scattered(&domain, lattice->dimensions == 2 ? lattice->thickness : 0);
+    domain_free(&domain);
+    lattice_free(lattice);
+    return result;
+}
+
 void small_body_new(struct small_body *small, const struct small_case *wanted)
 {
     char *names[] = {"A", "B"};
@@ -67,6 +101,7 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     free(text);
     struct deck_node root = deck_root(small->deck);
     small->lattice = lattice_of(wanted);
+    if (wanted->scattered) small->lattice = scattered(&small->lattice, wanted->jitter);
     small->family = family_new(wanted->horizon, wanted->influence, wanted->partial);
     small->materials = materials_read(
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
@@ -102,12 +137,11 @@ void small_body_position(const struct small_body *small, int64_t site, int at[3]
 void small_body_deform(struct small_body *small, const double H[9])
 {
     for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
-        int at[3];
+        double x[3];
         if (!small_body_has(small, site)) continue;
-        small_body_position(small, site, at);
+        body_position(&small->body, site, x);
         for (int a = 0; a < 3; a++)
-            small->body.u[a][site] =
-                (H[3 * a] * at[0] + H[3 * a + 1] * at[1] + H[3 * a + 2] * at[2]) * SMALL_SPACING;
+            small->body.u[a][site] = H[3 * a] * x[0] + H[3 * a + 1] * x[1] + H[3 * a + 2] * x[2];
     }
 }
 

@@ -21,6 +21,8 @@ struct small_case {
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
     enum plane plane; /* not SPACE: one layer as thick as the spacing */
     bool partial;     /* volumes */
+    bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
+    double jitter;    /* scattered: each moved by up to this many spacings along each axis */
 };
 
 struct small_body {
@@ -46,11 +48,11 @@ void small_body_free(struct small_body *small);
 int small_ranks_start(void **state);
 int small_ranks_stop(void **state);
 
-/* Number of the box sites; the owned ones have a phase. */
+/* The owned sites have a phase; the lattice place of one that is not scattered. */
 bool small_body_has(const struct small_body *small, int64_t site);
 void small_body_position(const struct small_body *small, int64_t site, int at[3]);
 
-/* u = H X at every node, X counted from the lattice's origin. */
+/* u = H X at every node. */
 void small_body_deform(struct small_body *small, const double H[9]);
 
 /* Adds amplitude (in spacings) times a number from [-1, 1) to each component of u; seeded. */

@@ -1,0 +1,100 @@
+#include "neighbours.h"
+
+#include "domain.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The reach, or so much more that the bins of a loose set take no more room than its particles. */
+static double bin_width(const double length[3], int64_t n, double reach)
+{
+    for (double width = reach;; width *= 2) {
+        double bins = 1;
+        for (int a = 0; a < 3; a++) bins *= length[a] / width + 1;
+        if (bins <= 4 * (double)n + 64) return width;
+    }
+}
+
+static int64_t bin_of(const struct neighbours *b, double *const x[3], int64_t i, int64_t at[3])
+{
+    for (int a = 0; a < 3; a++) {
+        at[a] = (int64_t)floor((x[a][i] - b->origin[a]) / b->width);
+        at[a] = at[a] < 0 ? 0 : at[a] >= b->size[a] ? b->size[a] - 1 : at[a];
+    }
+    return (at[2] * b->size[1] + at[1]) * b->size[0] + at[0];
+}
+
+struct neighbours neighbours_new(double *const x[3], int64_t n, double reach)
+{
+    struct neighbours b = {0};
+    double length[3];
+    int64_t bins = 1, at[3];
+    for (int a = 0; a < 3; a++) {
+        b.origin[a] = domain_smallest(x[a], n);
+        length[a] = domain_largest(x[a], n) - b.origin[a];
+    }
+    b.reach = reach;
+    b.width = bin_width(length, n, reach);
+    for (int a = 0; a < 3; a++) {
+        b.size[a] = (int64_t)(length[a] / b.width) + 1;
+        bins *= b.size[a];
+    }
+    b.start = memory_new((size_t)bins + 2, sizeof *b.start);
+    b.nodes = memory_new((size_t)n, sizeof *b.nodes);
+    for (int64_t i = 0; i < n; i++) b.start[bin_of(&b, x, i, at) + 2]++;
+    for (int64_t k = 2; k <= bins + 1; k++) b.start[k] += b.start[k - 1];
+    for (int64_t i = 0; i < n; i++) b.nodes[b.start[bin_of(&b, x, i, at) + 1]++] = i;
+    return b;
+}
+
+void neighbours_free(struct neighbours *neighbours)
+{
+    free(neighbours->start);
+    free(neighbours->nodes);
+    *neighbours = (struct neighbours){0};
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const int64_t i = *(const int64_t *)a, j = *(const int64_t *)b;
+    return (i > j) - (i < j);
+}
+
+static void append(int64_t **members, int64_t *room, int64_t count, int64_t node)
+{
+    if (count == *room) {
+        *room = 2 * *room + 128;
+        int64_t *longer = memory_new((size_t)*room, sizeof *longer);
+        if (count > 0) memcpy(longer, *members, (size_t)count * sizeof *longer);
+        free(*members);
+        *members = longer;
+    }
+    (*members)[count] = node;
+}
+
+int64_t neighbours_find(const struct neighbours *b, double *const x[3], int64_t i,
+                        int64_t **members, int64_t *room)
+{
+    const double limit = b->reach * (1 + 1e-9);
+    int64_t at[3], low[3], high[3], count = 0;
+    bin_of(b, x, i, at);
+    for (int a = 0; a < 3; a++) {
+        low[a] = at[a] > 0 ? at[a] - 1 : 0;
+        high[a] = at[a] + 1 < b->size[a] ? at[a] + 1 : b->size[a] - 1;
+    }
+    for (int64_t p = low[2]; p <= high[2]; p++)
+        for (int64_t q = low[1]; q <= high[1]; q++)
+            for (int64_t r = low[0]; r <= high[0]; r++) {
+                const int64_t bin = (p * b->size[1] + q) * b->size[0] + r;
+                for (int64_t k = b->start[bin]; k < b->start[bin + 1]; k++) {
+                    const int64_t j = b->nodes[k];
+                    double square = 0;
+                    for (int a = 0; a < 3; a++) square += (x[a][j] - x[a][i]) * (x[a][j] - x[a][i]);
+                    if (j != i && square <= limit * limit) append(members, room, count++, j);
+                }
+            }
+    if (count > 1) qsort(*members, (size_t)count, sizeof **members, ascending);
+    return count;
+}

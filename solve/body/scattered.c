@@ -1,0 +1,187 @@
+#include "scattered.h"
+
+#include "memory.h"
+#include "neighbours.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Whether a bond of these flags is listed: one end near. */
+static bool listed(uint8_t i, uint8_t j)
+{
+    return ((i | j) & SITE_NEAR) != 0;
+}
+
+static void make_room(struct bonds *bonds, size_t entries)
+{
+    bonds->lower = memory_new(entries, sizeof *bonds->lower);
+    bonds->upper = memory_new(entries, sizeof *bonds->upper);
+    for (int a = 0; a < 3; a++) bonds->xi[a] = memory_new(entries, sizeof(double));
+    bonds->length = memory_new(entries, sizeof(double));
+    bonds->volume_lower = memory_new(entries, sizeof(double));
+    bonds->volume_upper = memory_new(entries, sizeof(double));
+}
+
+static void add_bond(struct bonds *bonds, const struct lattice *lattice, int64_t entry, int64_t i,
+                     int64_t j)
+{
+    double square = 0;
+    bonds->lower[entry] = i;
+    bonds->upper[entry] = j;
+    for (int a = 0; a < 3; a++) {
+        bonds->xi[a][entry] = lattice->point[a][j] - lattice->point[a][i];
+        square += bonds->xi[a][entry] * bonds->xi[a][entry];
+    }
+    bonds->length[entry] = sqrt(square);
+    bonds->volume_lower[entry] = lattice->volume[i];
+    bonds->volume_upper[entry] = lattice->volume[j];
+}
+
+static void add_strip(struct bonds *bonds, const struct body *body, int64_t first, int count)
+{
+    const uint8_t *phase = body->grid.phase;
+    const int64_t i = bonds->lower[first];
+    struct bond_strip strip = {.count = count, .offset = -1, .i = first, .store = bonds->points};
+    strip.pair = 16 * phase[i] + phase[bonds->upper[first]];
+    strip.weight = memory_new((size_t)bonds_stride(count), sizeof(double));
+    for (int k = 0; k < count; k++) {
+        if (strip.pair != 16 * phase[i] + phase[bonds->upper[first + k]]) strip.pair = -1;
+        strip.weight[k] =
+            family_weight(body->family, bonds->length[first + k] / body->lattice->spacing);
+    }
+    if (bonds->count % 1024 == 0) {
+        struct bond_strip *longer = memory_new((size_t)bonds->count + 1024, sizeof *longer);
+        if (bonds->count > 0) memcpy(longer, bonds->strips, (size_t)bonds->count * sizeof *longer);
+        free(bonds->strips);
+        bonds->strips = longer;
+    }
+    bonds->strips[bonds->count++] = strip;
+    bonds->points += bonds_stride(count);
+}
+
+void scattered_bonds(struct bonds *bonds, const struct body *body)
+{
+    const struct lattice *lattice = body->lattice;
+    const uint8_t *flags = body->grid.flags;
+    struct neighbours neighbours =
+        neighbours_new(lattice->point, lattice->n_sites, body->family->horizon * lattice->spacing);
+    int64_t *members = NULL, room = 0, entries = 0;
+    bonds->body = body;
+    for (int pass = 0; pass < 2; pass++) {
+        if (pass == 1) make_room(bonds, (size_t)entries);
+        entries = 0;
+        for (int64_t i = 0; i < lattice->n_sites; i++) {
+            if (!(flags[i] & (SITE_NEAR | SITE_MOVES))) continue;
+            const int64_t count = neighbours_find(&neighbours, lattice->point, i, &members, &room);
+            const int64_t first = entries;
+            for (int64_t k = 0; k < count; k++) {
+                if (members[k] < i || !listed(flags[i], flags[members[k]])) continue;
+                if (pass == 1) add_bond(bonds, lattice, entries, i, members[k]);
+                entries++;
+            }
+            for (int64_t at = first; pass == 1 && at < entries; at += LANES)
+                add_strip(bonds, body, at, (int)(entries - at < LANES ? entries - at : LANES));
+        }
+    }
+    free(members);
+    neighbours_free(&neighbours);
+}
+
+/* field_i += w V_j/V term and field_j += sign w V_i/V term for each bond; V the mean volume. */
+static void add_to_ends(const struct bond_view *view, double mean_volume, const double *term,
+                        double sign, double *field)
+{
+    for (int k = 0; k < view->count; k++) {
+        const double weighed = view->weight[k] * term[k] / mean_volume;
+        field[view->lower[k]] += weighed * view->volume_j[k];
+        field[view->upper[k]] += sign * weighed * view->volume_i[k];
+    }
+}
+
+static void clear(const struct body *body, double *const fields[], int count)
+{
+    for (int k = 0; k < count; k++)
+        memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
+}
+
+static void invert_shapes(struct body *body)
+{
+    struct exact_sum unsupported = exact_sum_new((double)body->n_nodes);
+    for (int64_t s = 0; s < body->near.count; s++)
+        for (int i = 0; i < body->near.items[s].count; i++) {
+            const int64_t site = body->near.items[s].site + i;
+            double K[6], inverse[6];
+            for (int k = 0; k < 6; k++) K[k] = body->inverse[k][site];
+            if (body->lattice->dimensions == 2) K[2] = 1;
+            bool spans = family_invert(K, inverse);
+            for (int k = 0; k < 6; k++) body->inverse[k][site] = inverse[k];
+            if (!spans && (body->grid.flags[site] & SITE_OWNED)) exact_sum_add(&unsupported, 1);
+        }
+    double count;
+    exact_sum_finish(&unsupported, 1, &count);
+    body->unsupported = (int64_t)count;
+}
+
+void scattered_shapes(struct body *body)
+{
+    static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+    const double spacing = body->lattice->spacing;
+    clear(body, body->inverse, 6);
+    for (int64_t s = 0; s < body->bonds->count; s++) {
+        const struct bond_view view = bonds_view(body->bonds, &body->bonds->strips[s]);
+        double term[LANES];
+        for (int c = 0; c < 6; c++) {
+            for (int k = 0; k < view.count; k++)
+                term[k] = view.xi[row[c]][k] * view.xi[column[c]][k] / (spacing * spacing);
+            add_to_ends(&view, body->volume, term, 1, body->inverse[c]);
+        }
+    }
+    invert_shapes(body);
+    body->bonds->changed = false;
+}
+
+void scattered_gradient(struct body *body)
+{
+    const double spacing = body->lattice->spacing;
+    double *const *K = body->inverse;
+    if (body->bonds->changed) scattered_shapes(body);
+    clear(body, body->H, 9);
+    for (int64_t s = 0; s < body->bonds->count; s++) {
+        const struct bond_view view = bonds_view(body->bonds, &body->bonds->strips[s]);
+        double term[LANES];
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b < 3; b++) {
+                for (int k = 0; k < view.count; k++)
+                    term[k] = (body->u[a][view.upper[k]] - body->u[a][view.lower[k]]) *
+                              view.xi[b][k] / (spacing * spacing);
+                add_to_ends(&view, body->volume, term, 1, body->H[3 * a + b]);
+            }
+    }
+    for (int64_t s = 0; s < body->near.count; s++)
+        for (int64_t i = body->near.items[s].site, end = i + body->near.items[s].count; i < end;
+             i++)
+            for (int a = 0; a < 9; a += 3) {
+                double x = body->H[a][i], y = body->H[a + 1][i], z = body->H[a + 2][i];
+                body->H[a][i] = x * K[0][i] + y * K[3][i] + z * K[5][i];
+                body->H[a + 1][i] = x * K[3][i] + y * K[1][i] + z * K[4][i];
+                body->H[a + 2][i] = x * K[5][i] + y * K[4][i] + z * K[2][i];
+            }
+}
+
+void scattered_divergence(struct body *body)
+{
+    const double spacing = body->lattice->spacing;
+    for (int64_t s = 0; s < body->bonds->count; s++) {
+        const struct bond_view view = bonds_view(body->bonds, &body->bonds->strips[s]);
+        for (int a = 0; a < 3; a++) {
+            double term[LANES] = {0};
+            for (int b = 0; b < 3; b++) {
+                const double *Q = body->S[3 * a + b];
+                for (int k = 0; k < view.count; k++)
+                    term[k] += (Q[view.lower[k]] + Q[view.upper[k]]) * view.xi[b][k] / spacing;
+            }
+            add_to_ends(&view, body->volume, term, -1, body->f[a]);
+        }
+    }
+}

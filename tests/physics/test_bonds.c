@@ -1,0 +1,158 @@
+/* The bonds of a body: how many, and that a list of neighbours of scattered particles gives what the lattice
+ * gives. */
+#include "check.h"
+
+#include "random.h"
+#include "small_body.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char spring[] = "{A: {model: bond_based, density: 8900, youngs_modulus: 210 GPa}, "
+                             "B: {model: bond_based, density: 8900, youngs_modulus: 120 GPa}}";
+
+static uint8_t chequers(const int size[3], const int at[3])
+{
+    (void)size;
+    return (uint8_t)((at[0] / 2 + at[1] / 3 + at[2] / 2) % 2);
+}
+
+static uint8_t without_corner(const int size[3], const int at[3])
+{
+    (void)size;
+    return at[0] + at[1] + at[2] == 0 ? ABSENT : 0;
+}
+
+static int64_t bonds_of(struct small_case wanted)
+{
+    struct small_body small;
+    wanted.materials = spring;
+    small_body_new(&small, &wanted);
+    int64_t count = bonds_total(small.bonds);
+    small_body_free(&small);
+    return count;
+}
+
+/* A box has (n_x - |a|)(n_y - |b|)(n_z - |c|) bonds of the offset (a, b, c). */
+static void test_number(void **state)
+{
+    (void)state;
+    const int64_t nearest = 4 * 4 * 3 + 5 * 3 * 3 + 5 * 4 * 2;
+    for (int list = 0; list < 2; list++) {
+        assert_int_equal(bonds_of((struct small_case){{5, 4, 3}, 1, .scattered = list}), nearest);
+        assert_int_equal(
+            bonds_of((struct small_case){{5, 4, 3}, 1, .phase = without_corner, .scattered = list}),
+            nearest - 3);
+        int64_t expected = 0;
+        for (int a = -2; a <= 2; a++)
+            for (int b = -2; b <= 2; b++)
+                for (int c = -2; c <= 2; c++)
+                    if (a * a + b * b + c * c <= 4 && (a || b || c))
+                        expected += (int64_t)(5 - abs(a)) * (4 - abs(b)) * (3 - abs(c));
+        assert_int_equal(bonds_of((struct small_case){{5, 4, 3}, 2, .scattered = list}),
+                         expected / 2);
+    }
+}
+
+/* Force and stress of every particle by both paths; the particles of a full box come in the same order. */
+static void compare_paths(struct small_case wanted, double tolerance)
+{
+    struct small_body small[2];
+    for (int list = 0; list < 2; list++) {
+        wanted.scattered = list;
+        small_body_new(&small[list], &wanted);
+        const double H[9] = {0.02, 0.004, 0, 0.001, -0.009, 0.002, 0, 0, 0};
+        small_body_deform(&small[list], H);
+    }
+    int64_t node = 0;
+    const double most_strain = 0.05;
+    struct random_stream *stream = random_new(5, "shake");
+    for (int64_t site = 0; site < small[0].body.grid.n_sites; site++) {
+        if (!small_body_has(&small[0], site)) continue;
+        for (int a = 0; a < 3; a++) {
+            double shake = most_strain * SMALL_SPACING * (2 * random_uniform(stream) - 1);
+            small[0].body.u[a][site] += shake;
+            small[1].body.u[a][node] += shake;
+        }
+        node++;
+    }
+    random_free(stream);
+    for (int list = 0; list < 2; list++) {
+        small_body_force(&small[list], false, false);
+        model_prepare(small[list].model, &small[list].body, NULL);
+    }
+    const double most = small_body_largest(&small[0], small[0].body.f);
+    double most_stress = 0;
+    for (int64_t site = 0; site < small[0].body.grid.n_sites; site++)
+        most_stress = fmax(most_stress, fabs(small[0].body.S[0][site]));
+    node = 0;
+    for (int64_t site = 0; site < small[0].body.grid.n_sites; site++) {
+        if (!small_body_has(&small[0], site)) continue;
+        for (int a = 0; a < 3; a++)
+            assert_near(small[0].body.f[a][site], small[1].body.f[a][node], tolerance * most);
+        for (int k = 0; k < 9; k++) {
+            assert_near(small[0].body.S[k][site], small[1].body.S[k][node],
+                        tolerance * most_stress);
+            /* strains of some per cent from differences of displacements of their size */
+            assert_near(small[0].body.H[k][site], small[1].body.H[k][node], tolerance);
+        }
+        node++;
+    }
+    for (int list = 0; list < 2; list++) small_body_free(&small[list]);
+}
+
+/* Sums of 122 terms of either sign in another order: some 1e-14 of the largest. */
+static void test_list_gives_the_force_of_the_lattice(void **state)
+{
+    (void)state;
+    compare_paths((struct small_case){{9, 8, 7}, 3.015, .materials = spring}, 1e-13);
+    compare_paths((struct small_case){{9, 8, 7},
+                                      3.015,
+                                      .influence = 3,
+                                      .materials = spring,
+                                      .n_phases = 2,
+                                      .phase = chequers,
+                                      .partial = true},
+                  1e-13);
+    compare_paths(
+        (struct small_case){{12, 9, 1}, 3.015, .materials = spring, .plane = PLANE_STRESS}, 1e-13);
+}
+
+/* Forces of a jittered set add up to nothing, and turn with the body. */
+static void test_scattered_forces_balance(void **state)
+{
+    (void)state;
+    struct small_body small;
+    small_body_new(&small, &(struct small_case){{8, 7, 6},
+                                                3.015,
+                                                .materials = spring,
+                                                .n_phases = 2,
+                                                .phase = chequers,
+                                                .scattered = true,
+                                                .jitter = 0.2});
+    small_body_shake(&small, 0.05, 3);
+    small_body_force(&small, false, false);
+    const double most = small_body_largest(&small, small.body.f);
+    double sum[3] = {0};
+    int64_t count = 0;
+    for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+        if (!small_body_has(&small, site)) continue;
+        for (int a = 0; a < 3; a++)
+            sum[a] += small.body.f[a][site] * body_volume(&small.body, site);
+        count++;
+    }
+    /* rounding of the sum of all */
+    for (int a = 0; a < 3; a++)
+        assert_near(sum[a], 0, 1e-15 * (double)count * most * small.body.volume);
+    small_body_free(&small);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_number),
+        cmocka_unit_test(test_list_gives_the_force_of_the_lattice),
+        cmocka_unit_test(test_scattered_forces_balance),
+    };
+    return cmocka_run_group_tests_name("bonds", tests, small_ranks_start, small_ranks_stop);
+}
