@@ -11,12 +11,23 @@ static const char *const names[] = {"x", "y", "z", "t"};
 enum { NAMES = 4 };
 
 /* An expression in x, y, z, t as the value of a deck's only key. */
-static struct expression *parse(const char *text)
+struct formula {
+    struct deck *deck;
+    struct expression *e;
+};
+
+static struct formula parse(const char *text)
 {
     char *line = memory_print("a: \"%s\"\n", text);
     struct deck *deck = deck_parse(line, strlen(line), "study.yaml");
     free(line);
-    return expression_new(deck_get(deck_root(deck), "a"), names, NAMES);
+    return (struct formula){deck, expression_new(deck_get(deck_root(deck), "a"), names, NAMES)};
+}
+
+static void let_go(struct formula *formula)
+{
+    expression_free(formula->e);
+    deck_free(formula->deck);
 }
 
 /* x = 2, y = 3, z = -0.5, t = 0.25 */
@@ -54,18 +65,18 @@ static void test_values(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct expression *e = parse(cases[i].text);
+        struct formula formula = parse(cases[i].text);
         /* A few operations on numbers that are nearly all exact: two roundings at most. */
-        assert_relative(expression_value(e, at), cases[i].value, 4e-16);
-        expression_free(e);
+        assert_relative(expression_value(formula.e, at), cases[i].value, 4e-16);
+        let_go(&formula);
     }
 }
 
-/* Against the same formula compiled here; muParser may contract x*x*x to a power, so some roundings. */
+/* Against the same formula compiled here; muParser may write x*x as a power, so some roundings. */
 static void test_against_the_compiler(void **state)
 {
     (void)state;
-    struct expression *e =
+    struct formula formula =
         parse("10*sin(2*pi*t)*exp(-(x^2 + y*y)/2) + sqrt(x*x + z^2)/(1 + ln(1 + y)) - atan2(z, x) "
               "+ log10(x)*log(y) + cbrt(y)*tanh(t) + erf(z)");
     for (int i = 0; i < 1000; i++) {
@@ -74,40 +85,40 @@ static void test_against_the_compiler(void **state)
                           sqrt(x * x + z * z) / (1 + log(1 + y)) - atan2(z, x) + log10(x) * log(y) +
                           cbrt(y) * tanh(t) + erf(z);
         /* Each term is below 10: an ulp of 10, a few times. */
-        assert_near(expression_value(e, (const double[]){x, y, z, t}), expected, 1e-14);
+        assert_near(expression_value(formula.e, (const double[]){x, y, z, t}), expected, 1e-14);
     }
-    expression_free(e);
+    let_go(&formula);
 }
 
 static void test_pi_is_pi(void **state)
 {
     (void)state;
-    struct expression *e = parse("pi");
-    assert_true(expression_value(e, at) == M_PI);
-    expression_free(e);
+    struct formula formula = parse("pi");
+    assert_true(expression_value(formula.e, at) == M_PI);
+    let_go(&formula);
 }
 
 static void test_what_it_depends_on(void **state)
 {
     (void)state;
-    struct expression *e = parse("2*t + max(1, y)");
-    assert_false(expression_uses(e, 0));
-    assert_true(expression_uses(e, 1));
-    assert_false(expression_uses(e, 2));
-    assert_true(expression_uses(e, 3));
-    expression_free(e);
+    struct formula formula = parse("2*t + max(1, y)");
+    assert_false(expression_uses(formula.e, 0));
+    assert_true(expression_uses(formula.e, 1));
+    assert_false(expression_uses(formula.e, 2));
+    assert_true(expression_uses(formula.e, 3));
+    let_go(&formula);
 }
 
 /* Two expressions are alive at once; evaluating one leaves the other alone. */
 static void test_two_at_once(void **state)
 {
     (void)state;
-    struct expression *a = parse("x + t"), *b = parse("x - t");
-    assert_true(expression_value(a, at) == 2.25);
-    assert_true(expression_value(b, (const double[]){1, 0, 0, 1}) == 0);
-    assert_true(expression_value(a, at) == 2.25);
-    expression_free(a);
-    expression_free(b);
+    struct formula a = parse("x + t"), b = parse("x - t");
+    assert_true(expression_value(a.e, at) == 2.25);
+    assert_true(expression_value(b.e, (const double[]){1, 0, 0, 1}) == 0);
+    assert_true(expression_value(a.e, at) == 2.25);
+    let_go(&a);
+    let_go(&b);
 }
 
 /* A locale with a decimal comma changes neither numbers nor the meaning of the comma. */
@@ -118,16 +129,17 @@ static void test_locale(void **state)
     const char *found = NULL;
     for (size_t i = 0; !found && i < sizeof commas / sizeof *commas; i++)
         found = setlocale(LC_ALL, commas[i]);
-    struct expression *e = parse("1.5*x + max(0.25, 0.5)");
-    assert_true(expression_value(e, at) == 3.5);
-    expression_free(e);
+    struct formula formula = parse("1.5*x + max(0.25, 0.5)");
+    assert_true(expression_value(formula.e, at) == 3.5);
+    let_go(&formula);
     setlocale(LC_ALL, "C");
     if (!found) print_message("# no locale with a decimal comma here: only the C locale tried\n");
 }
 
 static void parse_only(const void *text)
 {
-    expression_free(parse(text));
+    struct formula formula = parse(text);
+    let_go(&formula);
 }
 
 static void test_mistakes(void **state)
@@ -191,9 +203,9 @@ static void test_limits(void **state)
     assert_dies(EXIT_USER, "nested too deep", parse_only, deep);
     assert_dies(EXIT_USER, "too long", parse_only, length);
     assert_dies(EXIT_USER, "50 choices", parse_only, choices);
-    struct expression *e = parse(good);
-    assert_true(expression_value(e, at) == 2);
-    expression_free(e);
+    struct formula formula = parse(good);
+    assert_true(expression_value(formula.e, at) == 2);
+    let_go(&formula);
     free(deep);
     free(good);
     free(length);
@@ -208,9 +220,9 @@ struct trial {
 static void try_it(const void *argument)
 {
     const struct trial *trial = argument;
-    struct expression *e = parse(trial->text);
-    expression_try(e, at, "m/s", trial->low, trial->high);
-    expression_free(e);
+    struct formula formula = parse(trial->text);
+    expression_try(formula.e, at, "m/s", trial->low, trial->high);
+    let_go(&formula);
 }
 
 static void test_trials(void **state)
@@ -232,9 +244,9 @@ static void test_trials(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_dies(EXIT_USER, cases[i].message, try_it, &cases[i].trial);
-    struct expression *e = parse("x*t");
-    assert_true(expression_try(e, at, "m/s", 0, 1) == 0.5);
-    expression_free(e);
+    struct formula formula = parse("x*t");
+    assert_true(expression_try(formula.e, at, "m/s", 0, 1) == 0.5);
+    let_go(&formula);
 }
 
 /* Random text from the pieces of expressions: parsed and evaluated, or refused as a user's mistake,
@@ -257,9 +269,9 @@ static void test_hostile_text(void **state)
         if (child == 0) {
             if (!freopen("/dev/null", "w", stderr)) _exit(99);
             die_set_exit(_exit);
-            struct expression *e = parse(text);
-            expression_value(e, at);
-            expression_free(e);
+            struct formula formula = parse(text);
+            expression_value(formula.e, at);
+            let_go(&formula);
             _exit(0);
         }
         int status;

@@ -22,6 +22,14 @@ static struct value given(struct wanted wanted)
     return value_read(deck_get(deck_root(deck), "v"), wanted.unit, -1000, 1000, wanted.allowed);
 }
 
+/* Frees a value and the deck made for it. */
+static void let_go(struct value *value)
+{
+    struct deck *deck = (struct deck *)value->where.deck;
+    value_free(value);
+    deck_free(deck);
+}
+
 static const double place[3] = {2, 3, 5};
 
 static void test_numbers(void **state)
@@ -40,7 +48,7 @@ static void test_numbers(void **state)
         assert_int_equal(value.kind, VALUE_CONSTANT);
         assert_true(value_at(&value, place, 7) == cases[i].value);
         assert_false(value_depends_on_place(&value) || value_depends_on_time(&value));
-        value_free(&value);
+        let_go(&value);
     }
 }
 
@@ -65,7 +73,7 @@ static void test_expressions(void **state)
         assert_relative(value_at(&value, place, 7), cases[i].value, 2.3e-16);
         assert_int_equal(value_depends_on_place(&value), cases[i].place);
         assert_int_equal(value_depends_on_time(&value), cases[i].time);
-        value_free(&value);
+        let_go(&value);
     }
 }
 
@@ -79,7 +87,7 @@ static void test_ramp(void **state)
                 5); /* antisymmetric about its middle; exact numbers */
     assert_true(value_at(&value, place, 2) == 10 && value_at(&value, place, 9) == 10);
     assert_true(value_depends_on_time(&value) && !value_depends_on_place(&value));
-    value_free(&value);
+    let_go(&value);
     /* s^3 (10 - 15 s + 6 s^2) at 1/4: (10 - 15/4 + 6/16)/64 = 53/512 */
     assert_true(value_rise(0.25) == 53.0 / 512);
 }
@@ -102,7 +110,7 @@ static void test_steps(void **state)
         assert_int_equal(value_raise(&value, 250, false), i == 0);
         assert_int_equal(value_raise(&value, 251, true), i == 1);
         assert_true(value_at(&value, place, 1) == 300);
-        value_free(&value);
+        let_go(&value);
     }
 }
 
@@ -115,7 +123,7 @@ static void grow(const void *argument)
 static void read_only(const void *argument)
 {
     struct value value = given(*(const struct wanted *)argument);
-    value_free(&value);
+    let_go(&value);
 }
 
 static void test_mistakes(void **state)
@@ -169,7 +177,7 @@ static void try_it(const void *text)
     const double *const positions[3] = {x, y, z};
     struct value value = given((struct wanted){text, "m/s", ANY});
     value_try(&value, 1, &second, positions, 8);
-    value_free(&value);
+    let_go(&value);
 }
 
 static void test_trials(void **state)
