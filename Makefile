@@ -34,11 +34,12 @@ SANITIZERS := $(if $(SANITIZE),-fsanitize=address$(comma)undefined -fno-omit-fra
 
 PKG_CONFIG ?= pkg-config
 package = $(or $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null),$(3))
-LIB_CFLAGS := $(call package,--cflags,yaml-0.1 netcdf gsl,) $(call package,--cflags,udunits,)
+LIB_CFLAGS := $(call package,--cflags,yaml-0.1 netcdf gsl muparser,) $(call package,--cflags,udunits,)
 # Debian's shared Exodus drags in an MPI build of netCDF beside the serial one; the archive does not.
 EXODUS_LIBS ?= -l:libexoIIv2c.a
 LIB_LIBS := $(EXODUS_LIBS) $(call package,--libs,netcdf,-lnetcdf) $(call package,--libs,yaml-0.1,-lyaml) \
             $(call package,--libs,gsl,-lgsl -lgslcblas) $(call package,--libs,udunits,-ludunits2) -lm
+EXPRESSION_LIBS := $(call package,--libs,muparser,-lmuparser)
 CAIRO_CFLAGS := $(call package,--cflags,cairo,)
 CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
 MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))
@@ -88,7 +89,7 @@ $(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
 $(BUILD)/bin/hsgen: $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
 $(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
 $(BUILD)/bin/hssolve: $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
-$(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(METIS_LIBS) $(MPI_LIBS)
+$(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(MPI_LIBS)
 $(BUILD)/bin/hspost: $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
 $(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS)
 
@@ -99,7 +100,7 @@ $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 # Tests: every tests/*/test_*.c is a program of its own, linked to all that the tools are made of.
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(BUILD)/tests/physics/small_body.o
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 _Noreturn static void no_such_set(const struct domain *domain, const char *name)
 {
@@ -15,25 +16,6 @@ _Noreturn static void no_such_set(const struct domain *domain, const char *name)
         known = longer;
     }
     die_user("no node set '%s' in the domain (it has: %s)", name, *known ? known : "none");
-}
-
-/* Node numbers of the set, on all ranks. */
-static int64_t *share_nodes(const struct body *body, const struct domain *domain, const char *name,
-                            int64_t *count)
-{
-    const struct node_set *set = NULL;
-    if (body->ranks.rank == 0) {
-        set = domain_set(domain, name);
-        if (!set) no_such_set(domain, name);
-        if (set->count == 0) die_user("node set '%s' is empty", name);
-        *count = set->count;
-    }
-    ranks_share(count, sizeof *count);
-    int64_t *nodes = memory_new((size_t)*count, sizeof *nodes);
-    if (set)
-        for (int64_t i = 0; i < *count; i++) nodes[i] = set->nodes[i];
-    ranks_share(nodes, (size_t)*count * sizeof *nodes);
-    return nodes;
 }
 
 /* Turns ascending node numbers into lattice sites, in place. */
@@ -49,9 +31,23 @@ static void nodes_to_sites(const struct lattice *lattice, int64_t *nodes, int64_
 
 struct members members_new(const struct body *body, const struct domain *domain, const char *name)
 {
+    const struct node_set *set = NULL;
+    if (body->ranks.rank == 0) {
+        set = domain_set(domain, name);
+        if (!set) no_such_set(domain, name);
+        if (set->count == 0) die_user("node set '%s' is empty", name);
+    }
+    return members_of_nodes(body, set ? set->nodes : NULL, set ? set->count : 0);
+}
+
+struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count)
+{
     const struct lattice *lattice = body->lattice;
-    struct members members = {.low_x = INFINITY, .high_x = -INFINITY};
-    int64_t *sites = share_nodes(body, domain, name, &members.n_all);
+    struct members members = {.n_all = count, .low_x = INFINITY, .high_x = -INFINITY};
+    ranks_share(&members.n_all, sizeof members.n_all);
+    int64_t *sites = memory_new((size_t)members.n_all, sizeof *sites);
+    if (nodes) memcpy(sites, nodes, (size_t)count * sizeof *sites);
+    ranks_share(sites, (size_t)members.n_all * sizeof *sites);
     nodes_to_sites(lattice, sites, members.n_all);
     members.sites = memory_new((size_t)members.n_all, sizeof *members.sites);
     double sum = 0;

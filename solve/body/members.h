@@ -1,4 +1,4 @@
-/* members.h - the nodes of a named set that a rank owns. */
+/* members.h - those of some nodes of the body that a rank owns. */
 #ifndef HS_MEMBERS_H
 #define HS_MEMBERS_H
 
@@ -15,6 +15,8 @@ struct members {
 /* domain: rank 0's (NULL elsewhere).  Dies, listing the sets there are, where it has none of that name or
  * an empty one.  Collective. */
 struct members members_new(const struct body *body, const struct domain *domain, const char *name);
+/* The same from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */
+struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count);
 void members_free(struct members *members);
 
 #endif

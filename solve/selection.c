@@ -1,0 +1,194 @@
+#include "selection.h"
+
+#include "memory.h"
+#include "nearest.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const keys[] = {SELECTION_KEYS};
+static const char *const axes[] = {"x", "y", "z"};
+enum { KEYS = sizeof keys / sizeof *keys };
+
+/* Of lengths in a deck: no specimen is larger [m]. */
+static const double farthest = 1e6;
+/* What counts as the same place, in spacings. */
+static const double slack = 1e-6;
+
+static void check_box(struct deck_node box)
+{
+    bool good = deck_is_list(box) && deck_count(box) == 2;
+    for (int end = 0; good && end < 2; end++) {
+        struct deck_node corner = deck_item(box, end);
+        good = deck_is_list(corner) && (deck_count(corner) == 2 || deck_count(corner) == 3) &&
+               deck_count(corner) == deck_count(deck_item(box, 0));
+    }
+    if (!good)
+        deck_error(box, "a box is two corners: [[x, y, z], [x, y, z]], or of [x, y] for any z");
+}
+
+struct selection selection_read(struct deck_node map)
+{
+    struct selection selection = {0};
+    int found = 0;
+    for (int k = 0; k < KEYS; k++) {
+        struct deck_node where = deck_find(map, keys[k]);
+        if (where.index == 0) continue;
+        if (found++ > 0)
+            deck_error(where, "'%s' beside '%s', expected exactly one of: set, block, box, where",
+                       keys[k], keys[selection.kind]);
+        selection.kind = (enum selection_kind)k;
+        selection.where = where;
+    }
+    if (!found) deck_error(map, "which nodes? Expected exactly one of: set, block, box, where");
+    if (selection.kind == SELECT_BOX)
+        check_box(selection.where);
+    else if (selection.kind == SELECT_WHERE)
+        selection.expression = expression_new(selection.where, axes, 3);
+    else
+        deck_string(selection.where);
+    return selection;
+}
+
+void selection_free(struct selection *selection)
+{
+    expression_free(selection->expression);
+    *selection = (struct selection){0};
+}
+
+char *selection_name(const struct selection *selection)
+{
+    if (selection->kind == SELECT_BOX) return memory_text("box");
+    return memory_print("%s %s", keys[selection->kind], deck_string(selection->where));
+}
+
+/* "x = -0.1 to 0.1 m, y = ..." of the nodes. */
+static char *extent(const struct domain *domain)
+{
+    const int64_t n = domain->n_nodes;
+    return memory_print("x = %g to %g m, y = %g to %g m, z = %g to %g m",
+                        domain_smallest(domain->x, n), domain_largest(domain->x, n),
+                        domain_smallest(domain->y, n), domain_largest(domain->y, n),
+                        domain_smallest(domain->z, n), domain_largest(domain->z, n));
+}
+
+static int64_t take_set(const struct selection *selection, const struct domain *domain,
+                        int64_t *nodes)
+{
+    const char *name = deck_string(selection->where);
+    const struct node_set *set = domain_set(domain, name);
+    if (!set) {
+        const char **names = memory_new((size_t)domain->n_sets, sizeof *names);
+        for (int i = 0; i < domain->n_sets; i++) names[i] = domain->sets[i].name;
+        deck_error(selection->where, "no node set '%s' in the domain, which has: %s", name,
+                   domain->n_sets ? nearest_list(names, domain->n_sets) : "none");
+    }
+    if (set->count == 0) deck_error(selection->where, "node set '%s' is empty", name);
+    memcpy(nodes, set->nodes, (size_t)set->count * sizeof *nodes);
+    return set->count;
+}
+
+static int64_t take_block(const struct selection *selection, const struct domain *domain,
+                          int64_t *nodes)
+{
+    const char *name = deck_string(selection->where);
+    int64_t count = 0;
+    int phase = 0;
+    while (phase < domain->n_phases && strcmp(domain->phase_names[phase], name) != 0) phase++;
+    if (phase == domain->n_phases)
+        deck_error(selection->where, "no block '%s' in the domain, which has: %s", name,
+                   nearest_list((const char *const *)domain->phase_names, domain->n_phases));
+    for (int64_t i = 0; i < domain->n_nodes; i++)
+        if (domain->phase[i] == phase) nodes[count++] = i;
+    if (count == 0) deck_error(selection->where, "no node is in block '%s'", name);
+    return count;
+}
+
+static int64_t take_box(const struct selection *selection, const struct domain *domain,
+                        double spacing, int64_t *nodes)
+{
+    const double *const x[] = {domain->x, domain->y, domain->z};
+    const struct deck_node box = selection->where;
+    const int dimensions = deck_count(deck_item(box, 0));
+    double corner[2][3];
+    int64_t count = 0;
+    for (int a = 0; a < dimensions; a++) {
+        for (int end = 0; end < 2; end++)
+            corner[end][a] =
+                deck_length(deck_item(deck_item(box, end), a), spacing, -farthest, farthest);
+        if (corner[0][a] > corner[1][a])
+            deck_error(deck_item(deck_item(box, 1), a),
+                       "the second corner's %s, %g m, is below the first one's, %g m", axes[a],
+                       corner[1][a], corner[0][a]);
+    }
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        bool inside = true;
+        for (int a = 0; a < dimensions; a++)
+            inside = inside && x[a][i] >= corner[0][a] - slack * spacing &&
+                     x[a][i] <= corner[1][a] + slack * spacing;
+        if (inside) nodes[count++] = i;
+    }
+    if (count == 0)
+        deck_error(box, "no node lies in this box; the nodes are at %s", extent(domain));
+    return count;
+}
+
+static int64_t take_where(const struct selection *selection, const struct domain *domain,
+                          int64_t *nodes)
+{
+    int64_t count = 0;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        const double x[] = {domain->x[i], domain->y[i], domain->z[i]};
+        if (expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0)
+            nodes[count++] = i;
+    }
+    if (count == 0)
+        deck_error(selection->where, "expression '%.200s' holds at no node; the nodes are at %s",
+                   deck_string(selection->where), extent(domain));
+    return count;
+}
+
+int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
+                         double spacing, int64_t *count)
+{
+    int64_t *all = memory_new((size_t)domain->n_nodes, sizeof *all);
+    switch (selection->kind) {
+    case SELECT_SET:
+        *count = take_set(selection, domain, all);
+        break;
+    case SELECT_BLOCK:
+        *count = take_block(selection, domain, all);
+        break;
+    case SELECT_BOX:
+        *count = take_box(selection, domain, spacing, all);
+        break;
+    case SELECT_WHERE:
+        *count = take_where(selection, domain, all);
+        break;
+    }
+    int64_t *nodes = memory_new((size_t)*count, sizeof *nodes);
+    memcpy(nodes, all, (size_t)*count * sizeof *nodes);
+    free(all);
+    return nodes;
+}
+
+int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing)
+{
+    double x[3], best = INFINITY;
+    int64_t node = 0;
+    if (!deck_is_list(place) || deck_count(place) != 3) deck_error(place, "a place is [x, y, z]");
+    for (int a = 0; a < 3; a++)
+        x[a] = deck_length(deck_item(place, a), spacing, -farthest, farthest);
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        const double away =
+            hypot(hypot(domain->x[i] - x[0], domain->y[i] - x[1]), domain->z[i] - x[2]);
+        if (away >= best - slack * spacing) continue;
+        best = away;
+        node = i;
+    }
+    if (best > 2 * spacing)
+        deck_error(place, "the nearest node is %g m away, over 2 spacings; the nodes are at %s",
+                   best, extent(domain));
+    return node;
+}

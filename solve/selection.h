@@ -1,0 +1,46 @@
+/* selection.h - the nodes that an entry of the deck is about.
+ *
+ * Exactly one of:
+ *   set: grip_left                        a node set of the domain
+ *   block: UFG                            a phase
+ *   box: [[0, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]]   corners, faces included (within 1e-6 spacings); of two
+ *                                         numbers each: any z
+ *   where: "x > 0.01 && y < 0"            an expression in the reference position [m], true where it is not
+ *                                         0; compared to the last bit, so put limits between nodes */
+#ifndef HS_SELECTION_H
+#define HS_SELECTION_H
+
+#include "deck.h"
+#include "domain.h"
+#include "expression.h"
+
+/* For the list of keys of a mapping that holds a selection: deck_keys(map, {SELECTION_KEYS, ..., NULL}). */
+#define SELECTION_KEYS "set", "block", "box", "where"
+
+enum selection_kind { SELECT_SET, SELECT_BLOCK, SELECT_BOX, SELECT_WHERE };
+
+struct selection {
+    enum selection_kind kind;
+    struct deck_node where;        /* the value of its key */
+    struct expression *expression; /* else NULL */
+};
+
+/* Reads it from a mapping with other keys beside.  Dies where there is none or more than one, and where an
+ * expression or a box is malformed. */
+struct selection selection_read(struct deck_node map);
+void selection_free(struct selection *selection);
+
+/* "set grip_left", "block UFG", "box", "where x > 0"; the caller frees it. */
+char *selection_name(const struct selection *selection);
+
+/* Numbers (from 0, ascending) of the domain's nodes in the selection; the caller frees them.  spacing [m]:
+ * of the lattice, or the mean one, for lengths given in it and for the faces of a box.  Dies where
+ * there are none, naming what there is. */
+int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
+                         double spacing, int64_t *count);
+
+/* The node nearest to a place [x, y, z] of the deck (lengths as in a box), of several equally near within
+ * 1e-6 spacings the first.  Dies where it is farther than 2 spacings: such a place is a mistake. */
+int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing);
+
+#endif

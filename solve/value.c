@@ -1,0 +1,170 @@
+#include "value.h"
+
+#include "units.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const variables[] = {"x", "y", "z", "t"};
+enum { VARIABLES = 4, TIME = 3 };
+
+/* Whether a text means to be a number with a unit: "10 m/s" and "10 mm" do, "10*t", "x" and "10/x" do
+ * not.  What does must not be taken for an expression, whose faults would mislead. */
+static bool looks_like_number(const char *text)
+{
+    char *end;
+    strtod(text, &end);
+    if (end == text) return false;
+    while (isspace((unsigned char)*end)) end++;
+    const unsigned char first = (unsigned char)*end;
+    return first == '\0' || isalpha(first) || first == '%' || first > 127;
+}
+
+/* Of an expression: the kinds that its variables ask for. */
+static int needs(const struct expression *expression)
+{
+    int needed = expression_uses(expression, TIME) ? VALUE_IN_TIME : 0;
+    for (int i = 0; i < TIME; i++)
+        if (expression_uses(expression, i)) needed |= VALUE_IN_SPACE;
+    return needed;
+}
+
+static void read_scalar(struct value *value, int allowed)
+{
+    const char *text = deck_string(value->where);
+    double number;
+    if (!units_read(text, value->unit, &number) || looks_like_number(text)) {
+        value->number = deck_number(value->where, value->unit, value->low, value->high);
+        return;
+    }
+    value->kind = VALUE_EXPRESSION;
+    value->expression = expression_new(value->where, variables, VARIABLES);
+    const int missing = needs(value->expression) & ~allowed;
+    if (missing)
+        deck_error(value->where, "expression '%.200s': this value cannot depend on %s", text,
+                   missing & VALUE_IN_TIME ? "t" : "x, y, z");
+}
+
+static void read_ramp(struct value *value)
+{
+    deck_keys(value->where, (const char *const[]){"ramp", "to", NULL});
+    value->kind = VALUE_RAMP;
+    value->ramp = deck_number(deck_get(value->where, "ramp"), "s", 1e-15, 1e6);
+    value->number = deck_number(deck_get(value->where, "to"), value->unit, value->low, value->high);
+}
+
+static int64_t read_every(struct deck_node where)
+{
+    const char *text = deck_string(where);
+    if (strcmp(text, "equilibrium") == 0) return 0;
+    char *end;
+    const long steps = strtol(text, &end, 10);
+    if (!isdigit((unsigned char)*text) || strcmp(end + strspn(end, " "), "steps") != 0)
+        deck_error(where, "'%.40s' is not known here, expected such as '250 steps', or equilibrium",
+                   text);
+    if (steps < 1 || steps > 1000000000)
+        deck_error(where, "'%.40s' is out of range, expected 1 to 1000000000 steps", text);
+    return steps;
+}
+
+static void read_steps(struct value *value)
+{
+    deck_keys(value->where, (const char *const[]){"initial", "increment", "every", NULL});
+    value->kind = VALUE_STEPS;
+    value->number =
+        deck_number(deck_get(value->where, "initial"), value->unit, value->low, value->high);
+    const double most = value->high - value->low;
+    value->increment = deck_number(deck_get(value->where, "increment"), value->unit, -most, most);
+    value->every = read_every(deck_get(value->where, "every"));
+}
+
+static _Noreturn void wrong_kind(const struct value *value, int allowed)
+{
+    deck_error(value->where, "expected a number in %s%s%s%s", value->unit,
+               allowed & (VALUE_IN_SPACE | VALUE_IN_TIME) ? ", an expression" : "",
+               allowed & VALUE_IN_TIME ? ", {ramp: ..., to: ...}" : "",
+               allowed & VALUE_STEPPED ? ", {initial: ..., increment: ..., every: ...}" : "");
+}
+
+struct value value_read(struct deck_node where, const char *unit, double low, double high,
+                        int allowed)
+{
+    struct value value = {.where = where, .unit = unit, .low = low, .high = high};
+    if (deck_is_scalar(where))
+        read_scalar(&value, allowed);
+    else if (!deck_is_map(where))
+        wrong_kind(&value, allowed);
+    else if (deck_has(where, "ramp") && (allowed & VALUE_IN_TIME))
+        read_ramp(&value);
+    else if (deck_has(where, "increment") && (allowed & VALUE_STEPPED))
+        read_steps(&value);
+    else
+        wrong_kind(&value, allowed);
+    return value;
+}
+
+void value_free(struct value *value)
+{
+    expression_free(value->expression);
+    *value = (struct value){0};
+}
+
+bool value_depends_on_place(const struct value *value)
+{
+    return value->expression && (needs(value->expression) & VALUE_IN_SPACE);
+}
+
+bool value_depends_on_time(const struct value *value)
+{
+    if (value->kind == VALUE_EXPRESSION) return needs(value->expression) & VALUE_IN_TIME;
+    return value->kind != VALUE_CONSTANT;
+}
+
+double value_rise(double s)
+{
+    if (s <= 0) return 0;
+    return s >= 1 ? 1 : s * s * s * (10 + s * (6 * s - 15));
+}
+
+double value_at(const struct value *value, const double x[3], double time)
+{
+    switch (value->kind) {
+    case VALUE_EXPRESSION:
+        return expression_value(value->expression, (const double[]){x[0], x[1], x[2], time});
+    case VALUE_RAMP:
+        return value_rise(time / value->ramp) * value->number;
+    case VALUE_STEPS:
+        return value->number + (double)value->raised * value->increment;
+    case VALUE_CONSTANT:
+        break;
+    }
+    return value->number;
+}
+
+void value_try(const struct value *value, int64_t count, const int64_t *nodes,
+               const double *const x[3], double end_time)
+{
+    enum { TIMES = 3 };
+    if (!value->expression) return;
+    for (int64_t i = 0; i < count; i++) {
+        const int64_t node = nodes ? nodes[i] : i;
+        for (int k = 0; k < TIMES; k++) {
+            const double at[] = {x[0][node], x[1][node], x[2][node], 0.5 * k * end_time};
+            expression_try(value->expression, at, value->unit, value->low, value->high);
+        }
+    }
+}
+
+bool value_raise(struct value *value, int64_t steps, bool equilibrium)
+{
+    if (value->kind != VALUE_STEPS) return false;
+    const bool due = value->every ? steps > 0 && steps % value->every == 0 : equilibrium;
+    if (!due) return false;
+    value->raised++;
+    const double now = value_at(value, (const double[]){0, 0, 0}, 0);
+    if (!(now >= value->low && now <= value->high))
+        deck_error(value->where, "has grown to %g %s after %lld increments, expected %g to %g", now,
+                   value->unit, (long long)value->raised, value->low, value->high);
+    return true;
+}

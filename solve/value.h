@@ -1,0 +1,59 @@
+/* value.h - a load, a motion or a field of the deck that may depend on time and place.
+ *
+ *   10 m/s                             a number with its unit
+ *   "1e-6*t"                           an expression in x, y, z (reference position) and t, all in SI
+ *   {ramp: 2 us, to: 10 m/s}           from 0 to a number, smoothly: 10 s^3 - 15 s^4 + 6 s^5, s = t/ramp
+ *   {initial: 150 N, increment: 150 N, every: 250 steps}   raised after that many steps, or
+ *                                 every: equilibrium       whenever the body has come to rest */
+#ifndef HS_VALUE_H
+#define HS_VALUE_H
+
+#include "deck.h"
+#include "expression.h"
+
+#include <stdint.h>
+
+enum value_kind { VALUE_CONSTANT, VALUE_EXPRESSION, VALUE_RAMP, VALUE_STEPS };
+
+/* What else than a number a quantity may be given as. */
+enum { VALUE_IN_SPACE = 1, VALUE_IN_TIME = 2, VALUE_STEPPED = 4 };
+
+struct value {
+    enum value_kind kind;
+    struct deck_node where;
+    const char *unit;              /* SI */
+    double low, high;              /* range */
+    double number;                 /* constant; reached by a ramp; initial of a stepped load */
+    double ramp;                   /* s */
+    double increment;              /* of a stepped load */
+    int64_t every;                 /* steps; 0: at equilibrium */
+    int64_t raised;                /* increments so far */
+    struct expression *expression; /* else NULL */
+};
+
+/* Reads a value in this SI unit, within low to high; unit must be a literal.  allowed: a sum of the three
+ * above; dies where the deck gives a kind, or uses a variable, that is not among them. */
+struct value value_read(struct deck_node where, const char *unit, double low, double high,
+                        int allowed);
+void value_free(struct value *value);
+
+bool value_depends_on_place(const struct value *value);
+bool value_depends_on_time(const struct value *value);
+
+/* Value at a reference position [m] and time [s], a stepped one as raised so far. */
+double value_at(const struct value *value, const double x[3], double time);
+
+/* Evaluates an expression at these nodes of the positions x[3][...] (nodes = NULL: at the first count) at
+ * the start, in the middle and at the end of a run, and dies where it is not finite or out of
+ * range.  Sound in time for a stepped load: its increments are numbers. */
+void value_try(const struct value *value, int64_t count, const int64_t *nodes,
+               const double *const x[3], double end_time);
+
+/* Smooth rise from 0 at 0 to 1 at 1, where its first and second derivatives vanish: 10 s^3 - 15 s^4 + 6 s^5. */
+double value_rise(double s);
+
+/* Raises a stepped load where it is due after so many steps of the run, or, where it waits for equilibrium,
+ * if there is one.  True where it has been raised.  Dies where that leads out of the range. */
+bool value_raise(struct value *value, int64_t steps, bool equilibrium);
+
+#endif
