@@ -16,14 +16,23 @@ enum { LONGEST_UNIT = 64 };
 static const struct {
     const char *unit, *name;
 } dimensions[] = {
-    {"1", "a pure number"},  {"m", "a length"},
-    {"m2", "an area"},       {"m3", "a volume"},
-    {"s", "a time"},         {"1/s", "a rate"},
-    {"m/s", "a velocity"},   {"m/s2", "an acceleration"},
-    {"kg", "a mass"},        {"kg/m3", "a density"},
-    {"N", "a force"},        {"Pa", "a stress"},
-    {"J", "an energy"},      {"K", "a temperature"},
-    {"Pa s", "a viscosity"}, {"1/m", "an inverse length"},
+    {"1", "a pure number"},
+    {"m", "a length"},
+    {"m2", "an area"},
+    {"m3", "a volume"},
+    {"s", "a time"},
+    {"1/s", "a rate"},
+    {"m/s", "a velocity"},
+    {"m/s2", "an acceleration"},
+    {"kg", "a mass"},
+    {"kg/m3", "a density"},
+    {"N", "a force"},
+    {"Pa", "a stress"},
+    {"J", "an energy"},
+    {"K", "a temperature"},
+    {"Pa s", "a viscosity"},
+    {"1/m", "an inverse length"},
+    {"N/m3", "a force density"},
 };
 enum { DIMENSIONS = sizeof dimensions / sizeof *dimensions };
 
