@@ -13,12 +13,14 @@ setup() {
 # Positions of 5e-3 m are rounded to 9e-19 m, extensions are of 1e-5 m: 1e-13 of a bond's force.
 @test "LAMMPS' peri/pmb and peri/lps are the formulas of tests/lammps" {
     awk -v n=6 -v spacing=1e-3 -v share=0.01 -v seed=1 -f "$here/lattice.awk" > particles
-    for style in pmb lps; do
+    # partial volumes, and whole ones
+    for case in 'pmb 1e-3' 'pmb 1e-9' 'lps 1e-3' 'lps 1e-9'; do
         code=0
-        "$here/forces" "$style" particles 3.015e-3 1e-3 130e9 78e9 > lammps 2> messages || code=$?
+        read -r style spacing <<< "$case"
+        "$here/forces" "$style" particles 3.015e-3 "$spacing" 130e9 78e9 > lammps 2> messages || code=$?
         [ "$code" -ne 77 ] || skip "$(cat messages)"
         [ "$code" -eq 0 ]
-        awk -v style="$style" -v horizon=3.015e-3 -v spacing=1e-3 -v bulk=130e9 -v shear=78e9 \
+        awk -v style="$style" -v horizon=3.015e-3 -v spacing="$spacing" -v bulk=130e9 -v shear=78e9 \
             -f "$here/formula.awk" particles > formula
         paste lammps formula | awk '
             NF != 8 {exit 1}
