@@ -69,10 +69,11 @@ archive = $(BUILD)/lib$(1).a
 
 all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
 
-$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen $(CAIRO_CFLAGS)
+$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen
 $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
 $(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests $(SOLVE_INCLUDES) $(MPI_CFLAGS)
+$(BUILD)/lib/canvas.o: ALL_CFLAGS += $(CAIRO_CFLAGS)
 $(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
 
 $(BUILD)/%.o: %.c Makefile
@@ -91,7 +92,7 @@ $(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
 $(BUILD)/bin/hssolve: $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
 $(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(MPI_LIBS)
 $(BUILD)/bin/hspost: $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
-$(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS)
+$(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
 
 $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 	@mkdir -p $(@D)

@@ -25,7 +25,7 @@ static struct choices read_choices(int argc, char **argv)
         {'o', "output", "FILE", "write the domain (Genesis) there, not to the pipe", NULL,
          &c.output},
         {'s', "statistics", "FILE", "write the structure's statistics as CSV", NULL, &c.statistics},
-        {'p', "picture", "FILE", "draw the middle sections (.png or .svg)", NULL, &c.picture},
+        {'p', "picture", "FILE", "draw the middle sections (.png, .svg, .pdf)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},

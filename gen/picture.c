@@ -1,14 +1,8 @@
 #include "picture.h"
 
-#include "die.h"
-#include "memory.h"
-#include "spool.h"
+#include "canvas.h"
 
-#include <cairo-svg.h>
-#include <cairo.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { LONGEST_SIDE = 1000, MARGIN = 30, GAP = 44 }; /* points */
 
@@ -24,16 +18,9 @@ struct section {
 static const struct section sections[] = {{"xy", 0, 1}, {"xz", 0, 2}, {"yz", 1, 2}};
 enum { N_SECTIONS = sizeof sections / sizeof *sections };
 
-static bool ends_in(const char *path, const char *end)
-{
-    size_t length = strlen(path), tail = strlen(end);
-    return length > tail && strcmp(path + length - tail, end) == 0;
-}
-
 void picture_check_name(const char *path)
 {
-    if (!ends_in(path, ".png") && !ends_in(path, ".svg"))
-        die_user("--picture %s: expected a name that ends in .png or .svg", path);
+    canvas_check_name("picture", path);
 }
 
 /* Phase of a site, -1 where there is no node. */
@@ -49,7 +36,7 @@ static int phase_at(const struct structure *structure, const struct section *sec
 }
 
 /* One row of sites as few rectangles: runs of one phase. */
-static void draw_row(cairo_t *cairo, const struct structure *structure,
+static void draw_row(struct canvas *canvas, const struct structure *structure,
                      const struct section *section, double scale, int64_t up)
 {
     int64_t width = structure->sites->count[section->right];
@@ -58,69 +45,29 @@ static void draw_row(cairo_t *cairo, const struct structure *structure,
         int phase = phase_at(structure, section, start, up);
         for (end = start + 1; end < width && phase_at(structure, section, end, up) == phase;) end++;
         if (phase < 0) continue;
-        cairo_set_source_rgb(cairo, colours[phase][0], colours[phase][1], colours[phase][2]);
-        cairo_rectangle(cairo, (double)start * scale, (double)(height - 1 - up) * scale,
-                        (double)(end - start) * scale, scale);
-        cairo_fill(cairo);
+        canvas_cell(canvas, (double)start * scale, (double)(height - 1 - up) * scale,
+                    (double)(end - start) * scale, scale, colours[phase]);
     }
 }
 
-static void draw_section(cairo_t *cairo, const struct structure *structure,
+static void draw_section(struct canvas *canvas, const struct structure *structure,
                          const struct section *section, double scale)
 {
-    cairo_set_source_rgb(cairo, 0, 0, 0);
-    cairo_move_to(cairo, 0, -6);
-    cairo_show_text(cairo, section->title);
-    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+    canvas_text(canvas, 0, -6, ALIGN_LEFT, section->title);
     for (int64_t up = 0; up < structure->sites->count[section->up]; up++)
-        draw_row(cairo, structure, section, scale, up);
-    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
+        draw_row(canvas, structure, section, scale, up);
 }
 
-/* A round length (1, 2 or 5 times a power of ten, m) of about a sixth of the specimen. */
-static double bar_length(double size)
+static void draw_legend(struct canvas *canvas, const struct recipe *recipe, double scale)
 {
-    double power = pow(10, floor(log10(size / 6)));
-    double digit = size / 6 / power;
-    return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-}
-
-static void draw_legend(cairo_t *cairo, const struct recipe *recipe, double scale)
-{
-    double length = bar_length(recipe->specimen.size[0]);
-    double points = length / recipe->specimen.spacing * scale;
-    char *text = memory_print("%g mm", 1e3 * length);
-    cairo_set_source_rgb(cairo, 0, 0, 0);
-    cairo_rectangle(cairo, 0, 0, points, 4);
-    cairo_fill(cairo);
-    cairo_move_to(cairo, points + 8, 8);
-    cairo_show_text(cairo, text);
-    free(text);
-    double x = points + 90;
+    double length = recipe->specimen.size[0], metre = scale / recipe->specimen.spacing;
+    canvas_scale_bar(canvas, length, metre);
+    double x = canvas_bar_length(length) * metre + 90;
     for (int phase = 0; phase < recipe->n_phases; phase++) {
-        cairo_set_source_rgb(cairo, colours[phase][0], colours[phase][1], colours[phase][2]);
-        cairo_rectangle(cairo, x, -4, 12, 12);
-        cairo_fill(cairo);
-        cairo_set_source_rgb(cairo, 0, 0, 0);
-        cairo_move_to(cairo, x + 18, 8);
-        cairo_show_text(cairo, recipe->phase_names[phase]);
+        canvas_box(canvas, x, -4, 12, 12, colours[phase]);
+        canvas_text(canvas, x + 18, 8, ALIGN_LEFT, recipe->phase_names[phase]);
         x += 110;
     }
-}
-
-static void draw(cairo_t *cairo, const struct recipe *recipe, const struct structure *structure,
-                 double scale)
-{
-    cairo_set_source_rgb(cairo, 1, 1, 1);
-    cairo_paint(cairo);
-    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, 13);
-    cairo_translate(cairo, MARGIN, MARGIN);
-    for (int s = 0; s < N_SECTIONS; s++) {
-        draw_section(cairo, structure, &sections[s], scale);
-        cairo_translate(cairo, 0, (double)structure->sites->count[sections[s].up] * scale + GAP);
-    }
-    draw_legend(cairo, recipe, scale);
 }
 
 void picture_write(const struct recipe *recipe, const struct structure *structure, const char *path)
@@ -132,20 +79,12 @@ void picture_write(const struct recipe *recipe, const struct structure *structur
     if (scale > 1) scale = floor(scale); /* whole pixels: no seams */
     double width = fmax((double)longest * scale, 500) + 2 * MARGIN;
     double height = (double)(count[1] + 2 * count[2]) * scale + N_SECTIONS * GAP + 2 * MARGIN;
-    bool png = ends_in(path, ".png");
-    struct spool output = spool_output(path);
-    cairo_surface_t *surface =
-        png ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height)
-            : cairo_svg_surface_create(output.path, width, height);
-    cairo_t *cairo = cairo_create(surface);
-    draw(cairo, recipe, structure, scale);
-    cairo_status_t status = cairo_status(cairo);
-    cairo_destroy(cairo);
-    if (png && status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_write_to_png(surface, output.path);
-    cairo_surface_finish(surface);
-    if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    if (status != CAIRO_STATUS_SUCCESS) die_run("%s: %s", path, cairo_status_to_string(status));
-    spool_finish(&output);
+    struct canvas *canvas = canvas_open(path, width, height);
+    canvas_move(canvas, MARGIN, MARGIN);
+    for (int s = 0; s < N_SECTIONS; s++) {
+        draw_section(canvas, structure, &sections[s], scale);
+        canvas_move(canvas, 0, (double)structure->sites->count[sections[s].up] * scale + GAP);
+    }
+    draw_legend(canvas, recipe, scale);
+    canvas_close(canvas);
 }

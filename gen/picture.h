@@ -1,10 +1,10 @@
-/* picture.h - the three middle sections as an image (cairo): a figure without further software. */
+/* picture.h - the three middle sections as an image: a figure without further software. */
 #ifndef HS_PICTURE_H
 #define HS_PICTURE_H
 
 #include "structure.h"
 
-/* path ends in .png or .svg, else the user's error (exit 2). */
+/* path ends in .png, .svg or .pdf, else the user's error (exit 2). */
 void picture_check_name(const char *path);
 void picture_write(const struct recipe *recipe, const struct structure *structure,
                    const char *path);

@@ -49,4 +49,22 @@ struct exodus_fields *exodus_fields_open(const struct spool *output, const struc
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
 void exodus_fields_close(struct exodus_fields *fields);
 
+/* Frames read back; the domain beside them is read by exodus_read_domain from the same input. */
+struct frames {
+    int64_t n_nodes;
+    int n_variables;
+    char **variables; /* [n_variables] names, in the file's order */
+    int64_t n_frames;
+    double *time;             /* [n_frames] s */
+    struct exodus_file *file; /* open */
+};
+
+/* Dies (exit 2) at what exodus_fields_open did not write, and at a file without frames. */
+struct frames exodus_frames_open(const struct spool *input);
+/* Index of a variable; -1 where there is none of that name. */
+int frames_find(const struct frames *frames, const char *variable);
+/* values[n_nodes] of a variable (index) at a frame (from 0). */
+void exodus_frames_read(const struct frames *frames, int variable, int64_t frame, double *values);
+void exodus_frames_close(struct frames *frames);
+
 #endif

@@ -1,4 +1,4 @@
-/* hspost - tensile curves, properties and figures from histories and tables. */
+/* hspost - tensile curves, properties and figures from histories and tables, pictures of fields. */
 #include "bounds.h"
 #include "deck.h"
 #include "die.h"
@@ -7,8 +7,9 @@
 #include "memory.h"
 #include "request.h"
 #include "spool.h"
+#include "text_output.h"
+#include "view.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,7 +21,7 @@ struct study {
     struct properties *properties; /* [count] */
     const char **titles;           /* [count] */
     int count;
-    char *maker; /* "# program: ..." and "# command: ..." lines */
+    const char *maker; /* "# program: ..." and "# command: ..." lines */
 };
 
 static char *describe_maker(int argc, char **argv)
@@ -49,7 +50,7 @@ static struct choices choose(const struct request *request, const struct input *
     return choices;
 }
 
-static struct study read_and_analyse(const struct request *request, char *maker)
+static struct study read_and_analyse(const struct request *request, const char *maker)
 {
     size_t n = (size_t)request->n_files;
     struct study study = {.count = request->n_files, .maker = maker};
@@ -71,32 +72,12 @@ static struct study read_and_analyse(const struct request *request, char *maker)
     return study;
 }
 
-static FILE *open_file(const struct spool *spool)
-{
-    FILE *file = fopen(spool->path, "w");
-    if (!file) die_run("cannot write %s: %s", spool->path, strerror(errno));
-    return file;
-}
-
-static void finish_file(FILE *file, struct spool *spool, const char *name)
-{
-    bool written = fflush(file) == 0 && !ferror(file);
-    if (fclose(file) != 0 || !written) die_run("cannot write %s: %s", name, strerror(errno));
-    spool_finish(spool);
-}
-
 static void write_curve(const struct study *study, const struct curve *curve, const char *name)
 {
-    if (!name || strcmp(name, "-") == 0) {
-        fputs(study->maker, stdout);
-        curve_write(stdout, curve);
-        return;
-    }
-    struct spool spool = spool_output(name);
-    FILE *file = open_file(&spool);
-    fputs(study->maker, file);
-    curve_write(file, curve);
-    finish_file(file, &spool, name);
+    struct text_output output = text_output_open(name);
+    fputs(study->maker, output.file);
+    curve_write(output.file, curve);
+    text_output_close(&output);
 }
 
 static void write_properties(const struct study *study, const char *name,
@@ -104,10 +85,9 @@ static void write_properties(const struct study *study, const char *name,
                                            int))
 {
     if (!name) return;
-    struct spool spool = spool_output(name);
-    FILE *file = open_file(&spool);
-    write(file, study->properties, study->titles, study->count);
-    finish_file(file, &spool, name);
+    struct text_output output = text_output_open(name);
+    write(output.file, study->properties, study->titles, study->count);
+    text_output_close(&output);
 }
 
 /* Fills bounds[] with the mixtures asked for, writes them, and returns their number. */
@@ -160,7 +140,21 @@ static void study_free(struct study *study)
     free(study->analyses);
     free(study->properties);
     free(study->titles);
-    free(study->maker);
+}
+
+static void treat_curves(const struct request *request, const char *maker)
+{
+    struct study study = read_and_analyse(request, maker);
+    for (int i = 0; i < study.count; i++) properties_print(&study.properties[i], study.titles[i]);
+    write_properties(&study, request->properties, properties_write_csv);
+    write_properties(&study, request->json, properties_write_json);
+    struct curve bounds[2];
+    int n_bounds = make_bounds(request, &study, bounds);
+    draw(request, &study, bounds, n_bounds);
+    if (request->difference) compare(request, &study);
+    if (study.count == 1) write_curve(&study, &study.curves[0], request->output);
+    for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
+    study_free(&study);
 }
 
 int main(int argc, char **argv)
@@ -168,19 +162,12 @@ int main(int argc, char **argv)
     die_set_program("hspost");
     struct request request = request_read(argc, argv);
     note_set_quiet(request.quiet);
-    struct study study = read_and_analyse(&request, describe_maker(argc, argv));
-
-    for (int i = 0; i < study.count; i++) properties_print(&study.properties[i], study.titles[i]);
-    write_properties(&study, request.properties, properties_write_csv);
-    write_properties(&study, request.json, properties_write_json);
-    struct curve bounds[2];
-    int n_bounds = make_bounds(&request, &study, bounds);
-    draw(&request, &study, bounds, n_bounds);
-    if (request.difference) compare(&request, &study);
-    if (study.count == 1) write_curve(&study, &study.curves[0], request.output);
-
+    char *maker = describe_maker(argc, argv);
+    if (request.view.frames)
+        view_write(&request.view, request.output, maker);
+    else
+        treat_curves(&request, maker);
+    free(maker);
     if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
-    for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
-    study_free(&study);
     return 0;
 }

@@ -67,6 +67,17 @@ static void check(const struct request *request)
     if (pipes > 1) die_user("standard input ('-') can be read once");
 }
 
+static void check_view(const struct request *request, bool files)
+{
+    if (files) die_user("--frames takes the fields; curves (FILE) are for another call");
+    if (request->properties || request->json || request->plot || request->difference ||
+        request->voigt || request->reuss)
+        die_user("--properties, --json, --plot, --difference, --voigt and --reuss are about "
+                 "curves; do without --frames");
+    if (request->output && request->view.picture && !request->view.csv)
+        die_user("-o is the file of --csv; the picture has its own name");
+}
+
 struct request request_read(int argc, char **argv)
 {
     static const char *const standard_input[] = {"-"};
@@ -89,14 +100,17 @@ struct request request_read(int argc, char **argv)
         {'q', "quiet", NULL, "no table of properties on stderr", &r.quiet, NULL},
     };
     enum { OWN = sizeof own / sizeof *own };
-    struct option_row rows[OWN + CHOICE_COUNT];
+    enum { ROWS = OWN + VIEW_OPTION_COUNT + CHOICE_COUNT };
+    struct option_row rows[ROWS];
     memcpy(rows, own, sizeof own);
-    choices_options(rows + OWN, r.choices);
+    view_request_options(rows + OWN, &r.view);
+    choices_options(rows + OWN + VIEW_OPTION_COUNT, r.choices);
     const struct option_table table = {
         "hspost", "[FILE...] [-o FILE]",
         "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
-        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.",
-        rows, OWN + CHOICE_COUNT};
+        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.\n"
+        "With --frames instead: pictures of particle fields.",
+        rows, ROWS};
     int first = options_read(&table, argc, argv);
 
     r.n_files = argc > first ? argc - first : 1;
@@ -104,6 +118,10 @@ struct request request_read(int argc, char **argv)
     if (texts.fraction) r.fraction = read_number("fraction", texts.fraction, 0, 1);
     if (texts.strain_range) read_strain_range(texts.strain_range, r.strain_range);
     r.law = read_law(texts.law);
-    check(&r);
+    view_request_check(&r.view);
+    if (r.view.frames)
+        check_view(&r, argc > first);
+    else
+        check(&r);
     return r;
 }

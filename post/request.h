@@ -4,6 +4,7 @@
 
 #include "choices.h"
 #include "law.h"
+#include "view_request.h"
 
 #include <stdbool.h>
 
@@ -15,6 +16,7 @@ struct request {
     double strain_range[2]; /* NAN where not given */
     const struct law *law;  /* of the constituents */
     const char *choices[CHOICE_COUNT];
+    struct view_request view;
     int n_files;
     const char *const *files; /* [n_files]; "-": standard input */
 };

@@ -50,7 +50,7 @@ only_in() {
     only_in '(exodusII|netcdf)\.h' 'lib/exodus*'
     only_in 'udunits2\.h' lib/units.c
     only_in 'muParser.*\.h' lib/expression.c
-    only_in 'cairo.*\.h' gen/picture.c
+    only_in 'cairo.*\.h' lib/canvas.c
 }
 
 @test "the material laws know nothing of MPI" {

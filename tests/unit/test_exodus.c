@@ -253,6 +253,41 @@ static void test_frames_are_on_disk_at_once(void **state)
     domain_free(&domain);
 }
 
+static void write_fields(const char *name, int frames)
+{
+    struct domain domain = small_domain();
+    struct spool output = spool_output(name);
+    struct exodus_fields *fields = open_fields(&output, &domain);
+    write_frames(fields, 1, frames);
+    exodus_fields_close(fields);
+    spool_finish(&output);
+    domain_free(&domain);
+}
+
+static void test_frames_come_back(void **state)
+{
+    double values[NODES];
+    (void)state;
+    write_fields("run.e", 3);
+    struct spool input = spool_input("run.e");
+    struct frames frames = exodus_frames_open(&input);
+    assert_int_equal(frames.n_nodes, NODES);
+    assert_int_equal(frames.n_variables, 2);
+    assert_string_equal(frames.variables[1], "DisplacementY");
+    assert_int_equal(frames_find(&frames, "DisplacementY"), 1);
+    assert_int_equal(frames_find(&frames, "Displacement"), -1);
+    assert_int_equal(frames.n_frames, 3);
+    for (int frame = 0; frame < 3; frame++) {
+        assert_true(frames.time[frame] == 0.5 * (frame + 1));
+        exodus_frames_read(&frames, 0, frame, values);
+        for (int i = 0; i < NODES; i++) assert_true(values[i] == frame + 1 + i);
+        exodus_frames_read(&frames, 1, frame, values);
+        for (int i = 0; i < NODES; i++) assert_true(values[i] == -(frame + 1) * i);
+    }
+    exodus_frames_close(&frames);
+    spool_close(&input);
+}
+
 /* --- what is refused -------------------------------------------------------------------------- */
 
 static void try_domain(const void *name)
@@ -269,6 +304,18 @@ static void try_history(const void *name)
     spool_close(&input);
 }
 
+static void try_frames(const void *name)
+{
+    struct spool input = spool_input(name);
+    struct frames frames = exodus_frames_open(&input);
+    double *values = memory_new((size_t)frames.n_nodes, sizeof *values);
+    for (int64_t frame = 0; frame < frames.n_frames; frame++)
+        for (int i = 0; i < frames.n_variables; i++) exodus_frames_read(&frames, i, frame, values);
+    free(values);
+    exodus_frames_close(&frames);
+    spool_close(&input);
+}
+
 static void test_foreign_input_is_refused(void **state)
 {
     (void)state;
@@ -282,22 +329,34 @@ static void test_foreign_input_is_refused(void **state)
     write_domain("domain.g");
     write_history("history.e");
     assert_dies(EXIT_USER, "domain.g: no history in it", try_history, "domain.g");
+    write_fields("empty.e", 0);
     assert_dies(EXIT_USER, "history.e: no nodes in it", try_domain, "history.e");
+    assert_dies(EXIT_USER, "text: not a netCDF file", try_frames, "text");
+    assert_dies(EXIT_USER, "domain.g: no frames of fields in it", try_frames, "domain.g");
+    assert_dies(EXIT_USER, "history.e: no frames of fields in it", try_frames, "history.e");
+    assert_dies(EXIT_USER, "empty.e: ", try_frames, "empty.e");
+}
+
+static void expect_truncations_refused(const char *name, void (*try)(const void *))
+{
+    size_t length;
+    char *bytes = read_bytes(name, &length);
+    for (size_t cut = 1; cut < length; cut += 97) {
+        write_bytes("cut.g", bytes, cut);
+        assert_dies(EXIT_USER, "cut.g: ", try, "cut.g");
+    }
+    write_bytes("cut.g", bytes, length - 1);
+    assert_dies(EXIT_USER, "truncated or damaged", try, "cut.g");
+    free(bytes);
 }
 
 static void test_every_truncation_is_refused(void **state)
 {
-    size_t length;
     (void)state;
     write_domain("domain.g");
-    char *bytes = read_bytes("domain.g", &length);
-    for (size_t cut = 1; cut < length; cut += 97) {
-        write_bytes("cut.g", bytes, cut);
-        assert_dies(EXIT_USER, "cut.g: ", try_domain, "cut.g");
-    }
-    write_bytes("cut.g", bytes, length - 1);
-    assert_dies(EXIT_USER, "truncated or damaged", try_domain, "cut.g");
-    free(bytes);
+    expect_truncations_refused("domain.g", try_domain);
+    write_fields("run.e", 2);
+    expect_truncations_refused("run.e", try_frames);
 }
 
 static void test_unfinished_is_refused(void **state)
@@ -315,12 +374,10 @@ static void test_unfinished_is_refused(void **state)
 
 /* Any byte may be wrong: the reader ends with its own exit code or takes the file, but does not
  * crash or hang. */
-static void test_damaged_bytes_do_no_harm(void **state)
+static void expect_no_harm(const char *name, void (*try)(const void *))
 {
     size_t length;
-    (void)state;
-    write_domain("domain.g");
-    char *bytes = read_bytes("domain.g", &length);
+    char *bytes = read_bytes(name, &length);
     for (size_t at = 4; at < length; at += 61) {
         int status;
         char old = bytes[at];
@@ -331,14 +388,23 @@ static void test_damaged_bytes_do_no_harm(void **state)
         if (child == 0) {
             fclose(stderr);
             die_set_exit(_exit);
-            try_domain("wrong.g");
+            try("wrong.g");
             _exit(0);
         }
         assert_int_equal(waitpid(child, &status, 0), child);
         if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != EXIT_USER))
-            fail_msg("byte %zu: status %#x", at, (unsigned)status);
+            fail_msg("%s, byte %zu: status %#x", name, at, (unsigned)status);
     }
     free(bytes);
+}
+
+static void test_damaged_bytes_do_no_harm(void **state)
+{
+    (void)state;
+    write_domain("domain.g");
+    expect_no_harm("domain.g", try_domain);
+    write_fields("run.e", 2);
+    expect_no_harm("run.e", try_frames);
 }
 
 static void write_on_full_disk(const void *name)
@@ -364,6 +430,7 @@ int main(void)
         cmocka_unit_test(test_history_comes_back),
         cmocka_unit_test(test_fields_carry_the_domain_and_frames),
         cmocka_unit_test(test_frames_are_on_disk_at_once),
+        cmocka_unit_test(test_frames_come_back),
         cmocka_unit_test(test_foreign_input_is_refused),
         cmocka_unit_test(test_every_truncation_is_refused),
         cmocka_unit_test(test_unfinished_is_refused),

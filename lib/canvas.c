@@ -1,0 +1,137 @@
+#include "canvas.h"
+
+#include "die.h"
+#include "memory.h"
+#include "spool.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct canvas {
+    char *name; /* in messages */
+    struct spool output;
+    bool png;
+    cairo_surface_t *surface;
+    cairo_t *cairo;
+};
+
+enum { FONT_SIZE = 13 };
+
+static bool ends_in(const char *path, const char *end)
+{
+    size_t length = strlen(path), tail = strlen(end);
+    return length > tail && strcmp(path + length - tail, end) == 0;
+}
+
+void canvas_check_name(const char *option, const char *path)
+{
+    if (!ends_in(path, ".png") && !ends_in(path, ".svg") && !ends_in(path, ".pdf"))
+        die_user("--%s %s: expected a name that ends in .png, .svg or .pdf", option, path);
+}
+
+static cairo_surface_t *pdf_surface(const char *path, double width, double height)
+{
+    cairo_surface_t *surface = cairo_pdf_surface_create(path, width, height);
+    /* Otherwise the time of the run gets in. */
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, NULL);
+    return surface;
+}
+
+struct canvas *canvas_open(const char *path, double width, double height)
+{
+    struct canvas *canvas = memory_new(1, sizeof *canvas);
+    canvas->name = memory_text(path);
+    canvas->png = ends_in(path, ".png");
+    canvas->output = spool_output(path);
+    if (canvas->png)
+        canvas->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
+    else if (ends_in(path, ".svg"))
+        canvas->surface = cairo_svg_surface_create(canvas->output.path, width, height);
+    else
+        canvas->surface = pdf_surface(canvas->output.path, width, height);
+    cairo_t *cairo = canvas->cairo = cairo_create(canvas->surface);
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_paint(cairo);
+    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo, FONT_SIZE);
+    return canvas;
+}
+
+void canvas_close(struct canvas *canvas)
+{
+    cairo_surface_t *surface = canvas->surface;
+    cairo_status_t status = cairo_status(canvas->cairo);
+    cairo_destroy(canvas->cairo);
+    if (canvas->png && status == CAIRO_STATUS_SUCCESS)
+        status = cairo_surface_write_to_png(surface, canvas->output.path);
+    cairo_surface_finish(surface);
+    if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    if (status != CAIRO_STATUS_SUCCESS)
+        die_run("%s: %s", canvas->name, cairo_status_to_string(status));
+    spool_finish(&canvas->output);
+    free(canvas->name);
+    free(canvas);
+}
+
+void canvas_move(struct canvas *canvas, double right, double down)
+{
+    cairo_translate(canvas->cairo, right, down);
+}
+
+void canvas_box(struct canvas *canvas, double x, double y, double width, double height,
+                const double colour[3])
+{
+    cairo_set_source_rgb(canvas->cairo, colour[0], colour[1], colour[2]);
+    cairo_rectangle(canvas->cairo, x, y, width, height);
+    cairo_fill(canvas->cairo);
+}
+
+void canvas_cell(struct canvas *canvas, double x, double y, double width, double height,
+                 const double colour[3])
+{
+    cairo_set_antialias(canvas->cairo, CAIRO_ANTIALIAS_NONE);
+    canvas_box(canvas, x, y, width, height, colour);
+    cairo_set_antialias(canvas->cairo, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+void canvas_frame(struct canvas *canvas, double x, double y, double width, double height)
+{
+    cairo_set_source_rgb(canvas->cairo, 0, 0, 0);
+    cairo_set_line_width(canvas->cairo, 1);
+    cairo_rectangle(canvas->cairo, x, y, width, height);
+    cairo_stroke(canvas->cairo);
+}
+
+void canvas_text(struct canvas *canvas, double x, double y, enum canvas_align align,
+                 const char *text)
+{
+    cairo_text_extents_t extents = {0};
+    if (align != ALIGN_LEFT) cairo_text_extents(canvas->cairo, text, &extents);
+    double before = align == ALIGN_CENTRE ? 0.5 : align == ALIGN_RIGHT ? 1 : 0;
+    cairo_set_source_rgb(canvas->cairo, 0, 0, 0);
+    cairo_move_to(canvas->cairo, x - before * extents.x_advance, y);
+    cairo_show_text(canvas->cairo, text);
+}
+
+double canvas_bar_length(double size)
+{
+    double power = pow(10, floor(log10(size / 6)));
+    double digit = size / 6 / power;
+    return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
+void canvas_scale_bar(struct canvas *canvas, double size, double scale)
+{
+    static const double black[3] = {0, 0, 0};
+    double length = canvas_bar_length(size);
+    char *text = memory_print("%g mm", 1e3 * length);
+    canvas_box(canvas, 0, 0, length * scale, 4, black);
+    canvas_text(canvas, length * scale + 8, 8, ALIGN_LEFT, text);
+    free(text);
+}

@@ -1,0 +1,42 @@
+/* canvas.h - pictures by cairo: the only file that knows it.
+ *
+ * Lengths are points, x to the right and y downwards from the origin, which canvas_move shifts.
+ * Colours are red, green, blue from 0 to 1 (sRGB).  The same calls give the same bytes: no dates. */
+#ifndef HS_CANVAS_H
+#define HS_CANVAS_H
+
+struct canvas;
+
+enum canvas_align { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT };
+
+/* Dies (exit 2) unless path ends in .png, .svg or .pdf; option names what gave it in the message. */
+void canvas_check_name(const char *option, const char *path);
+
+/* A white sheet that appears as the file path when it is closed.  width and height in points (of a
+ * PNG: pixels). */
+struct canvas *canvas_open(const char *path, double width, double height);
+/* Writes the file and frees; dies (exit 1) where that fails. */
+void canvas_close(struct canvas *canvas);
+
+/* Shifts the origin. */
+void canvas_move(struct canvas *canvas, double right, double down);
+
+/* A filled rectangle. */
+void canvas_box(struct canvas *canvas, double x, double y, double width, double height,
+                const double colour[3]);
+/* The same with sharp edges: neighbours touch without a seam. */
+void canvas_cell(struct canvas *canvas, double x, double y, double width, double height,
+                 const double colour[3]);
+/* The outline of a rectangle, a thin black line. */
+void canvas_frame(struct canvas *canvas, double x, double y, double width, double height);
+
+/* Black text (UTF-8); x, y is on its base line at the left end, the middle or the right end. */
+void canvas_text(struct canvas *canvas, double x, double y, enum canvas_align align,
+                 const char *text);
+
+/* A round length (1, 2 or 5 times a power of ten) of about a sixth of size, in the same unit. */
+double canvas_bar_length(double size);
+/* A bar of canvas_bar_length(size) with its length in mm behind it; size in m, scale in points a m. */
+void canvas_scale_bar(struct canvas *canvas, double size, double scale);
+
+#endif

@@ -1,0 +1,167 @@
+#!/usr/bin/env bats
+# hspost --frames: particle fields as lists, tables and pictures.
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR" || return 1
+    cat >study.yaml <<'DECK'
+domain:
+  specimen: plate
+  size: [24 spacings, 6 spacings, 4 spacings]
+  spacing: 25 um
+  topology: random
+  phases: {cg: CG, ufg: UFG}
+  core_distance: 2 spacings
+  ufg_fraction: 0.40
+  override: true
+  seed: 1
+  grips: {length: 3 spacings, phase: structure}
+  gauge: {length: 12 spacings}
+materials:
+  CG: {model: correspondence, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31,
+       hardening: {law: linear, yield: 100 MPa, modulus: 1 GPa}}
+  UFG: {model: correspondence, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31,
+        hardening: {law: linear, yield: 500 MPa, modulus: 1 GPa}}
+boundary:
+  - {set: grip_left, direction: x, velocity: -10 m/s}
+  - {set: grip_right, direction: x, velocity: 10 m/s}
+solver: {type: explicit, horizon: 1, stabilisation: {law: mix, share: 0.1}, end_strain: 0.005}
+output:
+  history: 20
+  fields: {frames: 3, variables: [displacement, von_mises, phase]}
+DECK
+    hsgen -q study.yaml | hssolve -q -o fields.e > history.e
+}
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || return 1
+    fields="$BATS_FILE_TMPDIR/fields.e"
+}
+
+refused() {
+    local said="$1"
+    shift
+    run --separate-stderr hspost --frames "$fields" "$@"
+    [ "$status" -eq 2 ]
+    [ -z "$output" ]
+    [[ $stderr == *"$said"* ]] || { echo "$stderr"; return 1; }
+}
+bats_require_minimum_version 1.5.0
+
+rows() { grep -v '^#' "$1" | sed 1d; }
+
+@test "without more, what the file holds" {
+    hspost --frames "$fields" > list
+    grep -q '^# nodes: 576$' list
+    grep -q '^# variables: DisplacementX DisplacementY DisplacementZ VonMises Phase$' list
+    [ "$(rows list | wc -l)" -eq 5 ]
+    [ "$(rows list | head -1)" = 1,0 ]
+    hspost --frames - < "$fields" | grep -v '^# command' | cmp - <(grep -v '^# command' list)
+}
+
+@test "values are those that another reader finds" {
+    command -v ncdump > /dev/null || skip "no ncdump"
+    hspost --frames "$fields" --csv --frame 3 > all.csv
+    [ "$(grep -v '^#' all.csv | head -1)" = x_m,y_m,z_m,DisplacementX,DisplacementY,DisplacementZ,VonMises,Phase ]
+    # vals_nod_var4 is VonMises; 576 values a frame, all digits
+    ncdump -p 9,17 -v vals_nod_var4 "$fields" | sed '1,/vals_nod_var4 =$/d' | tr -d ' ;}\n' | tr ',' '\n' |
+        sed -n 1153,1728p > dumped
+    rows all.csv | cut -d, -f7 | paste - dumped | awk '$1 != $2 {exit 1} END {exit NR != 576}'
+}
+
+@test "a vector's name is its magnitude, a slice one layer of particles" {
+    hspost --frames "$fields" --csv --variables DisplacementX,DisplacementY,DisplacementZ,Displacement \
+        --slice x=0.2mm -o slice.csv
+    # 6 x 4 particles; 0.2 mm lies between 187.5 and 212.5 um, the upper one counts.  Square root and sum
+    # are rounded four times: 1e-15
+    rows slice.csv | awk -F, '
+        $1 < 0.0002124 || $1 > 0.0002126 {exit 1}
+        {d = $7 - sqrt($4 ^ 2 + $5 ^ 2 + $6 ^ 2); if (d > 1e-15 * $7 || d < -1e-15 * $7) exit 1}
+        END {exit NR != 24}'
+}
+
+@test "a time chooses the nearest frame" {
+    time=$(hspost --frames "$fields" | grep '^2,' | cut -d, -f2)
+    for shown in "$time" "$(awk -v t="$time" 'BEGIN {print 1.3 * t " s"}')"; do
+        hspost --frames "$fields" --csv --time "$shown" | grep -q '^# frame: 2$'
+    done
+    hspost --frames "$fields" --csv --frame last | grep -q '^# frame: 5$'
+    hspost --frames "$fields" --csv | grep -q "^# time_s: $(hspost --frames "$fields" | tail -1 | cut -d, -f2)\$"
+}
+
+@test "a particle of the layer is a square of its colour" {
+    hspost --frames "$fields" --picture phase.svg --variables Phase
+    hspost --frames "$fields" --csv --variables Phase --slice z > phase.csv
+    # the colour of the largest value: 0.992, 0.892, 0.217
+    squares=$(grep -o 'rgb(99.[12][0-9]*%, *89.[12][0-9]*%, *21.[67][0-9]*%)' phase.svg | wc -l)
+    [ "$squares" -gt 0 ]
+    [ "$squares" -eq "$(rows phase.csv | grep -c ',1$')" ]
+}
+
+@test "the same fields give the same picture, deformed ones another" {
+    for format in png svg pdf; do
+        hspost --frames "$fields" --picture first.$format --variables VonMises,Displacement,Phase
+        hspost --frames "$fields" --picture second.$format --variables VonMises,Displacement,Phase
+        cmp first.$format second.$format
+        hspost --frames "$fields" --picture other.$format --variables VonMises,Displacement,Phase --deformed 20
+        ! cmp -s first.$format other.$format
+    done
+    [ "$(head -c 4 first.png | tail -c 3)" = PNG ]
+    [ "$(head -c 4 first.pdf)" = %PDF ]
+}
+
+@test "ranges may be given for all variables or for each" {
+    hspost --frames "$fields" --picture one.svg --variables VonMises,Phase --range ,0:1
+    hspost --frames "$fields" --picture two.svg --variables VonMises,Phase
+    cmp one.svg two.svg
+    hspost --frames "$fields" --picture three.svg --variables VonMises,VonMises --range '0 MPa:0.2 GPa'
+    hspost --frames "$fields" --picture four.svg --variables VonMises,VonMises --range 0:2e8,0:2e8
+    cmp three.svg four.svg
+    ! cmp -s one.svg three.svg
+}
+
+@test "what is not there is named with what is" {
+    refused "no variable 'Stress'; there are DisplacementX, DisplacementY, DisplacementZ, VonMises, Phase;" \
+        --csv --variables Stress
+    refused "no variable ''" --csv --variables VonMises,
+    refused "--frame 6: $fields has 5 frames" --csv --frame 6
+    refused "has frames from 0 s to" --csv --time '1 s'
+    refused "no particle at z = 0.009 m; the body reaches from" --csv --slice z=9mm
+}
+
+@test "what does not go together is refused" {
+    refused "expected a name that ends in" --picture a.gif --variables Phase
+    refused "needs --variables" --picture a.png
+    refused "expected a number from 1" --csv --frame 0
+    refused "both choose the frame" --csv --frame 1 --time 0
+    refused "expected x, y or z" --csv --slice w=1
+    refused "is a length, expected a time" --csv --time 1m
+    refused "the first must be below the second" --picture a.png --variables Phase --range 1:0
+    refused "expected A:B" --picture a.png --variables Phase --range 1
+    refused "'m' is a length, expected a stress" --picture a.png --variables VonMises --range 0m:1m
+    refused "2 ranges for 3 variables" --picture a.png --variables Phase,Phase,Phase --range 0:1,0:1
+    refused "more ranges than variables" --picture a.png --variables Phase --range 0:1,0:1
+    refused "give --picture" --csv --deformed 2
+    refused "about curves" --plot a.svg
+    refused "for another call" history.csv
+    refused "the picture has its own name" --picture a.png --variables Phase -o b.png
+    [ ! -e a.png ]
+    run hspost --picture a.png --variables Phase history.e
+    [ "$status" -eq 2 ]
+    [[ $output == *"--frames FILE"* ]]
+}
+
+@test "files that hold no frames are refused" {
+    fields="$BATS_FILE_TMPDIR/history.e"
+    refused "no frames of fields in it" --csv
+    head -c 10000 "$BATS_FILE_TMPDIR/fields.e" > cut.e
+    fields=cut.e
+    refused "truncated or damaged" --csv
+}
+
+@test "a disk that is full is told" {
+    [ -e /dev/full ] || skip "no /dev/full"
+    run hspost --frames "$fields" --csv -o /dev/full
+    [ "$status" -eq 1 ]
+    run hspost --frames "$fields" --picture /nowhere/a.png --variables Phase
+    [ "$status" -ne 0 ]
+}
