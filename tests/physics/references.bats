@@ -17,10 +17,10 @@ setup() {
     for case in 'pmb 1e-3' 'pmb 1e-9' 'lps 1e-3' 'lps 1e-9'; do
         code=0
         read -r style spacing <<< "$case"
-        "$here/forces" "$style" particles 3.015e-3 "$spacing" 130e9 78e9 > lammps 2> messages || code=$?
+        "$here/forces" "$style" particles 3.015e-3 "$spacing" 130e9 50e9 > lammps 2> messages || code=$?
         [ "$code" -ne 77 ] || skip "$(cat messages)"
         [ "$code" -eq 0 ]
-        awk -v style="$style" -v horizon=3.015e-3 -v spacing="$spacing" -v bulk=130e9 -v shear=78e9 \
+        awk -v style="$style" -v horizon=3.015e-3 -v spacing="$spacing" -v bulk=130e9 -v shear=50e9 \
             -f "$here/formula.awk" particles > formula
         paste lammps formula | awk '
             NF != 8 {exit 1}
