@@ -24,6 +24,12 @@ struct section {
 static const struct section sections[] = {{"xy", 0, 1}, {"xz", 0, 2}, {"yz", 1, 2}};
 enum { N_SECTIONS = sizeof sections / sizeof *sections };
 
+/* A sheet has one. */
+static int sections_of(const struct recipe *recipe)
+{
+    return specimen_is_sheet(&recipe->specimen) ? 1 : N_SECTIONS;
+}
+
 static bool ends_in(const char *path, const char *end)
 {
     size_t length = strlen(path), tail = strlen(end);
@@ -116,7 +122,7 @@ static void draw(cairo_t *cairo, const struct recipe *recipe, const struct struc
     cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, 13);
     cairo_translate(cairo, MARGIN, MARGIN);
-    for (int s = 0; s < N_SECTIONS; s++) {
+    for (int s = 0; s < sections_of(recipe); s++) {
         draw_section(cairo, structure, &sections[s], scale);
         cairo_translate(cairo, 0, (double)structure->sites->count[sections[s].up] * scale + GAP);
     }
@@ -131,7 +137,9 @@ void picture_write(const struct recipe *recipe, const struct structure *structur
     double scale = (double)LONGEST_SIDE / (double)longest;
     if (scale > 1) scale = floor(scale); /* whole pixels: no seams */
     double width = fmax((double)longest * scale, 500) + 2 * MARGIN;
-    double height = (double)(count[1] + 2 * count[2]) * scale + N_SECTIONS * GAP + 2 * MARGIN;
+    int shown = sections_of(recipe);
+    double height = 2 * MARGIN;
+    for (int s = 0; s < shown; s++) height += (double)count[sections[s].up] * scale + GAP;
     bool png = ends_in(path, ".png");
     struct spool output = spool_output(path);
     cairo_surface_t *surface =
