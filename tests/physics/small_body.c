@@ -37,7 +37,8 @@ int small_ranks_stop(void **state)
 
 static struct lattice lattice_of(const struct small_case *wanted)
 {
-    struct lattice lattice = {.spacing = SMALL_SPACING, .n_sites = 1};
+    struct lattice lattice = {.dimensions = 3, .spacing = SMALL_SPACING, .n_sites = 1};
+    lattice.node_volume = SMALL_SPACING * SMALL_SPACING * SMALL_SPACING;
     for (int a = 0; a < 3; a++) {
         lattice.size[a] = wanted->size[a];
         lattice.n_sites *= wanted->size[a];
