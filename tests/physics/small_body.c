@@ -37,8 +37,7 @@ int small_ranks_stop(void **state)
 
 static struct lattice lattice_of(const struct small_case *wanted)
 {
-    struct lattice lattice = {.dimensions = 3, .spacing = SMALL_SPACING, .n_sites = 1};
-    lattice.node_volume = SMALL_SPACING * SMALL_SPACING * SMALL_SPACING;
+    struct lattice lattice = {.spacing = SMALL_SPACING, .n_sites = 1};
     for (int a = 0; a < 3; a++) {
         lattice.size[a] = wanted->size[a];
         lattice.n_sites *= wanted->size[a];
