@@ -11,6 +11,10 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
 {
     const struct specimen *specimen = &recipe->specimen;
     attributes_set_number(attributes, "spacing_m", specimen->spacing);
+    if (specimen_is_sheet(specimen)) {
+        attributes_set_number(attributes, "dimensions", specimen->dimensions);
+        attributes_set_number(attributes, "thickness_m", specimen->size[2]);
+    }
     attributes_set_number(attributes, "section_m2", specimen_section(specimen, structure->sites));
     if (specimen->gauge_length > 0) {
         int64_t layer[2];
@@ -41,13 +45,14 @@ struct domain assemble_domain(const struct recipe *recipe, const struct structur
     domain.phase_names = memory_new((size_t)recipe->n_phases, sizeof *domain.phase_names);
     for (int phase = 0; phase < recipe->n_phases; phase++)
         domain.phase_names[phase] = memory_text(recipe->phase_names[phase]);
+    const double volume = specimen_node_volume(&recipe->specimen);
     for (size_t node = 0; node < n_nodes; node++) {
         double position[3];
         sites_position(sites, (int64_t)node, position);
         domain.x[node] = position[0];
         domain.y[node] = position[1];
         domain.z[node] = position[2];
-        domain.volume[node] = sites->spacing * sites->spacing * sites->spacing;
+        domain.volume[node] = volume;
         domain.phase[node] = structure->phase[node];
     }
     specimen_add_sets(&recipe->specimen, sites, recipe->sets, &domain);

@@ -18,6 +18,12 @@ struct section {
 static const struct section sections[] = {{"xy", 0, 1}, {"xz", 0, 2}, {"yz", 1, 2}};
 enum { N_SECTIONS = sizeof sections / sizeof *sections };
 
+/* A sheet has one. */
+static int sections_of(const struct recipe *recipe)
+{
+    return specimen_is_sheet(&recipe->specimen) ? 1 : N_SECTIONS;
+}
+
 void picture_check_name(const char *path)
 {
     canvas_check_name("picture", path);
@@ -78,10 +84,12 @@ void picture_write(const struct recipe *recipe, const struct structure *structur
     double scale = (double)LONGEST_SIDE / (double)longest;
     if (scale > 1) scale = floor(scale); /* whole pixels: no seams */
     double width = fmax((double)longest * scale, 500) + 2 * MARGIN;
-    double height = (double)(count[1] + 2 * count[2]) * scale + N_SECTIONS * GAP + 2 * MARGIN;
+    const int shown = sections_of(recipe);
+    double height = 2 * MARGIN;
+    for (int s = 0; s < shown; s++) height += (double)count[sections[s].up] * scale + GAP;
     struct canvas *canvas = canvas_open(path, width, height);
     canvas_move(canvas, MARGIN, MARGIN);
-    for (int s = 0; s < N_SECTIONS; s++) {
+    for (int s = 0; s < shown; s++) {
         draw_section(canvas, structure, &sections[s], scale);
         canvas_move(canvas, 0, (double)structure->sites->count[sections[s].up] * scale + GAP);
     }

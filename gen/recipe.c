@@ -90,8 +90,10 @@ struct cores recipe_cores(struct recipe *recipe)
     if (recipe->topology->single_phase) return (struct cores){0};
     if (!recipe->cores_file) return recipe->topology->place(recipe);
     struct cores cores = cores_read(recipe->cores_file, recipe->topology->name);
+    double extent[3];
+    specimen_extent(&recipe->specimen, extent);
     for (int axis = 0; axis < 3; axis++)
-        if (recipe->specimen.size[axis] > cores.size[axis] * (1 + 1e-9))
+        if (extent[axis] > cores.size[axis] * (1 + 1e-9))
             die_user("%s: the cores are for a body of %g x %g x %g m, the deck's is larger",
                      recipe->cores_file, cores.size[0], cores.size[1], cores.size[2]);
     if (cores.distance < recipe->specimen.spacing ||

@@ -1,8 +1,8 @@
 /* sites.h - the cubic lattice that carries the nodes.
  *
  * The bounding box of the specimen is filled exactly by cubes of the lattice spacing and centred at
- * the origin; a node sits at the centre of its cube and owns its volume.  A specimen that is no
- * block leaves sites empty.  Nodes are numbered x fastest, then y, then z, empty sites skipped. */
+ * the origin; a node sits at the centre of its cube and owns its volume (of a sheet, one layer of
+ * them, a column of its own thickness: specimen.h).  A specimen that is no block leaves sites empty.  Nodes are numbered x fastest, then y, then z, empty sites skipped. */
 #ifndef HS_SITES_H
 #define HS_SITES_H
 

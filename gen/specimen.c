@@ -12,26 +12,36 @@ static const char *const grip_keys[] = {"length", "phase", NULL};
 
 enum { MOST_LAYERS = 1000000 };
 
+#define THINNEST 1e-12 /* m, sheet */
+#define THICKEST 1e3
+
+/* A length that the lattice fills with whole layers. */
+static void read_layers(struct deck_node item, int axis, struct specimen *specimen)
+{
+    double spacing = specimen->spacing;
+    double length = deck_length(item, spacing, spacing * 0.5, spacing * MOST_LAYERS);
+    double layers = round(length / spacing);
+    if (layers < 1) layers = 1;
+    if (fabs(length / spacing - layers) > 1e-6)
+        deck_error(item,
+                   "%.9g m is %.6f spacings of %.9g m; the lattice fills the size exactly: use "
+                   "%.9g m or %.9g m, or the spacing %.9g m",
+                   length, length / spacing, spacing, floor(length / spacing) * spacing,
+                   ceil(length / spacing) * spacing, length / layers);
+    specimen->count[axis] = (int64_t)layers;
+    specimen->size[axis] = layers * spacing;
+}
+
 static void read_size(struct deck_node domain, struct specimen *specimen)
 {
     struct deck_node size = deck_get(domain, "size");
     if (!deck_is_list(size) || deck_count(size) != 3)
         deck_error(size, "size is a list of three lengths: [along x, along y, along z]");
-    double spacing = specimen->spacing;
-    for (int axis = 0; axis < 3; axis++) {
-        struct deck_node item = deck_item(size, axis);
-        double length = deck_length(item, spacing, spacing * 0.5, spacing * MOST_LAYERS);
-        double layers = round(length / spacing);
-        if (layers < 1) layers = 1;
-        if (fabs(length / spacing - layers) > 1e-6)
-            deck_error(item,
-                       "%.9g m is %.6f spacings of %.9g m; the lattice fills the size exactly: use "
-                       "%.9g m or %.9g m, or the spacing %.9g m",
-                       length, length / spacing, spacing, floor(length / spacing) * spacing,
-                       ceil(length / spacing) * spacing, length / layers);
-        specimen->count[axis] = (int64_t)layers;
-        specimen->size[axis] = layers * spacing;
-    }
+    for (int axis = 0; axis < specimen->dimensions; axis++)
+        read_layers(deck_item(size, axis), axis, specimen);
+    if (specimen->dimensions == 3) return;
+    specimen->count[2] = 1;
+    specimen->size[2] = deck_length(deck_item(size, 2), specimen->spacing, THINNEST, THICKEST);
 }
 
 static void read_dogbone(struct deck_node gauge, struct specimen *specimen)
@@ -79,9 +89,11 @@ static void read_grips(struct deck_node domain, struct specimen *specimen)
 
 struct specimen specimen_read(struct deck_node domain)
 {
-    struct specimen specimen = {0};
+    struct specimen specimen = {.dimensions = 3};
     specimen.shape = (enum specimen_shape)deck_choice(deck_get(domain, "specimen"), shapes, 2);
     specimen.spacing = deck_number(deck_get(domain, "spacing"), "m", 1e-12, 1e3);
+    if (deck_has(domain, "dimensions"))
+        specimen.dimensions = (int)deck_integer(deck_get(domain, "dimensions"), 2, 3);
     read_size(domain, &specimen);
     read_gauge(domain, &specimen);
     read_grips(domain, &specimen);
@@ -110,6 +122,23 @@ static bool inside(const void *specimen, const double point[3])
 struct sites specimen_sites(const struct specimen *specimen)
 {
     return sites_new(specimen->count, specimen->spacing, inside, specimen);
+}
+
+bool specimen_is_sheet(const struct specimen *specimen)
+{
+    return specimen->dimensions == 2;
+}
+
+double specimen_node_volume(const struct specimen *specimen)
+{
+    double square = specimen->spacing * specimen->spacing;
+    return square * (specimen_is_sheet(specimen) ? specimen->size[2] : specimen->spacing);
+}
+
+void specimen_extent(const struct specimen *specimen, double extent[3])
+{
+    for (int axis = 0; axis < 3; axis++) extent[axis] = specimen->size[axis];
+    if (specimen_is_sheet(specimen)) extent[2] = 0;
 }
 
 uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *sites)
@@ -141,5 +170,6 @@ double specimen_section(const struct specimen *specimen, const struct sites *sit
         int64_t i = sites->site[node] % sites->count[0];
         between += i >= layer[0] && i <= layer[1];
     }
-    return (double)between / (double)(layer[1] - layer[0] + 1) * sites->spacing * sites->spacing;
+    double height = specimen_is_sheet(specimen) ? specimen->size[2] : sites->spacing;
+    return (double)between / (double)(layer[1] - layer[0] + 1) * sites->spacing * height;
 }

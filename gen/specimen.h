@@ -1,4 +1,7 @@
-/* specimen.h - the outer shape: plate or dog-bone, its grips and its gauge. */
+/* specimen.h - the outer shape: plate or dog-bone, its grips and its gauge.
+ *
+ * In two dimensions it is a sheet: one layer of nodes in the plane z = 0, whose thickness size[2] has
+ * nothing to do with the spacing. */
 #ifndef HS_SPECIMEN_H
 #define HS_SPECIMEN_H
 
@@ -10,6 +13,7 @@ enum specimen_shape { SPECIMEN_PLATE, SPECIMEN_DOGBONE };
 
 struct specimen {
     enum specimen_shape shape;
+    int dimensions; /* 2: a sheet; else 3 */
     double size[3]; /* m, along x (loading), y, z */
     double spacing; /* m */
     int64_t count[3];
@@ -20,11 +24,20 @@ struct specimen {
     const char *grip_phase; /* NULL: the structure goes on under the grips */
 };
 
-/* Reads specimen, size, spacing, gauge and grips of the deck's domain section.  Each of the size's
- * components must be a whole number of spacings within 1e-6. */
+/* Reads specimen, dimensions, size, spacing, gauge and grips of the deck's domain section.  Each of the
+ * size's components must be a whole number of spacings within 1e-6, but the thickness of a sheet. */
 struct specimen specimen_read(struct deck_node domain);
 
 struct sites specimen_sites(const struct specimen *specimen);
+
+bool specimen_is_sheet(const struct specimen *specimen);
+
+/* Volume (m^3) that a node owns: spacing^3, of a sheet spacing^2 times the thickness. */
+double specimen_node_volume(const struct specimen *specimen);
+
+/* The box (m) that the microstructure has to fill: the size; of a sheet the plane z = 0, so that its
+ * structure is the middle section through one of three dimensions whatever the thickness. */
+void specimen_extent(const struct specimen *specimen, double extent[3]);
 
 /* Half width (m, along y) of the dog-bone at the distance x from its middle: parallel, then an arc
  * of the fillet's radius that starts tangentially, then the head. */
@@ -41,7 +54,8 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
 void specimen_gauge_layers(const struct specimen *specimen, int64_t layer[2]);
 
 /* Area of the section between the gauge planes (m^2), both layers included: number of nodes times
- * spacing^2 over the number of layers; of the whole body where there is no gauge. */
+ * spacing^2 (a sheet: spacing times thickness) over the number of layers; of the whole body where
+ * there is no gauge. */
 double specimen_section(const struct specimen *specimen, const struct sites *sites);
 
 #endif

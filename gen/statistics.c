@@ -70,17 +70,19 @@ static double crossings(const struct structure *structure, const int offset[3])
     return pairs ? (double)unlike / (double)pairs : 0;
 }
 
-struct interface statistics_interface(const struct structure *structure)
+struct interface statistics_interface(const struct structure *structure, bool sheet)
 {
     struct interface interface = {0};
     double spacing = structure->sites->spacing;
     for (int n = 0; n < NEIGHBOURS_26; n++) {
         const int *offset = clusters_offset[n];
+        if (sheet && offset[2] != 0) continue;
         int square = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
         double per_length = crossings(structure, offset) / (sqrt(square) * spacing);
         if (square == 1) interface.faces += per_length;
-        /* S_V = 2 P_L; both senses of a direction share its line. */
-        interface.crofton += 2 * 2 * statistics_direction_share[square - 1] * per_length;
+        /* S_V = 2 P_L, both senses of a direction share its line; in the plane L_A = pi/2 P_L. */
+        interface.crofton += sheet ? M_PI / 2 / 4 * per_length
+                                   : 2 * 2 * statistics_direction_share[square - 1] * per_length;
     }
     return interface;
 }

@@ -20,8 +20,10 @@ struct interface {
 /* Interface area per volume.  crofton: twice the mean number of crossings per length of line over
  * the 13 directions of a cubic lattice, each weighted by its share of the sphere of directions
  * (Ohser and Muecklich, Statistical Analysis of Microstructures in Materials Science, 2000,
- * section 4.2; Legland, Kieu and Devaux, Image Analysis and Stereology 26 (2007) 83). */
-struct interface statistics_interface(const struct structure *structure);
+ * section 4.2; Legland, Kieu and Devaux, Image Analysis and Stereology 26 (2007) 83).  Of a sheet its
+ * length of interface per area, which is the area per volume: pi/2 times the mean number of crossings
+ * over the 4 directions of a square lattice (same sources); faces are 4/pi too much there. */
+struct interface statistics_interface(const struct structure *structure, bool sheet);
 
 /* Shares of directions nearest to a face, an edge and a corner direction of the cube (one of the
  * 6, 12 and 8). */

@@ -12,14 +12,14 @@ enum { MOST_LAGS = 40, MOST_SHELLS = 20000, SHELL_BINS = 24 };
 static const char *const axes[] = {"x", "y", "z"};
 static const char *const phases[] = {"cg", "ufg"};
 
-static void print_clusters(const char *name, const struct clusters *clusters)
+static void print_clusters(const char *name, const struct clusters *clusters, bool sheet)
 {
     double largest = clusters->nodes ? (double)clusters->largest / (double)clusters->nodes : 0;
+    const char *along_z = sheet ? "" : clusters->percolates[2] ? ", z yes" : ", z no";
     note("%s: %lld nodes in %lld clusters (faces), the largest holds %.4g %%; percolates x %s, y "
-         "%s, z %s",
+         "%s%s",
          name, (long long)clusters->nodes, (long long)clusters->count, 100 * largest,
-         clusters->percolates[0] ? "yes" : "no", clusters->percolates[1] ? "yes" : "no",
-         clusters->percolates[2] ? "yes" : "no");
+         clusters->percolates[0] ? "yes" : "no", clusters->percolates[1] ? "yes" : "no", along_z);
 }
 
 static void print_fraction(const struct recipe *recipe, const struct structure *structure,
@@ -39,10 +39,11 @@ static void print_fraction(const struct recipe *recipe, const struct structure *
 static void print_size(const struct recipe *recipe, const struct sites *sites)
 {
     const struct specimen *specimen = &recipe->specimen;
-    double cube = sites->spacing * sites->spacing * sites->spacing;
+    double volume = specimen_node_volume(specimen);
+    if (specimen_is_sheet(specimen)) note("a sheet %.9g mm thick", 1e3 * specimen->size[2]);
     note("%lld x %lld x %lld sites of %.6g um, %lld nodes, volume %.9g mm3, section %.9g mm2",
          (long long)sites->count[0], (long long)sites->count[1], (long long)sites->count[2],
-         1e6 * sites->spacing, (long long)sites->n_nodes, 1e9 * cube * (double)sites->n_nodes,
+         1e6 * sites->spacing, (long long)sites->n_nodes, 1e9 * volume * (double)sites->n_nodes,
          1e6 * specimen_section(specimen, sites));
     if (specimen->shape == SPECIMEN_DOGBONE)
         note("nominal section of the gauge %.9g mm2; the lattice's is what runs",
@@ -57,12 +58,13 @@ void statistics_print(const struct recipe *recipe, const struct structure *struc
     free(words);
     print_size(recipe, structure->sites);
     if (recipe->topology->single_phase) return;
+    const bool sheet = specimen_is_sheet(&recipe->specimen);
     print_fraction(recipe, structure, findings);
-    print_clusters(recipe->phase_names[PHASE_CG], &findings->cg);
-    print_clusters(recipe->phase_names[PHASE_UFG], &findings->ufg);
-    struct interface interface = statistics_interface(structure);
-    note("interface %.6g mm2/mm3 (13 directions; cube faces alone: %.6g)", 1e-3 * interface.crofton,
-         1e-3 * interface.faces);
+    print_clusters(recipe->phase_names[PHASE_CG], &findings->cg, sheet);
+    print_clusters(recipe->phase_names[PHASE_UFG], &findings->ufg, sheet);
+    struct interface interface = statistics_interface(structure, sheet);
+    note("interface %.6g mm2/mm3 (%d directions; cube faces alone: %.6g)", 1e-3 * interface.crofton,
+         sheet ? 4 : NEIGHBOURS_26, 1e-3 * interface.faces);
     if (!recipe->topology->cores_apart) return;
     note("%s: %lld clusters by faces, edges and corners; %lld pairs of nodes of different cores "
          "touch",
@@ -81,28 +83,30 @@ static void row(struct output *output, const char *quantity, const char *axis, d
         fprintf(output->stream, "%s,%s,%.9g,%.9g,%s\n", quantity, axis, position, value, unit);
 }
 
-static void write_clusters(struct output *output, int phase, const struct clusters *clusters)
+static void write_clusters(struct output *output, int phase, const struct clusters *clusters,
+                           int dimensions)
 {
     const char *name = phases[phase];
     row(output, "nodes", name, NAN, (double)clusters->nodes, "1");
     row(output, "clusters", name, NAN, (double)clusters->count, "1");
     row(output, "largest_cluster", name, NAN,
         clusters->nodes ? (double)clusters->largest / (double)clusters->nodes : 0, "1");
-    for (int axis = 0; axis < 3; axis++) {
+    for (int axis = 0; axis < dimensions; axis++) {
         char *quantity = memory_print("percolates_%s", name);
         row(output, quantity, axes[axis], NAN, clusters->percolates[axis], "1");
         free(quantity);
     }
 }
 
-static void write_along_axes(struct output *output, const struct structure *structure)
+static void write_along_axes(struct output *output, const struct structure *structure,
+                             int dimensions)
 {
     const struct sites *sites = structure->sites;
-    for (int axis = 0; axis < 3; axis++)
+    for (int axis = 0; axis < dimensions; axis++)
         for (int64_t lag = 0; lag < sites->count[axis] && lag <= MOST_LAGS; lag++)
             row(output, "two_point_ufg", axes[axis], (double)lag * sites->spacing,
                 statistics_two_point(structure, axis, lag), "1");
-    for (int axis = 0; axis < 3; axis++)
+    for (int axis = 0; axis < dimensions; axis++)
         for (int64_t i = 0; i < sites->count[axis]; i++)
             row(output, "profile_ufg", axes[axis], sites_coordinate(sites, axis, i),
                 statistics_profile(structure, axis, i), "1");
@@ -130,25 +134,27 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
                       const struct findings *findings, const char *path)
 {
     const struct sites *sites = structure->sites;
-    double cube = sites->spacing * sites->spacing * sites->spacing;
+    const bool sheet = specimen_is_sheet(&recipe->specimen);
+    const int dimensions = sheet ? 2 : 3;
+    double volume = specimen_node_volume(&recipe->specimen);
     struct output output = output_open(path);
     fprintf(output.stream, "quantity,axis,position_m,value,unit\n");
     row(&output, "nodes_all", "", NAN, (double)sites->n_nodes, "1");
     row(&output, "nodes_counted", "", NAN, (double)findings->counted, "1");
-    row(&output, "volume", "", NAN, cube * (double)sites->n_nodes, "m3");
-    row(&output, "volume_counted", "", NAN, cube * (double)findings->counted, "m3");
+    row(&output, "volume", "", NAN, volume * (double)sites->n_nodes, "m3");
+    row(&output, "volume_counted", "", NAN, volume * (double)findings->counted, "m3");
     row(&output, "section", "", NAN, specimen_section(&recipe->specimen, sites), "m2");
     if (!recipe->topology->single_phase) {
-        struct interface interface = statistics_interface(structure);
+        struct interface interface = statistics_interface(structure, sheet);
         row(&output, "ufg_fraction_asked", "", NAN, recipe->ufg_fraction, "1");
         row(&output, "ufg_fraction_nodes", "", NAN, findings->ufg_fraction, "1");
         row(&output, "ufg_fraction_volume", "", NAN, findings->ufg_fraction, "1");
         row(&output, "nodes_split", "", NAN, (double)structure->threshold.split, "1");
-        write_clusters(&output, PHASE_CG, &findings->cg);
-        write_clusters(&output, PHASE_UFG, &findings->ufg);
+        write_clusters(&output, PHASE_CG, &findings->cg, dimensions);
+        write_clusters(&output, PHASE_UFG, &findings->ufg, dimensions);
         row(&output, "interface_area_per_volume", "", NAN, interface.crofton, "1/m");
         row(&output, "interface_faces_per_volume", "", NAN, interface.faces, "1/m");
-        write_along_axes(&output, structure);
+        write_along_axes(&output, structure, dimensions);
     }
     if (recipe->topology->cores_apart) {
         row(&output, "clusters_26", "cg", NAN, (double)findings->cg_26.count, "1");

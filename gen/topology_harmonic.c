@@ -3,7 +3,10 @@
  *
  * sphere: equal spheres about the centres; the diameter follows from the fraction.
  * cell: the Voronoi cells of the centres, all faces moved in by the same distance: a shell of
- * uniform thickness, as sintered powders have. */
+ * uniform thickness, as sintered powders have.
+ *
+ * A sheet shows the middle section, which passes through centres: of sc a square lattice of cores along
+ * x and y, of fcc one along the diagonals, with the same core distance. */
 #include "findings.h"
 #include "memory.h"
 #include "topology.h"
@@ -11,11 +14,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const char *const keys[] = {"specimen", "size",         "spacing", "topology",
-                                   "phases",   "lattice",      "core",    "core_distance",
-                                   "jitter",   "ufg_fraction", "match",   "minimum_shell",
-                                   "override", "seed",         "grips",   "gauge",
-                                   "sets",     "cores",        NULL};
+static const char *const keys[] = {"specimen",      "dimensions", "size",         "spacing",
+                                   "topology",      "phases",     "lattice",      "core",
+                                   "core_distance", "jitter",     "ufg_fraction", "match",
+                                   "minimum_shell", "override",   "seed",         "grips",
+                                   "gauge",         "sets",       "cores",        NULL};
 
 enum { MOST_FILM = 10 }; /* spacings that minimum_shell may ask for */
 
@@ -29,6 +32,10 @@ static void read_keys(struct deck_node domain, struct recipe *recipe)
         shell.index ? deck_length(shell, spacing, spacing, MOST_FILM * spacing) / spacing : 1;
     if (recipe->cores_file) return;
     recipe->lattice = (enum core_lattice)deck_choice(deck_get(domain, "lattice"), lattices, 3);
+    if (recipe->lattice == LATTICE_BCC && specimen_is_sheet(&recipe->specimen))
+        deck_error(deck_get(domain, "lattice"),
+                   "in two dimensions the cores lie on sc or fcc (square lattices along x or along "
+                   "the diagonals); the section of bcc has no shell of even width");
     recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing,
                                    LONGEST_DISTANCE * spacing);
     if (deck_has(domain, "jitter"))
@@ -37,8 +44,10 @@ static void read_keys(struct deck_node domain, struct recipe *recipe)
 
 static struct cores place(const struct recipe *recipe)
 {
-    return cores_lattice(recipe->lattice, recipe->shape, recipe->distance, recipe->jitter,
-                         recipe->specimen.size, recipe->seed);
+    double size[3];
+    specimen_extent(&recipe->specimen, size);
+    return cores_lattice(recipe->lattice, recipe->shape, recipe->distance, recipe->jitter, size,
+                         recipe->seed);
 }
 
 static int64_t score(const struct recipe *recipe, const struct cores *cores, const double point[3],
@@ -52,13 +61,13 @@ static int64_t score(const struct recipe *recipe, const struct cores *cores, con
 
 /* The largest distance of two lattice sites, in spacings, that is below minimum_shell + 1: nodes of
  * cores further apart than this always leave the film asked for. */
-static double film_needed(double minimum_shell)
+static double film_needed(double minimum_shell, bool sheet)
 {
     double limit = (minimum_shell + 1) * (minimum_shell + 1) * (1 - 1e-9);
     int largest = 0, most = (int)ceil(minimum_shell + 1);
     for (int i = 0; i <= most; i++)
         for (int j = 0; j <= i; j++)
-            for (int k = 0; k <= j; k++) {
+            for (int k = 0; k <= (sheet ? 0 : j); k++) {
                 int square = i * i + j * j + k * k;
                 if (square < limit && square > largest) largest = square;
             }
@@ -72,7 +81,8 @@ static char *remedy(const struct recipe *recipe, const struct findings *findings
         return memory_print("at this fraction the cores overlap (film %.3g um): no spacing helps; "
                             "use another lattice, core: cell, less jitter or a larger ufg_fraction",
                             1e6 * findings->core_film);
-    double needed = findings->core_film / film_needed(recipe->minimum_shell);
+    bool sheet = specimen_is_sheet(&recipe->specimen);
+    double needed = findings->core_film / film_needed(recipe->minimum_shell, sheet);
     double spacing = recipe->specimen.spacing;
     double parts = floor(spacing / needed) + 1;
     return memory_print("the film between neighbouring cores is %.4g um = %.3g spacings thick; a "
@@ -95,9 +105,8 @@ static char *fault(const struct recipe *recipe, const struct findings *findings)
                             "share a face, an edge or a corner); %s",
                             (long long)contact->touching, help);
     else if (!shell)
-        text = memory_print("not a harmonic structure: the shell does not percolate along x, y "
-                            "and z; %s",
-                            help);
+        text = memory_print("not a harmonic structure: the shell does not percolate along %s; %s",
+                            specimen_is_sheet(&recipe->specimen) ? "x and y" : "x, y and z", help);
     else
         text = memory_print("the thinnest shell on the nodes is %.3g spacings, minimum_shell asks "
                             "for %.3g; %s",

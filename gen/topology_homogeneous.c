@@ -2,8 +2,9 @@
 #include "memory.h"
 #include "topology.h"
 
-static const char *const keys[] = {"specimen", "size",  "spacing", "topology", "phase",
-                                   "seed",     "grips", "gauge",   "sets",     NULL};
+static const char *const keys[] = {"specimen", "dimensions", "size", "spacing",
+                                   "topology", "phase",      "seed", "grips",
+                                   "gauge",    "sets",       NULL};
 
 static void read_keys(struct deck_node domain, struct recipe *recipe)
 {

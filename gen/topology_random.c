@@ -5,7 +5,9 @@
  *
  * sphere: overlapping equal spheres at independent uniform points (Boolean model): the fine phase
  * is what none of them covers, phi_U = exp(-rho v) (Torquato, Random Heterogeneous Materials, 2002,
- * section 5.1), which sets the number density rho. */
+ * section 5.1), which sets the number density rho.
+ *
+ * A sheet shows the middle section of such a structure; phases are not asked to be connected in it. */
 #include "findings.h"
 #include "memory.h"
 #include "topology.h"
@@ -13,9 +15,9 @@
 #include <math.h>
 
 static const char *const keys[] = {
-    "specimen", "size",          "spacing",       "topology",     "phases", "core",
-    "cores",    "core_distance", "core_diameter", "ufg_fraction", "match",  "override",
-    "seed",     "grips",         "gauge",         "sets",         NULL};
+    "specimen", "dimensions", "size",          "spacing",       "topology",     "phases",
+    "core",     "cores",      "core_distance", "core_diameter", "ufg_fraction", "match",
+    "override", "seed",       "grips",         "gauge",         "sets",         NULL};
 
 static void read_keys(struct deck_node domain, struct recipe *recipe)
 {
@@ -40,7 +42,8 @@ static void read_keys(struct deck_node domain, struct recipe *recipe)
 
 static struct cores place(const struct recipe *recipe)
 {
-    const double *size = recipe->specimen.size;
+    double size[3];
+    specimen_extent(&recipe->specimen, size);
     if (recipe->shape == CORE_CELL) {
         double density = 1 / (recipe->distance * recipe->distance * recipe->distance);
         return cores_random(CORE_CELL, density, 4 * recipe->distance, size, recipe->seed);
@@ -71,6 +74,8 @@ static bool everywhere(const struct clusters *clusters)
 
 static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
+    /* Of two phases in a plane one at most can connect opposite sides both ways. */
+    if (specimen_is_sheet(&recipe->specimen)) return NULL;
     bool cg = everywhere(&findings->cg), ufg = everywhere(&findings->ufg);
     if (cg && ufg) return NULL;
     return memory_print("not a random bimodal structure: %s%s%s must percolate along x, y and z "

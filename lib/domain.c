@@ -3,6 +3,7 @@
 #include "memory.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -118,4 +119,22 @@ double domain_largest(const double *values, int64_t count)
     double high = values[0];
     for (int64_t i = 1; i < count; i++) high = fmax(high, values[i]);
     return high;
+}
+
+double domain_spacing(const struct domain *domain)
+{
+    const struct attributes *facts = &domain->attributes;
+    const int64_t n = domain->n_nodes;
+    const double said =
+        attributes_number(facts, "spacing_m", attributes_number(facts, "mean_spacing_m", 0));
+    if (said > 0) return said;
+    double volume = 0, thickness = attributes_number(facts, "thickness_m", 0);
+    for (int64_t i = 0; i < n; i++) volume += domain->volume[i];
+    const double width = domain_largest(domain->x, n) - domain_smallest(domain->x, n),
+                 depth = domain_largest(domain->y, n) - domain_smallest(domain->y, n),
+                 height = domain_largest(domain->z, n) - domain_smallest(domain->z, n);
+    const bool plane = height <= 1e-9 * fmax(width, depth);
+    if (plane && thickness > 0) return sqrt(volume / thickness / (double)n);
+    if (plane && width * depth > 0) return sqrt(width * depth / (double)n);
+    return cbrt(volume / (double)n);
 }

@@ -1,6 +1,6 @@
-/* domain.h - particles on a lattice with phases and named node sets: what hsgen makes and hssolve
- * runs.  Nodes are numbered from 0 in lattice order (x fastest, then y, then z), absent sites
- * skipped. */
+/* domain.h - particles with phases and named node sets: what hsgen makes and hssolve runs.  hsgen's lie
+ * on a lattice and are numbered from 0 in lattice order (x fastest, then y, then z), absent sites
+ * skipped; a file from elsewhere may hold any particles in any order. */
 #ifndef HS_DOMAIN_H
 #define HS_DOMAIN_H
 
@@ -48,6 +48,11 @@ struct domain {
 const struct node_set *domain_set(const struct domain *domain, const char *name);
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes);
 void domain_free(struct domain *domain);
+
+/* Distance of the particles (m): the attribute spacing_m, of scattered ones mean_spacing_m, else the
+ * cube root of their mean volume.  Of particles in one plane of z the square root of their mean area:
+ * volume over the attribute thickness_m, without it the area of their box over their number. */
+double domain_spacing(const struct domain *domain);
 
 /* Smallest and largest of count values, for the corners of a body. */
 double domain_smallest(const double *values, int64_t count);

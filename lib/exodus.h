@@ -19,8 +19,11 @@ const char *exodus_library(void);
  * domain's attributes as netCDF global attributes with the prefix "hs_". */
 void exodus_write_domain(const struct spool *output, const struct domain *domain);
 
-/* Reads what exodus_write_domain wrote, and Genesis of SPHERE elements from elsewhere that has a
- * volume attribute (then without hs_ attributes; hs_file_bytes may be missing in foreign files). */
+/* Reads what exodus_write_domain wrote, and Genesis from elsewhere (then without hs_ attributes;
+ * hs_file_bytes may be missing): SPHERE elements, one a node, with an element attribute VOLUME, or
+ * hexahedra of eight nodes, or both.  A hexahedron becomes a particle at its centroid with its exact
+ * volume, and belongs to a node set when at least half of its corners do; particles are then numbered
+ * as the elements. */
 struct domain exodus_read_domain(const struct spool *input);
 
 /* Histories: an Exodus file without nodes, one global variable a column, one time step a record.

@@ -119,29 +119,56 @@ static double nearest_layer(const struct domain *domain, double position, double
     return best;
 }
 
-static void add_sets(struct domain *domain, const struct deck *deck, double spacing)
+/* Body along x, from the faces of its outermost nodes. */
+struct extent {
+    double low, high, middle, spacing; /* m */
+};
+
+static struct extent extent_of(const struct domain *domain)
 {
-    struct deck_node section = deck_get(deck_root(deck), "domain");
-    double grip = deck_length(deck_get(deck_get(section, "grips"), "length"), spacing, 0, 1e6);
-    double gauge = deck_length(deck_get(deck_get(section, "gauge"), "length"), spacing, 0, 1e6);
-    double low = INFINITY, high = -INFINITY;
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        low = fmin(low, domain->x[i]);
-        high = fmax(high, domain->x[i]);
+    struct extent e = {.low = domain_smallest(domain->x, domain->n_nodes),
+                       .high = domain_largest(domain->x, domain->n_nodes),
+                       .spacing = domain_spacing(domain)};
+    e.middle = 0.5 * (e.low + e.high);
+    e.low -= 0.5 * e.spacing;
+    e.high += 0.5 * e.spacing;
+    return e;
+}
+
+/* The planes of a lattice are layers of nodes; of scattered ones a spacing's width of them. */
+static void add_gauge(struct domain *domain, double gauge, bool lattice, const struct extent *e)
+{
+    const double slack = (lattice ? 1e-3 : 0.5) * e->spacing;
+    double left = e->middle - 0.5 * gauge, right = e->middle + 0.5 * gauge, volume = 0;
+    if (lattice) {
+        left = nearest_layer(domain, left, e->middle, slack);
+        right = nearest_layer(domain, right, e->middle, slack);
     }
-    const double half = 0.5 * spacing, middle = 0.5 * (low + high), slack = 1e-3 * spacing;
-    double left = nearest_layer(domain, middle - 0.5 * gauge, middle, slack);
-    double right = nearest_layer(domain, middle + 0.5 * gauge, middle, slack);
-    add_layer(domain, (struct layer){"grip_left", low - half, low - half + grip});
-    add_layer(domain, (struct layer){"grip_right", high + half - grip, high + half});
     add_layer(domain, (struct layer){"gauge_left", left - slack, left + slack});
     add_layer(domain, (struct layer){"gauge_right", right - slack, right + slack});
-    double volume = 0;
+    const double end = lattice ? right - slack : right;
     for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (domain->x[i] >= left && domain->x[i] < right - slack) volume += domain->volume[i];
+        if (domain->x[i] >= left && domain->x[i] < end) volume += domain->volume[i];
     if (right > left)
         attributes_set_number(&domain->attributes, "section_m2", volume / (right - left));
 }
+
+void domain_text_sets(struct domain *domain, bool lattice, const struct deck *deck)
+{
+    struct deck_node section = deck_find(deck_root(deck), "domain");
+    if (section.index == 0) return;
+    struct deck_node grips = deck_find(section, "grips"), gauge = deck_find(section, "gauge");
+    struct extent e = extent_of(domain);
+    if (grips.index != 0) {
+        double grip = deck_length(deck_get(grips, "length"), e.spacing, 0, 1e6);
+        add_layer(domain, (struct layer){"grip_left", e.low, e.low + grip});
+        add_layer(domain, (struct layer){"grip_right", e.high - grip, e.high});
+    }
+    if (gauge.index != 0)
+        add_gauge(domain, deck_length(deck_get(gauge, "length"), e.spacing, 0, 1e6), lattice, &e);
+}
+
+/* --- the domain --- */
 
 static void name_phases(struct domain *domain, const struct particles *all, const char *shown,
                         const struct deck *deck)
@@ -179,79 +206,5 @@ struct domain domain_text_read(const struct spool *input, const char *shown,
     }
     free(all.items);
     name_phases(&domain, &all, shown, deck);
-    double spacing = cbrt(domain.volume[0]);
-    attributes_set_number(&domain.attributes, "spacing_m", spacing);
-    domain_sort(&domain);
-    add_sets(&domain, deck, spacing);
     return domain;
-}
-
-/* --- lattice order --- */
-
-struct place {
-    int64_t z, y, x; /* in spacings, rounded */
-    int64_t node;
-};
-
-static int compare_places(const void *a, const void *b)
-{
-    const struct place *s = a, *t = b;
-    if (s->z != t->z) return s->z < t->z ? -1 : 1;
-    if (s->y != t->y) return s->y < t->y ? -1 : 1;
-    if (s->x != t->x) return s->x < t->x ? -1 : 1;
-    return (s->node > t->node) - (s->node < t->node);
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    int64_t s = *(const int64_t *)a, t = *(const int64_t *)b;
-    return (s > t) - (s < t);
-}
-
-static void permute(double *values, const struct place *order, int64_t count)
-{
-    double *copy = memory_new((size_t)count, sizeof *copy);
-    memcpy(copy, values, (size_t)count * sizeof *copy);
-    for (int64_t i = 0; i < count; i++) values[i] = copy[order[i].node];
-    free(copy);
-}
-
-void domain_sort(struct domain *domain)
-{
-    const int64_t n = domain->n_nodes;
-    const double spacing =
-        attributes_number(&domain->attributes, "spacing_m", cbrt(domain->volume[0]));
-    struct place *order = memory_new((size_t)n, sizeof *order);
-    bool sorted = true;
-    /* From the corner of the body: lattice sites lie on whole numbers, far from where rounding turns. */
-    const double x = domain_smallest(domain->x, n), y = domain_smallest(domain->y, n),
-                 z = domain_smallest(domain->z, n);
-    for (int64_t i = 0; i < n; i++) {
-        order[i] = (struct place){llround((domain->z[i] - z) / spacing * 4),
-                                  llround((domain->y[i] - y) / spacing * 4),
-                                  llround((domain->x[i] - x) / spacing * 4), i};
-        sorted &= i == 0 || compare_places(&order[i - 1], &order[i]) < 0;
-    }
-    if (!sorted) {
-        qsort(order, (size_t)n, sizeof *order, compare_places);
-        permute(domain->x, order, n);
-        permute(domain->y, order, n);
-        permute(domain->z, order, n);
-        permute(domain->volume, order, n);
-        uint8_t *phase = memory_new((size_t)n, 1);
-        int64_t *new_number = memory_new((size_t)n, sizeof *new_number);
-        for (int64_t i = 0; i < n; i++) {
-            phase[i] = domain->phase[order[i].node];
-            new_number[order[i].node] = i;
-        }
-        free(domain->phase);
-        domain->phase = phase;
-        for (int k = 0; k < domain->n_sets; k++) {
-            struct node_set *set = &domain->sets[k];
-            for (int64_t i = 0; i < set->count; i++) set->nodes[i] = new_number[set->nodes[i]];
-            qsort(set->nodes, (size_t)set->count, sizeof *set->nodes, compare_numbers);
-        }
-        free(new_number);
-    }
-    free(order);
 }

@@ -17,7 +17,10 @@ static const struct domain *own_domain(const struct simulation *s)
 
 static void read_particles(struct simulation *s)
 {
-    s->lattice = lattice_find(&s->domain);
+    if (lattice_recognise(&s->domain, &s->lattice)) return;
+    double thickness = attributes_number(&s->domain.attributes, "thickness_m", 0);
+    s->lattice = lattice_scattered(&s->domain, thickness);
+    note("the particles lie on no lattice: a list of neighbours serves them");
 }
 
 static void check_plane(const struct simulation *s)

@@ -8,57 +8,180 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct lattice lattice_find(const struct domain *domain)
+static int compare_numbers(const void *a, const void *b)
 {
-    struct lattice lattice = {.n_nodes = domain->n_nodes};
-    const double *const position[3] = {domain->x, domain->y, domain->z};
-    lattice.spacing = attributes_number(&domain->attributes, "spacing_m", cbrt(domain->volume[0]));
-    lattice.n_sites = 1;
-    for (int a = 0; a < 3; a++) {
-        lattice.origin[a] = domain_smallest(position[a], domain->n_nodes);
-        double length = domain_largest(position[a], domain->n_nodes) - lattice.origin[a];
-        double steps = length / lattice.spacing;
-        if (!(steps < 1e6)) die_user("the particles span %g m, over a million spacings", length);
-        lattice.size[a] = (int)lround(steps) + 1;
-        lattice.n_sites *= lattice.size[a];
+    double s = *(const double *)a, t = *(const double *)b;
+    return (s > t) - (s < t);
+}
+
+/* Smallest distance above a threshold of neighbours in one coordinate, averaged over the layers between
+ * the ends so that the rounding of two positions does not decide; 0 where there is none. */
+static double layer_distance(const double *values, int64_t count, double threshold)
+{
+    double *sorted = memory_new((size_t)count, sizeof *sorted), gap = INFINITY;
+    memcpy(sorted, values, (size_t)count * sizeof *sorted);
+    qsort(sorted, (size_t)count, sizeof *sorted, compare_numbers);
+    for (int64_t i = 1; i < count; i++) {
+        double distance = sorted[i] - sorted[i - 1];
+        if (distance > threshold) gap = fmin(gap, distance);
     }
-    if (lattice.n_sites > 64 * lattice.n_nodes + 1000000)
-        die_user(
+    double span = sorted[count - 1] - sorted[0];
+    free(sorted);
+    return gap < INFINITY ? span / round(span / gap) : 0;
+}
+
+/* What the box of a plane set gives to each particle.  A lattice that fills 1/64 of its box at least has
+ * a spacing of 1/8 of it or more. */
+static double plane_distance(const double span[3], int64_t count)
+{
+    double n = (double)count, longest = fmax(span[0], span[1]);
+    return fmax(sqrt(span[0] * span[1] / n), longest / n);
+}
+
+static double plane_spacing(const struct domain *domain, const double span[3])
+{
+    double threshold = plane_distance(span, domain->n_nodes) / 16;
+    double spacing = layer_distance(domain->x, domain->n_nodes, threshold);
+    return spacing > 0 ? spacing : layer_distance(domain->y, domain->n_nodes, threshold);
+}
+
+/* Dimensions, spacing, thickness and volume that the domain says or implies. */
+static void choose_scale(const struct domain *domain, const double span[3], struct lattice *lattice)
+{
+    const struct attributes *facts = &domain->attributes;
+    const double said = attributes_number(facts, "dimensions", 0);
+    const double volume = domain_smallest(domain->volume, domain->n_nodes);
+    double spacing = attributes_number(facts, "spacing_m", 0);
+    const bool given = spacing > 0;
+    const double near = given ? spacing : plane_distance(span, domain->n_nodes);
+    lattice->dimensions = said == 2 ? 2 : 3;
+    if (span[2] <= 1e-6 * near) {
+        if (!given) spacing = plane_spacing(domain, span);
+        bool cube = !(spacing > 0) || fabs(volume / (spacing * spacing * spacing) - 1) <= 1e-6;
+        if (said == 0 && !cube) lattice->dimensions = 2;
+    }
+    if (!(spacing > 0) || (!given && lattice->dimensions == 3)) spacing = cbrt(volume);
+    lattice->spacing = spacing;
+    lattice->node_volume = spacing * spacing * spacing;
+    if (lattice->dimensions == 3) return;
+    lattice->thickness = attributes_number(facts, "thickness_m", volume / (spacing * spacing));
+    lattice->node_volume = spacing * spacing * lattice->thickness;
+}
+
+/* Size and origin; what is wrong with them as words, else NULL. */
+static char *fit_box(const struct domain *domain, struct lattice *lattice)
+{
+    const double *const position[3] = {domain->x, domain->y, domain->z};
+    double span[3];
+    for (int a = 0; a < 3; a++) {
+        lattice->origin[a] = domain_smallest(position[a], domain->n_nodes);
+        span[a] = domain_largest(position[a], domain->n_nodes) - lattice->origin[a];
+    }
+    choose_scale(domain, span, lattice);
+    lattice->n_sites = 1;
+    for (int a = 0; a < 3; a++) {
+        double steps = span[a] / lattice->spacing;
+        if (!(steps < 1e6))
+            return memory_print("the particles span %g m, over a million spacings", span[a]);
+        lattice->size[a] = (int)lround(steps) + 1;
+        lattice->n_sites *= lattice->size[a];
+    }
+    if (lattice->dimensions == 2 && lattice->size[2] > 1)
+        return memory_print(
+            "the domain says that it has two dimensions, but its particles span %g m "
+            "along z",
+            span[2]);
+    if (lattice->n_sites > 64 * lattice->n_nodes + 1000000)
+        return memory_print(
             "the particles fill less than 1/64 of their box: not a lattice with the spacing of "
             "%g m that their volume gives (scattered particles are not supported)",
-            lattice.spacing);
-    lattice.phase = memory_new((size_t)lattice.n_sites, 1);
-    for (int64_t s = 0; s < lattice.n_sites; s++) lattice.phase[s] = ABSENT;
+            lattice->spacing);
+    return NULL;
+}
 
-    const double volume = lattice.spacing * lattice.spacing * lattice.spacing;
-    lattice.dimensions = 3;
-    lattice.node_volume = volume;
-    int64_t before = -1;
+/* Place of a node in spacings from the origin; false where it is off the lattice. */
+static bool place(const struct lattice *lattice, const double x[3], int at[3])
+{
+    bool fits = true;
+    for (int a = 0; a < 3; a++) {
+        double steps = (x[a] - lattice->origin[a]) / lattice->spacing;
+        at[a] = (int)lround(steps);
+        fits = fits && fabs(steps - at[a]) <= 1e-6 * fmax(1, lattice->size[a]);
+    }
+    return fits;
+}
+
+int64_t lattice_nearest(const struct lattice *lattice, const double x[3])
+{
+    int at[3];
+    place(lattice, x, at);
+    return lattice_site(lattice, at[0], at[1], at[2]);
+}
+
+/* The site of one node; what is wrong with it as words, else NULL. */
+static char *fit_node(const struct domain *domain, const struct lattice *lattice, int64_t node,
+                      int64_t *site)
+{
+    const double x[3] = {domain->x[node], domain->y[node], domain->z[node]};
+    const long long number = (long long)node + 1;
+    int at[3];
+    if (!place(lattice, x, at))
+        return memory_print("node %lld at (%g, %g, %g) m lies off the lattice of spacing %g m "
+                            "(scattered particles are not supported)",
+                            number, x[0], x[1], x[2], lattice->spacing);
+    if (!(fabs(domain->volume[node] / lattice->node_volume - 1) <= 1e-6))
+        return memory_print("node %lld has the volume %g m3, but spacing%s is %g m3: particles of "
+                            "unequal volume are "
+                            "not supported",
+                            number, domain->volume[node],
+                            lattice->dimensions == 2 ? "^2 thickness" : "^3", lattice->node_volume);
+    *site = lattice_site(lattice, at[0], at[1], at[2]);
+    if (lattice->phase[*site] != ABSENT)
+        return memory_print("node %lld at (%g, %g, %g) m lies on another node", number, x[0], x[1],
+                            x[2]);
+    return NULL;
+}
+
+/* What keeps the domain from being a lattice as words that the caller frees; NULL where it is one.
+ * unordered: the first node that is not in lattice order, -1 where all are. */
+static char *fit(const struct domain *domain, int64_t *unordered, struct lattice *lattice)
+{
+    *lattice = (struct lattice){.n_nodes = domain->n_nodes};
+    char *fault = fit_box(domain, lattice);
+    if (fault != NULL) return fault;
+    lattice->phase = memory_new((size_t)lattice->n_sites, 1);
+    memset(lattice->phase, ABSENT, (size_t)lattice->n_sites);
+    int64_t before = -1, site = 0;
+    *unordered = -1;
     for (int64_t i = 0; i < domain->n_nodes; i++) {
-        int at[3];
-        for (int a = 0; a < 3; a++) {
-            double x = (position[a][i] - lattice.origin[a]) / lattice.spacing;
-            at[a] = (int)lround(x);
-            if (fabs(x - at[a]) > 1e-6 * fmax(1, lattice.size[a]))
-                die_user("node %lld at (%g, %g, %g) m lies off the lattice of spacing %g m "
-                         "(scattered particles are not supported)",
-                         (long long)i + 1, domain->x[i], domain->y[i], domain->z[i],
-                         lattice.spacing);
-        }
-        if (fabs(domain->volume[i] / volume - 1) > 1e-6)
-            die_user("node %lld has the volume %g m3, but spacing^3 is %g m3: particles of unequal "
-                     "volume are not supported",
-                     (long long)i + 1, domain->volume[i], volume);
-        int64_t site = lattice_site(&lattice, at[0], at[1], at[2]);
-        if (lattice.phase[site] != ABSENT)
-            die_user("node %lld at (%g, %g, %g) m lies on another node", (long long)i + 1,
-                     domain->x[i], domain->y[i], domain->z[i]);
-        if (site < before)
-            die_user("node %lld: the nodes are not in lattice order (x fastest, then y, then z)",
-                     (long long)i + 1);
-        lattice.phase[site] = domain->phase[i];
+        fault = fit_node(domain, lattice, i, &site);
+        if (fault != NULL) return fault;
+        if (site < before && *unordered < 0) *unordered = i;
+        lattice->phase[site] = domain->phase[i];
         before = site;
     }
+    return NULL;
+}
+
+bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
+{
+    int64_t unordered;
+    char *fault = fit(domain, &unordered, lattice);
+    if (fault == NULL) return true;
+    free(fault);
+    lattice_free(lattice);
+    return false;
+}
+
+struct lattice lattice_find(const struct domain *domain)
+{
+    struct lattice lattice;
+    int64_t unordered;
+    const char *fault = fit(domain, &unordered, &lattice);
+    if (fault != NULL) die_user("%s", fault);
+    if (unordered >= 0)
+        die_user("node %lld: the nodes are not in lattice order (x fastest, then y, then z)",
+                 (long long)unordered + 1);
     return lattice;
 }
 
@@ -80,11 +203,10 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
         lattice.origin[a] = domain_smallest(position[a], n);
         lattice.extent[a] = domain_largest(position[a], n) - lattice.origin[a];
     }
-    lattice.spacing = cbrt(lattice.node_volume);
+    lattice.spacing = domain_spacing(domain);
     if (thickness > 0 && lattice.extent[2] < 1e-6 * lattice.spacing) {
         lattice.dimensions = 2;
         lattice.thickness = thickness;
-        lattice.spacing = sqrt(lattice.node_volume / thickness);
     }
     return lattice;
 }

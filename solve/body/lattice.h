@@ -9,16 +9,17 @@
 
 #include "domain.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 enum { ABSENT = 255 };
 
 struct lattice {
+    int dimensions; /* 2: one layer of sites that has a thickness of its own; else 3 */
     int size[3];
-    int dimensions;     /* 2: one layer of particles in z */
     double spacing;     /* m */
-    double thickness;   /* of the layer where dimensions is 2, m */
-    double node_volume; /* m^3 */
+    double thickness;   /* m, of the layer; in three dimensions 0 */
+    double node_volume; /* m^3, of each: spacing^3, in two dimensions spacing^2 thickness */
     double origin[3];   /* m, position of site (0, 0, 0) */
     int64_t n_sites, n_nodes;
     uint8_t *phase;   /* [n_sites] or ABSENT */
@@ -27,13 +28,26 @@ struct lattice {
     double extent[3]; /* m, between the outermost positions, likewise */
 };
 
-/* Recognises the lattice in a domain (every rank may call it with rank 0's domain only): positions on
- * a cubic lattice within 1e-6 spacings, equal volumes spacing^3 within 1e-6, no site twice.  Dies,
- * naming the first node that does not fit, since scattered particles are not supported. */
+/* Finds out whether the particles of a domain, in whatever order, lie on a cubic lattice: positions
+ * within 1e-6 spacings (of a long body that share of its length), equal volumes spacing^3 within 1e-6,
+ * no site twice.  The spacing is the attribute spacing_m, else the cube root of the volume.
+ *
+ * Particles in one plane of z are a lattice of two dimensions where the attribute dimensions says 2, or
+ * where it says nothing and their volume is not spacing^3; without spacing_m their spacing is then the
+ * smallest distance along x.  The thickness is the attribute thickness_m, else volume / spacing^2.
+ *
+ * False where they do not; then nothing is in the lattice.  The nodes' numbers are those of the sites
+ * only after domain_sort. */
+bool lattice_recognise(const struct domain *domain, struct lattice *lattice);
+
+/* The same for a domain in lattice order (every rank may call it with rank 0's domain only); dies,
+ * naming the first node that does not fit. */
 struct lattice lattice_find(const struct domain *domain);
 
-/* Particles that lie on no lattice: spacing is the edge of a cube (of a square of the given thickness, where
- * they lie in a plane and it is not 0) of their mean volume. */
+/* Site nearest to a position (m) within the lattice. */
+int64_t lattice_nearest(const struct lattice *lattice, const double x[3]);
+
+/* Particles that lie on no lattice; of one layer where they lie in a plane and the thickness is not 0. */
 struct lattice lattice_scattered(const struct domain *domain, double thickness);
 
 /* Copies rank 0's lattice to all ranks. */

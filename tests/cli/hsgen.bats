@@ -195,6 +195,28 @@ END
     [ "$(attribute dogbone.g section_m2)" = 1.5e-05 ]
 }
 
+@test "a sheet has one layer, its own thickness, and says so" {
+    sed 's/specimen: plate/&\n  dimensions: 2/; s/0.2 mm]/1 m]/; s/core_distance: .*/core_distance: 0.2 mm/' \
+        plate.yaml >sheet.yaml
+    hsgen -q sheet.yaml -o sheet.g --peridigm sheet -s sheet.csv -p sheet.png -c sheet.cores
+    [ -s sheet.png ]
+    [ "$(grep -vc '^#' sheet.txt)" -eq 1024 ]
+    # 1.6 mm x 0.4 mm x 1 m = 6.4e-7 m3
+    [ "$(awk '!/^#/ { v += $5 } END { printf "%.10g", v }' sheet.txt)" = 6.4e-07 ]
+    [ "$(statistic sheet.csv volume '')" = 6.4e-07 ]
+    [ "$(attribute sheet.g dimensions)" = 2. ]
+    [ "$(attribute sheet.g thickness_m)" = 1. ]
+    [ "$(attribute sheet.g section_m2)" = 0.0004 ]
+    ! grep -q ',z,' sheet.csv
+    # the cores serve at another spacing
+    sed 's/spacing: 25 um/spacing: 12.5 um/; /lattice:/d; /core:/d; s/core_distance: .*/cores: sheet.cores/' \
+        sheet.yaml | hsgen -q -o fine.g
+    sed 's/topology: harmonic/topology: random/; /lattice:/d' sheet.yaml |
+        hsgen -q -o random.g -s random.csv -p random.svg
+    hsgen -q plate.yaml -o plate.g
+    [ -z "$(attribute plate.g dimensions)" ]
+}
+
 @test "wrong decks end with the place and exit 2" {
     while IFS='|' read -r change message; do
         sed "$change" plate.yaml >wrong.yaml
@@ -213,6 +235,8 @@ s/length: 0.8 mm/length: 1.6 mm/|13:
 s/cg: CG/cg: UFG/|7:
 s/  seed: 1/  cores: x.cores/|8:
 $a post: {titel: x}|15:8: unknown key 'titel'
+s/  specimen: plate/&\n  dimensions: 4/|4:
+s/specimen: plate/&\n  dimensions: 2/; s/lattice: fcc/lattice: bcc/|9:
 s/  seed: 1/  sets: [{name: none, box: [[1 m, 1 m, 1 m], [2 m, 2 m, 2 m]]}]/|12:
 END
 }

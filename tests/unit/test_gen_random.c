@@ -75,7 +75,7 @@ static void boolean_spheres_follow_their_formulas(void **state)
         struct cores cores = recipe.topology->place(&recipe);
         struct structure structure = structure_new(&recipe, &sites, &cores);
         reach += structure_reach(&structure) / SEEDS;
-        surface += statistics_interface(&structure).crofton / SEEDS;
+        surface += statistics_interface(&structure, false).crofton / SEEDS;
         for (int l = 0; l < 4; l++)
             for (int axis = 0; axis < 3; axis++)
                 two_point[l] += statistics_two_point(&structure, axis, lags[l]) / (3 * SEEDS);
@@ -148,7 +148,7 @@ static void a_ball_has_its_surface(void **state)
             position[0] * position[0] + position[1] * position[1] + position[2] * position[2];
         structure.phase[node] = (uint8_t)(square < radius * radius ? PHASE_CG : PHASE_UFG);
     }
-    struct interface interface = statistics_interface(&structure);
+    struct interface interface = statistics_interface(&structure, false);
     double box = pow(EDGE * spacing, 3), exact = 4 * M_PI * radius * radius / box;
     const int directions[] = {6, 12, 8};
     double cut = 0;
