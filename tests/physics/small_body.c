@@ -84,6 +84,7 @@ static struct lattice scattered(struct lattice *lattice, double jitter)
         domain.phase[node++] = lattice->phase[site];
     }
     random_free(stream);
+    attributes_set_number(&domain.attributes, "mean_spacing_m", lattice->spacing);
     struct lattice result =
         lattice_scattered(&domain, lattice->dimensions == 2 ? lattice->thickness : 0);
     domain_free(&domain);
