@@ -13,6 +13,7 @@
 #include "gradient.h"
 #include "memory.h"
 #include "model.h"
+#include "surface_correction.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,6 +23,7 @@ struct bond_based {
     const struct materials *materials;
     const struct family *family;
     struct bonds *bonds;
+    enum surface_correction correction;
     double *modulus; /* c of each pair of phases, a * count + b [N/m^6] */
 };
 
@@ -34,6 +36,7 @@ static void *bond_based_read(struct deck_node solver, const struct family *famil
                    "the steep influence function has no continuum that a micromodulus could match");
     model->materials = materials;
     model->family = family;
+    model->correction = surface_correction_read(solver);
     return model;
 }
 
@@ -62,6 +65,7 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
     const struct materials *all = model->materials;
     const int n = all->count;
     model->bonds = bonds;
+    surface_correction_apply(model->correction, bonds, 1);
     model->modulus = memory_new((size_t)(n * n), sizeof *model->modulus);
     for (int a = 0; a < n; a++)
         for (int b = 0; b < n; b++)
