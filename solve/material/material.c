@@ -98,12 +98,10 @@ static struct material read_material(struct deck_node map, const char *name, enu
                                          "bulk_modulus", "shear_modulus",
                                          kind->hardened ? "hardening" : NULL, NULL});
     if (kind->spatial && plane != SPACE)
-        deck_error(
-            deck_get(map, "model"),
-            "%s is for bodies of three dimensions: in a plane its flow, without change of area, "
-            "would not be that of a metal, which gives way across the plane; take "
-            "'correspondence'",
-            kind->name);
+        deck_error(deck_get(map, "model"),
+                   "%s is for bodies of three dimensions: in a plane its flow would keep the area, "
+                   "which a metal's does not",
+                   kind->name);
     struct material m = {.name = name, .yields = kind->hardened};
     m.density = deck_number(deck_get(map, "density"), "kg/m3", 1e-3, 1e6);
     read_elasticity(map, kind, plane, &m);

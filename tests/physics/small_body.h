@@ -19,8 +19,9 @@ struct small_case {
     const char *materials;     /* a mapping; the phases are its first "A", "B", ... */
     int n_phases;              /* 0: one */
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
-    enum plane plane; /* not SPACE: one layer as thick as the spacing */
-    bool partial;     /* volumes */
+    enum plane plane;               /* not SPACE: one layer as thick as the spacing */
+    bool partial;                   /* volumes */
+    const char *surface_correction; /* NULL: none */
 };
 
 struct small_body {
@@ -64,6 +65,13 @@ void small_body_plastic_range(struct small_body *small, double range[2]);
 
 /* stored + stabilisation energy of the last state, elastic [J] */
 double small_body_elastic_energy(struct small_body *small);
+
+/* stored + plastic + stabilisation energy with yield, nothing committed [J]: the incremental potential */
+double small_body_potential(struct small_body *small);
+
+/* Site in the middle of the box, and the nominal stress of a node, nothing committed [Pa]. */
+int64_t small_body_middle(const struct small_body *small);
+void small_body_stress(struct small_body *small, int64_t site, double P[9]);
 
 /* sum over nodes of a . b, fields of three components */
 double small_body_product(const struct small_body *small, double *const a[3], double *const b[3]);
