@@ -9,10 +9,11 @@
  * strain: with w = 1, c = 9 E/(pi h delta^3) and 48 E/(5 pi h delta^3) (Trageser, Seleson, J. Peridyn.
  * Nonlocal Model. 2 (2020) 278).  Central forces fix Poisson's ratio: 1/4, in plane stress 1/3.  A bond
  * between two phases has the mean of their c. */
-#include "bonds.h"
+#include "bond_ends.h"
 #include "gradient.h"
 #include "memory.h"
 #include "model.h"
+#include "surface_correction.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,6 +23,7 @@ struct bond_based {
     const struct materials *materials;
     const struct family *family;
     struct bonds *bonds;
+    enum surface_correction correction;
     double *modulus; /* c of each pair of phases, a * count + b [N/m^6] */
 };
 
@@ -34,6 +36,7 @@ static void *bond_based_read(struct deck_node solver, const struct family *famil
                    "the steep influence function has no continuum that a micromodulus could match");
     model->materials = materials;
     model->family = family;
+    model->correction = surface_correction_read(solver);
     return model;
 }
 
@@ -62,6 +65,7 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
     const struct materials *all = model->materials;
     const int n = all->count;
     model->bonds = bonds;
+    surface_correction_apply(model->correction, bonds, 1);
     model->modulus = memory_new((size_t)(n * n), sizeof *model->modulus);
     for (int a = 0; a < n; a++)
         for (int b = 0; b < n; b++)
@@ -83,14 +87,9 @@ static const double *moduli(const struct bond_based *model, const struct bond_st
     return buffer;
 }
 
-/* Displacement of both ends, and where their forces go. */
-struct ends {
-    const double *lower[3], *upper[3];
-};
-
 /* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m.  e =
  * (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to round-off for small displacements, too. */
-HS_INLINE void pull(int count, struct ends u, const struct bond_view *v, int g, int w,
+HS_INLINE void pull(int count, struct bond_ends u, const struct bond_view *v, int g, int w,
                     const double *c, int m, double *const fi[3], double *const fj[3])
 {
     const double *ux = u.lower[0], *uy = u.lower[1], *uz = u.lower[2];
@@ -119,8 +118,8 @@ HS_INLINE void pull(int count, struct ends u, const struct bond_view *v, int g, 
 }
 
 #define VARIANT(name, g, w, m)                                                                     \
-    HS_SIMD static void name(int count, struct ends u, const struct bond_view *v, const double *c, \
-                             double *const fi[3], double *const fj[3])                             \
+    HS_SIMD static void name(int count, struct bond_ends u, const struct bond_view *v,             \
+                             const double *c, double *const fi[3], double *const fj[3])            \
     {                                                                                              \
         pull(count, u, v, g, w, c, m, fi, fj);                                                     \
     }
@@ -132,21 +131,10 @@ VARIANT(pull_scattered, 1, 1, 0)
 VARIANT(pull_scattered_phases, 1, 1, 1)
 #undef VARIANT
 
-static struct ends find_ends(const struct bond_view *view, const struct body *body,
-                             double buffer[6][LANES])
-{
-    struct ends ends;
-    for (int a = 0; a < 3; a++) {
-        ends.lower[a] = bond_gather(view, false, body->u[a], buffer[a]);
-        ends.upper[a] = bond_gather(view, true, body->u[a], buffer[3 + a]);
-    }
-    return ends;
-}
-
 static void pull_strip(const struct bond_based *model, struct body *body,
                        const struct bond_strip *strip)
 {
-    static void (*const variants[2][2][2])(int, struct ends, const struct bond_view *,
+    static void (*const variants[2][2][2])(int, struct bond_ends, const struct bond_view *,
                                            const double *, double *const[3], double *const[3]) = {
         {{pull_alike, pull_phases}, {pull_weighted, pull_weighted_phases}},
         {{NULL, NULL}, {pull_scattered, pull_scattered_phases}}};
@@ -159,23 +147,11 @@ static void pull_strip(const struct bond_based *model, struct body *body,
         fj[a] = bond_target(&view, true, body->f[a], force[3 + a]);
     }
     variants[view.geometry_step][view.weight_step][several](
-        view.count, find_ends(&view, body, displacement), &view, c, fi, fj);
+        view.count, bond_ends_find(&view, body, displacement), &view, c, fi, fj);
     for (int a = 0; a < 3; a++) {
         bond_scatter(&view, false, body->f[a], force[a]);
         bond_scatter(&view, true, body->f[a], force[3 + a]);
     }
-}
-
-/* Extension |y| - |xi| of bond k. */
-static double extension(const struct bond_view *view, const struct ends *u, int k)
-{
-    double longer = 0, square = 0;
-    for (int a = 0; a < 3; a++) {
-        double xi = view->xi[a][k * view->geometry_step], eta = u->upper[a][k] - u->lower[a][k];
-        longer += (2 * xi + eta) * eta;
-        square += (xi + eta) * (xi + eta);
-    }
-    return longer / (sqrt(square) + view->length[k * view->geometry_step]);
 }
 
 /* Energy of a bond c w s^2 |xi| V_i V_j/2. */
@@ -184,11 +160,11 @@ static void add_energy(const struct bond_based *model, const struct body *body,
 {
     const struct bond_view view = bonds_view(model->bonds, strip);
     double displacement[6][LANES], moduli_buffer[LANES], terms[LANES];
-    const struct ends u = find_ends(&view, body, displacement);
+    const struct bond_ends u = bond_ends_find(&view, body, displacement);
     int several, g = view.geometry_step;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
     for (int k = 0; k < view.count; k++) {
-        double e = extension(&view, &u, k);
+        double e = bond_ends_extension(&view, &u, k);
         terms[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
                    view.length[k * g] * view.volume_i[k * g] * view.volume_j[k * g];
     }
@@ -196,18 +172,12 @@ static void add_energy(const struct bond_based *model, const struct body *body,
     exact_sum_add_strip(stored, view.count, terms, 1);
 }
 
-static void clear(const struct body *body, double *const fields[], int count)
-{
-    for (int k = 0; k < count; k++)
-        memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
-}
-
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
                              struct force_energy *energy)
 {
     const struct bond_based *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
-    clear(body, body->f, 3);
+    bond_ends_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++)
         pull_strip(model, body, &model->bonds->strips[s]);
     if (!mode.energy) return;
@@ -215,38 +185,26 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
         add_energy(model, body, &model->bonds->strips[s], &energy->stored);
 }
 
-/* Nominal stress of a node: half of f (x) xi over its bonds (Silling, Lehoucq, J. Elasticity 93 (2008) 13, for
- * uniform deformation). */
+/* Half of the force of a bond belongs to either end. */
 static void add_stress(const struct bond_based *model, struct body *body,
                        const struct bond_strip *strip)
 {
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], moduli_buffer[LANES];
-    const struct ends u = find_ends(&view, body, displacement);
-    int several, g = view.geometry_step;
+    double displacement[6][LANES], moduli_buffer[LANES], half[LANES];
+    const struct bond_ends u = bond_ends_find(&view, body, displacement);
+    int several;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
-    for (int k = 0; k < view.count; k++) {
-        double y[3], square = 0, length = view.length[k * g];
-        for (int a = 0; a < 3; a++) {
-            y[a] = view.xi[a][k * g] + u.upper[a][k] - u.lower[a][k];
-            square += y[a] * y[a];
-        }
-        double half = 0.5 * c[k * several] * view.weight[k * view.weight_step] *
-                      extension(&view, &u, k) / (length * sqrt(square));
-        for (int a = 0; a < 3; a++)
-            for (int b = 0; b < 3; b++) {
-                double term = half * y[a] * view.xi[b][k * g];
-                body->S[3 * a + b][bond_lower(&view, k)] += term * view.volume_j[k * g];
-                body->S[3 * a + b][bond_upper(&view, k)] += term * view.volume_i[k * g];
-            }
-    }
+    for (int k = 0; k < view.count; k++)
+        half[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] *
+                  bond_ends_extension(&view, &u, k) / view.length[k * view.geometry_step];
+    bond_ends_add_stress(&view, &u, half, half, body);
 }
 
 static void bond_based_prepare(void *self, struct body *body, double *axial)
 {
     const struct bond_based *model = self;
     displacement_gradient(body);
-    clear(body, body->S, 9);
+    bond_ends_clear(body, body->S, 9);
     for (int64_t s = 0; s < model->bonds->count; s++)
         add_stress(model, body, &model->bonds->strips[s]);
     if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));

@@ -1,6 +1,7 @@
 #include "j2.h"
 
 #include "flow_curve.h"
+#include "radial_return.h"
 
 #include <math.h>
 
@@ -130,70 +131,6 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
     return beyond;
 }
 
-/* First guess of g in (j2.3): along the tangent of the flow curve at p.  Points below yield get 0 and are
- * done; open > 0 marks those that are not. */
-HS_SIMD static void return_start(int count, struct j2_strip *restrict s, const double *restrict p,
-                                 const double *restrict table)
-{
-    for (int i = 0; i < count; i++) {
-        int64_t cell = flow_cell(s->curve[i], p[i]);
-        double beyond = s->q[i] - s->yield[i];
-        double g = beyond / (3 * s->mu[i] + flow_slope(table, cell, p[i]));
-        g = g > 0 ? g : 0;
-        s->grown[i] = g;
-        s->open[i] = g;
-    }
-}
-
-/* One Newton step on (j2.3) for the points that are still open; returns whether any stays so.  The
- * residual falls with g and, hardening being monotone, its root lies in [0, most].  The error of a step is
- * about the square of the one before: from a residual below near, the step ends at round-off and is the
- * point's last, whatever its neighbours in the strip need. */
-HS_SIMD static int64_t return_step(int count, struct j2_strip *restrict s, const double *restrict p,
-                                   const double *restrict table)
-{
-    const double near = 1e-8;
-    int64_t left = 0;
-    for (int i = 0; i < count; i++) {
-        double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i], open = s->open[i];
-        double most = (q - s->yield[i]) / modulus, all = p[i] + g;
-        int64_t cell = flow_cell(s->curve[i], all);
-        double residual = q - modulus * g - flow_stress(table, cell, all);
-        double next = g + residual / (modulus + flow_slope(table, cell, all));
-        next = next > 0 ? next : 0;
-        next = next < most ? next : most;
-        s->grown[i] = open > 0 ? next : g;
-        open = fabs(residual) > near * q ? open : 0;
-        s->open[i] = open;
-        left |= open > 0;
-    }
-    return left;
-}
-
-/* Bisection for the points where Newton's method went to and fro between kinks of a table. */
-static void return_by_bisection(struct j2_strip *s, const double *p, const double *table)
-{
-    for (int i = 0; i < s->count; i++) {
-        if (!(s->open[i] > 0)) continue;
-        double modulus = 3 * s->mu[i], q = s->q[i], low = 0, high = (q - s->yield[i]) / modulus;
-        for (int step = 0; step < 60; step++) {
-            double g = 0.5 * (low + high), all = p[i] + g;
-            double residual =
-                q - modulus * g - flow_stress(table, flow_cell(s->curve[i], all), all);
-            *(residual > 0 ? &low : &high) = g;
-        }
-        s->grown[i] = 0.5 * (low + high);
-    }
-}
-
-HS_SIMD static void scale_deviator(int count, struct j2_strip *restrict s)
-{
-    for (int i = 0; i < count; i++) {
-        double q = s->q[i];
-        s->scale[i] = 1 - 3 * s->mu[i] * s->grown[i] / (q > 0 ? q : 1);
-    }
-}
-
 /* tau and P = tau F^-T of point i; G = F^-1. */
 HS_INLINE void write_stress(struct j2_strip *restrict s, int i, struct tensor G)
 {
@@ -264,13 +201,9 @@ void j2_update(struct j2_strip *s, double *state, int64_t stride, const double *
 
     int64_t beyond = trial_strain(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p, table);
     beyond = beyond && !mode.frozen;
-    if (beyond) {
-        int64_t left = 1;
-        return_start(s->count, s, p, table);
-        for (int step = 0; step < 25 && left; step++) left = return_step(s->count, s, p, table);
-        if (left) return_by_bisection(s, p, table);
-        scale_deviator(s->count, s);
-    }
+    if (beyond)
+        radial_return(&(struct radial_return){s->count, s->mu, s->q, s->yield, p, s->curve,
+                                              s->grown, s->scale, s->open, table});
     if (beyond && mode.commit)
         stress_and_state(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p);
     else

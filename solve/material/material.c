@@ -14,10 +14,15 @@ static const struct kind {
     const struct formulation *formulation;
     bool hardened; /* has a key "hardening" */
     bool central;  /* central forces alone, which fix Poisson's ratio */
+    bool spatial;  /* not in a plane */
 } kinds[] = {
-    {"correspondence", &formulation_correspondence, true, false}, /* J2 in logarithmic strain */
-    {"correspondence_elastic", &formulation_correspondence, false, false}, /* without yield */
-    {"bond_based", &formulation_bond_based, false, true}, /* prototype microelastic */
+    {"correspondence", &formulation_correspondence, true, false,
+     false}, /* J2, logarithmic strain */
+    {"correspondence_elastic", &formulation_correspondence, false, false, false}, /* no yield */
+    {"bond_based", &formulation_bond_based, false, true, false},    /* prototype microelastic */
+    {"ordinary", &formulation_ordinary, false, false, false},       /* linear peridynamic solid */
+    {"ordinary_plastic", &formulation_ordinary, true, false, true}, /* Mitchell's */
+    {"madenci_oterkus", &formulation_madenci_oterkus, false, false, false}, /* a, b and d */
 };
 enum { KIND_COUNT = sizeof kinds / sizeof *kinds };
 
@@ -92,7 +97,12 @@ static struct material read_material(struct deck_node map, const char *name, enu
     deck_keys(map, (const char *const[]){"model", "density", "youngs_modulus", "poissons_ratio",
                                          "bulk_modulus", "shear_modulus",
                                          kind->hardened ? "hardening" : NULL, NULL});
-    struct material m = {.name = name};
+    if (kind->spatial && plane != SPACE)
+        deck_error(deck_get(map, "model"),
+                   "%s is for bodies of three dimensions: in a plane its flow would keep the area, "
+                   "which a metal's does not",
+                   kind->name);
+    struct material m = {.name = name, .yields = kind->hardened};
     m.density = deck_number(deck_get(map, "density"), "kg/m3", 1e-3, 1e6);
     read_elasticity(map, kind, plane, &m);
     m.hardening = kind->hardened ? hardening_read(deck_get(map, "hardening")) : hardening_none();

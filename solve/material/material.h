@@ -6,6 +6,8 @@
 #include "flow_curve.h"
 #include "hardening.h"
 
+#include <stdbool.h>
+
 struct formulation;
 
 /* Dimension, and in two of them what is zero across the plane. */
@@ -16,6 +18,7 @@ struct material {
     double density;   /* kg/m^3 */
     double youngs_modulus, poissons_ratio;
     double shear_modulus, bulk_modulus; /* Pa */
+    bool yields;                        /* has a hardening law */
     struct hardening hardening;
 };
 

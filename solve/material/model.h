@@ -59,7 +59,8 @@ struct formulation {
     void (*free)(void *self);
 };
 
-extern const struct formulation formulation_correspondence, formulation_bond_based;
+extern const struct formulation formulation_correspondence, formulation_bond_based,
+    formulation_ordinary, formulation_madenci_oterkus;
 
 struct model {
     const struct formulation *formulation;

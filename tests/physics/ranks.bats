@@ -83,6 +83,10 @@ compare() {
     solve 1
     [ "$(plastic 1/history.e CG)" -ge 2 ]
     [ "$(plastic 1/history.e UFG)" -ge 1 ]
+    compare_with_one "$@"
+}
+
+compare_with_one() {
     for ranks in "$@"; do
         solve "$ranks"
         cmp 1/history.e "$ranks/history.e"
@@ -109,6 +113,30 @@ compare() {
 @test "plate, mix, horizon 1, a tabulated law with kinks: 3 ranks give the bits of one" {
     study "$plate" 1 mix "$kinked"
     compare 3
+}
+
+# along_bonds SOLVER: the plate, its materials changed by a sed script on standard input; three spacings a horizon
+along_bonds() {
+    study "$plate" 3.015 mix
+    sed -i -f - -e "s/  stabilisation: .*/  $1/" study.yaml
+    hsgen -q study.yaml -o domain.g
+}
+
+@test "plate, bond-based, surface correction: 2 and 3 ranks give the bits of one" {
+    along_bonds 'surface_correction: energy' <<'END'
+s/model: correspondence/model: bond_based/
+/poissons_ratio/d
+/hardening/d
+END
+    solve 1
+    compare_with_one 2 3
+}
+
+@test "plate, ordinary plastic, surface correction: 2 and 3 ranks give the bits of one" {
+    along_bonds 'surface_correction: volume' <<'END'
+s/model: correspondence/model: ordinary_plastic/
+END
+    compare 2 3
 }
 
 @test "under mpirun as well" {

@@ -95,9 +95,11 @@ static struct lattice scattered(struct lattice *lattice, double jitter)
 void small_body_new(struct small_body *small, const struct small_case *wanted)
 {
     char *names[] = {"A", "B"};
-    char *text = wanted->stabilisation ? memory_print("{materials: %s, stabilisation: %s}",
-                                                      wanted->materials, wanted->stabilisation)
-                                       : memory_print("{materials: %s}", wanted->materials);
+    char *text = memory_print("{materials: %s%s%s%s%s}", wanted->materials,
+                              wanted->stabilisation ? ", stabilisation: " : "",
+                              wanted->stabilisation ? wanted->stabilisation : "",
+                              wanted->surface_correction ? ", surface_correction: " : "",
+                              wanted->surface_correction ? wanted->surface_correction : "");
     small->deck = deck_parse(text, strlen(text), "test");
     free(text);
     struct deck_node root = deck_root(small->deck);
@@ -176,18 +178,41 @@ void small_body_plastic_range(struct small_body *small, double range[2])
     }
 }
 
-double small_body_elastic_energy(struct small_body *small)
+static double energy_of(struct small_body *small, bool frozen)
 {
     /* No tested state holds more than a hundredth of E per volume. */
     const struct exact_sum zero =
         exact_sum_new(0.01 * materials_stiffest(&small->materials) *
                       (double)small->lattice.n_nodes * small->body.volume);
     struct force_energy energy = {zero, zero, zero};
-    model_force(small->model, &small->body, (struct force_mode){.frozen = true, .energy = true},
+    model_force(small->model, &small->body, (struct force_mode){.frozen = frozen, .energy = true},
                 &energy);
-    double values[2];
-    exact_sum_finish((const struct exact_sum[]){energy.stored, energy.stabilisation}, 2, values);
-    return values[0] + values[1];
+    double values[3];
+    exact_sum_finish(
+        (const struct exact_sum[]){energy.stored, energy.stabilisation, energy.plastic}, 3, values);
+    return values[0] + values[1] + (frozen ? 0 : values[2]);
+}
+
+double small_body_elastic_energy(struct small_body *small)
+{
+    return energy_of(small, true);
+}
+
+double small_body_potential(struct small_body *small)
+{
+    return energy_of(small, false);
+}
+
+int64_t small_body_middle(const struct small_body *small)
+{
+    const int *size = small->lattice.size;
+    return grid_site(&small->body.grid, (const int[]){size[0] / 2, size[1] / 2, size[2] / 2});
+}
+
+void small_body_stress(struct small_body *small, int64_t site, double P[9])
+{
+    model_prepare(small->model, &small->body, NULL);
+    for (int k = 0; k < 9; k++) P[k] = small->body.S[k][site];
 }
 
 double small_body_product(const struct small_body *small, double *const a[3], double *const b[3])

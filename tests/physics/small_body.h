@@ -23,6 +23,7 @@ struct small_case {
     bool partial;     /* volumes */
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
     double jitter;    /* scattered: each moved by up to this many spacings along each axis */
+    const char *surface_correction; /* NULL: none */
 };
 
 struct small_body {
@@ -66,6 +67,13 @@ void small_body_plastic_range(struct small_body *small, double range[2]);
 
 /* stored + stabilisation energy of the last state, elastic [J] */
 double small_body_elastic_energy(struct small_body *small);
+
+/* stored + plastic + stabilisation energy with yield, nothing committed [J]: the incremental potential */
+double small_body_potential(struct small_body *small);
+
+/* Site in the middle of the box, and the nominal stress of a node, nothing committed [Pa]. */
+int64_t small_body_middle(const struct small_body *small);
+void small_body_stress(struct small_body *small, int64_t site, double P[9]);
 
 /* sum over nodes of a . b, fields of three components */
 double small_body_product(const struct small_body *small, double *const a[3], double *const b[3]);

@@ -1,0 +1,28 @@
+/* bond_ends.h - how the ends of a strip of bonds move, and the stress that forces along the bonds make. */
+#ifndef HS_BOND_ENDS_H
+#define HS_BOND_ENDS_H
+
+#include "bonds.h"
+
+/* Displacement of the ends, element k for bond k [m]. */
+struct bond_ends {
+    const double *lower[3], *upper[3];
+};
+
+/* buffer: where displacements that do not lie side by side are gathered. */
+struct bond_ends bond_ends_find(const struct bond_view *view, const struct body *body,
+                                double buffer[6][LANES]);
+
+/* Extension |y| - |xi| of bond k [m], y = xi + u_j - u_i: (2 xi.eta + eta.eta)/(|y| + |xi|), eta = u_j - u_i, is
+ * exact to round-off for small displacements, too. */
+double bond_ends_extension(const struct bond_view *view, const struct bond_ends *u, int k);
+
+/* Nominal stress of the nodes, sum_j t_ij y/|y| (x) xi V_j, added to body->S: Silling, Lehoucq, J. Elasticity 93
+ * (2008) 13, for uniform deformation.  lower and upper: force state t of either end on bond k [N/m^6]. */
+void bond_ends_add_stress(const struct bond_view *view, const struct bond_ends *u,
+                          const double *lower, const double *upper, struct body *body);
+
+/* Fields over the box of the grid set to zero. */
+void bond_ends_clear(const struct body *body, double *const fields[], int count);
+
+#endif

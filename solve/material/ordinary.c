@@ -1,0 +1,428 @@
+/* ordinary.c - the two passes over the bonds that all ordinary state-based materials share (ordinary.h). */
+#include "ordinary.h"
+
+#include "gradient.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* |xi| where a bond's weight is not to be multiplied by it. */
+static const double ones[LANES] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+                                   1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+                                   1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+
+static struct ordinary *read_any(struct deck_node solver, const struct materials *materials,
+                                 const struct ordinary_law *law)
+{
+    struct ordinary *model = memory_new(1, sizeof *model);
+    model->materials = materials;
+    model->law = law;
+    model->correction = surface_correction_read(solver);
+    return model;
+}
+
+static void *ordinary_read(struct deck_node solver, const struct family *family,
+                           const struct materials *materials)
+{
+    (void)family;
+    return read_any(solver, materials, &ordinary_linear);
+}
+
+static void *madenci_oterkus_read(struct deck_node solver, const struct family *family,
+                                  const struct materials *materials)
+{
+    if (family->influence != family_influence("inverse"))
+        deck_error(
+            deck_get(solver, "influence"),
+            "the influence function of madenci_oterkus is 'inverse': leave it out, or take the "
+            "model 'ordinary'");
+    return read_any(solver, materials, &ordinary_madenci_oterkus);
+}
+
+static int ordinary_near(const void *self, const struct family *family,
+                         const struct offset **offsets)
+{
+    (void)self, (void)family, (void)offsets;
+    return 0;
+}
+
+/* The strip with the fields of its ends. */
+struct pass {
+    int count;
+    struct bond_ends u;
+    const struct bond_view *view;
+    const double *reach; /* |xi| or 1, as geometry */
+    /* First pass. */
+    double *lower[SUM_COUNT], *upper[SUM_COUNT];
+    /* Second pass. */
+    const double *node_lower[NODE_COUNT], *node_upper[NODE_COUNT];
+    double *force_lower[3], *force_upper[3];
+    /* e^p of the lower and the upper ends. */
+    double *slip_lower, *slip_upper;
+};
+
+/* What a kernel does beyond the elastic force. */
+enum depth { ELASTIC, NORM, STORED }; /* first pass */
+enum { YIELDING = STORED + 1 };       /* second pass: NORM is not used, STORED, YIELDING */
+
+/* First pass over a strip, an element of geometry and weight every g and w. */
+HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
+{
+    const struct bond_view *v = s->view;
+    const double *ux = s->u.lower[0], *uy = s->u.lower[1], *uz = s->u.lower[2];
+    const double *vx = s->u.upper[0], *vy = s->u.upper[1], *vz = s->u.upper[2];
+    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
+    const double *Vi = v->volume_i, *Vj = v->volume_j, *R = s->reach;
+    const double *pi = s->slip_lower, *pj = s->slip_upper;
+    double *ei = s->lower[0], *ni = s->lower[1], *mi = s->lower[2], *xi = s->lower[3];
+    double *ej = s->upper[0], *nj = s->upper[1], *mj = s->upper[2], *xj = s->upper[3];
+    const int count = s->count;
+#pragma omp simd
+    for (int k = 0; k < count; k++) {
+        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g], weight = W[k * w];
+        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
+        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
+        x += a;
+        y += b;
+        z += d;
+        double e = longer / (sqrt(x * x + y * y + z * z) + length);
+        double extension = weight * R[k * g] * e;
+        ei[k] += extension * Vj[k * g];
+        ej[k] += extension * Vi[k * g];
+        if (depth >= NORM) {
+            double moment = weight * length * length, qi = e, qj = e;
+            if (depth == STORED) {
+                qi -= pi[k];
+                qj -= pj[k];
+                xi[k] += weight * length * pi[k] * Vj[k * g];
+                xj[k] += weight * length * pj[k] * Vi[k * g];
+            }
+            ni[k] += weight * qi * qi * Vj[k * g];
+            nj[k] += weight * qj * qj * Vi[k * g];
+            mi[k] += moment * Vj[k * g];
+            mj[k] += moment * Vi[k * g];
+        }
+    }
+}
+
+/* (ordinary.4); where an end yields, its e^p moves on. */
+HS_INLINE void push(const struct pass *s, int g, int w, int depth)
+{
+    const struct bond_view *v = s->view;
+    const double *ux = s->u.lower[0], *uy = s->u.lower[1], *uz = s->u.lower[2];
+    const double *vx = s->u.upper[0], *vy = s->u.upper[1], *vz = s->u.upper[2];
+    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
+    const double *Vi = v->volume_i, *Vj = v->volume_j, *R = s->reach;
+    const double *Ai = s->node_lower[NODE_PULL], *Aj = s->node_upper[NODE_PULL];
+    const double *Bi = s->node_lower[NODE_SPRING], *Bj = s->node_upper[NODE_SPRING];
+    const double *Fi = s->node_lower[NODE_FLOW], *Fj = s->node_upper[NODE_FLOW];
+    const double *Ci = s->node_lower[NODE_CENTRE], *Cj = s->node_upper[NODE_CENTRE];
+    double *pi = s->slip_lower, *pj = s->slip_upper;
+    double *ix = s->force_lower[0], *iy = s->force_lower[1], *iz = s->force_lower[2];
+    double *jx = s->force_upper[0], *jy = s->force_upper[1], *jz = s->force_upper[2];
+    const int count = s->count;
+#pragma omp simd
+    for (int k = 0; k < count; k++) {
+        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g];
+        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
+        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
+        x += a;
+        y += b;
+        z += d;
+        double now = sqrt(x * x + y * y + z * z), sum = now + length, inverse = 1 / (sum * now);
+        double e = longer * (inverse * now);
+        double force = (Ai[k] + Aj[k]) * R[k * g] + (Bi[k] + Bj[k]) * e;
+        if (depth >= STORED) force -= Bi[k] * pi[k] + Bj[k] * pj[k];
+        force *= W[k * w] * (inverse * sum);
+        double i = force * Vj[k * g], j = force * Vi[k * g];
+        ix[k] += i * x;
+        iy[k] += i * y;
+        iz[k] += i * z;
+        jx[k] -= j * x;
+        jy[k] -= j * y;
+        jz[k] -= j * z;
+        if (depth == YIELDING) {
+            pi[k] += Fi[k] * (e - pi[k] - Ci[k] * length);
+            pj[k] += Fj[k] * (e - pj[k] - Cj[k] * length);
+        }
+    }
+}
+
+#define VARIANT(name, kernel, g, w, depth)                                                         \
+    HS_SIMD static void name(const struct pass *s)                                                 \
+    {                                                                                              \
+        kernel(s, g, w, depth);                                                                    \
+    }
+#define VARIANTS(name, kernel, depth)                                                              \
+    VARIANT(name##_alike, kernel, 0, 0, depth)                                                     \
+    VARIANT(name##_weighted, kernel, 0, 1, depth)                                                  \
+    VARIANT(name##_scattered, kernel, 1, 1, depth)
+#define CHOICE(name)                                                                               \
+    {                                                                                              \
+        {name##_alike, name##_weighted},                                                           \
+        {                                                                                          \
+            NULL, name##_scattered                                                                 \
+        }                                                                                          \
+    }
+VARIANTS(sum_elastic, sum_up, ELASTIC)
+VARIANTS(sum_norm, sum_up, NORM)
+VARIANTS(sum_stored, sum_up, STORED)
+VARIANTS(push_elastic, push, ELASTIC)
+VARIANTS(push_stored, push, STORED)
+VARIANTS(push_yielding, push, YIELDING)
+
+typedef void kernel(const struct pass *);
+/* [depth][geometry_step][weight_step] */
+static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_norm), CHOICE(sum_stored)};
+static kernel *const pushing[][2][2] = {CHOICE(push_elastic), CHOICE(push_elastic),
+                                        CHOICE(push_stored), CHOICE(push_yielding)};
+
+static struct pass pass_over(const struct ordinary *model, const struct bond_view *view,
+                             const struct body *body, double buffer[6][LANES])
+{
+    return (struct pass){.count = view->count,
+                         .u = bond_ends_find(view, body, buffer),
+                         .view = view,
+                         .reach = model->law->by_length ? view->length : ones};
+}
+
+static void set_slip(struct pass *pass, double *slip)
+{
+    pass->slip_lower = slip;
+    pass->slip_upper = slip ? slip + pass->view->stride : NULL;
+}
+
+static void sum_strip(const struct ordinary *model, const struct body *body, int64_t number,
+                      int depth)
+{
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    double displacement[6][LANES], lower[SUM_COUNT][LANES], upper[SUM_COUNT][LANES];
+    struct pass pass = pass_over(model, &view, body, displacement);
+    set_slip(&pass, depth == NORM && model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    if (pass.slip_lower) depth = STORED;
+    const int count = depth == ELASTIC ? 1 : depth == NORM ? SUM_PLASTIC : SUM_COUNT;
+    for (int k = 0; k < count; k++) {
+        pass.lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
+        pass.upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
+    }
+    summing[depth][view.geometry_step][view.weight_step](&pass);
+    for (int k = 0; k < count; k++) {
+        bond_scatter(&view, false, model->sum[k], lower[k]);
+        bond_scatter(&view, true, model->sum[k], upper[k]);
+    }
+}
+
+static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool commit)
+{
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    double displacement[6][LANES], gathered[2][NODE_COUNT][LANES], force[2][3][LANES];
+    struct pass pass = pass_over(model, &view, body, displacement);
+    int depth = ELASTIC;
+    if (model->plastic) {
+        double *slip = commit ? ordinary_plastic_yielding(model, number) : NULL;
+        depth = slip ? YIELDING : STORED;
+        if (!slip) slip = ordinary_plastic_store(model, number);
+        if (!slip) depth = ELASTIC;
+        set_slip(&pass, slip);
+    }
+    for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
+        pass.node_lower[k] = bond_gather(&view, false, model->node[k], gathered[0][k]);
+        pass.node_upper[k] = bond_gather(&view, true, model->node[k], gathered[1][k]);
+    }
+    for (int a = 0; a < 3; a++) {
+        pass.force_lower[a] = bond_target(&view, false, body->f[a], force[0][a]);
+        pass.force_upper[a] = bond_target(&view, true, body->f[a], force[1][a]);
+    }
+    pushing[depth][view.geometry_step][view.weight_step](&pass);
+    for (int a = 0; a < 3; a++) {
+        bond_scatter(&view, false, body->f[a], force[0][a]);
+        bond_scatter(&view, true, body->f[a], force[1][a]);
+    }
+}
+
+/* pull = k D theta */
+HS_SIMD static void find_pull(int count, const double *restrict dilatation,
+                              const double *restrict volumetric, const double *restrict extension,
+                              double *restrict pull)
+{
+    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * (dilatation[i] * extension[i]);
+}
+
+static void elastic_nodes(struct ordinary *model, const struct body *body,
+                          struct force_energy *energy)
+{
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const int64_t i = body->owned.items[s].site;
+        const int count = body->owned.items[s].count;
+        double terms[LANES];
+        find_pull(count, model->dilatation + i, model->volumetric + i,
+                  model->sum[SUM_EXTENSION] + i, model->node[NODE_PULL] + i);
+        if (!energy) continue;
+        for (int k = 0; k < count; k++)
+            terms[k] = 0.5 * (model->node[NODE_PULL][i + k] * model->sum[SUM_EXTENSION][i + k] +
+                              model->distortion[i + k] * model->sum[SUM_SQUARE][i + k]);
+        body_times_volume(body, i, count, terms);
+        exact_sum_add_strip(&energy->stored, count, terms, 1);
+    }
+}
+
+/* First pass, and what the second reads of the nodes, those of other ranks included. */
+static void find_nodes(struct ordinary *model, struct body *body, struct force_mode mode,
+                       struct force_energy *energy)
+{
+    const int depth = model->plastic || energy ? NORM : ELASTIC;
+    halo_exchange(body->displacement_halo, body->u, 3);
+    bond_ends_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
+    for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, body, s, depth);
+    if (model->plastic)
+        ordinary_plastic_nodes(model, body, mode, energy);
+    else
+        elastic_nodes(model, body, energy);
+    halo_exchange(body->stress_halo, model->node, model->plastic ? NODE_COUNT : 1);
+}
+
+static void ordinary_force(void *self, struct body *body, struct force_mode mode,
+                           struct force_energy *energy)
+{
+    struct ordinary *model = self;
+    find_nodes(model, body, mode, mode.energy ? energy : NULL);
+    bond_ends_clear(body, body->f, 3);
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        push_strip(model, body, s, mode.commit && !mode.frozen);
+}
+
+static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
+{
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    double displacement[6][LANES], state[2][LANES];
+    struct pass pass = pass_over(model, &view, body, displacement);
+    set_slip(&pass, model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    for (int k = 0; k < view.count; k++) {
+        const double e = bond_ends_extension(&view, &pass.u, k),
+                     reach = pass.reach[k * view.geometry_step],
+                     weight = view.weight[k * view.weight_step];
+        for (int end = 0; end < 2; end++) {
+            const double *slip = end ? pass.slip_upper : pass.slip_lower;
+            const int64_t i = end ? bond_upper(&view, k) : bond_lower(&view, k);
+            state[end][k] = weight * (model->node[NODE_PULL][i] * reach +
+                                      model->node[NODE_SPRING][i] * (e - (slip ? slip[k] : 0)));
+        }
+    }
+    bond_ends_add_stress(&view, &pass.u, state[0], state[1], body);
+}
+
+static void ordinary_prepare(void *self, struct body *body, double *axial)
+{
+    struct ordinary *model = self;
+    find_nodes(model, body, (struct force_mode){0}, NULL);
+    displacement_gradient(body);
+    bond_ends_clear(body, body->S, 9);
+    for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s);
+    if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
+}
+
+static void ordinary_observe(void *self, const struct body *body, const struct strip *strip,
+                             struct node_state *node)
+{
+    const struct ordinary *model = self;
+    node_state_from_nominal(body, strip, node);
+    memset(node->plastic, 0, sizeof node->plastic);
+    if (model->plastic)
+        memcpy(node->plastic, ordinary_plastic_strain(model) + strip->site,
+               (size_t)strip->count * sizeof(double));
+}
+
+/* sum = sum_j w |xi|^power V_j of each node. */
+static void sum_moments(const struct ordinary *model, int power, double *sum)
+{
+    for (int64_t s = 0; s < model->bonds->count; s++) {
+        const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[s]);
+        const int g = view.geometry_step;
+        double lower[LANES], upper[LANES], *i = bond_target(&view, false, sum, lower),
+                                           *j = bond_target(&view, true, sum, upper);
+        for (int k = 0; k < view.count; k++) {
+            double moment = view.weight[k * view.weight_step] * view.length[k * g];
+            if (power == 2) moment *= view.length[k * g];
+            i[k] += moment * view.volume_j[k * g];
+            j[k] += moment * view.volume_i[k * g];
+        }
+        bond_scatter(&view, false, sum, lower);
+        bond_scatter(&view, true, sum, upper);
+    }
+}
+
+static void find_moduli(struct ordinary *model, const struct body *body)
+{
+    const struct materials *all = model->materials;
+    double *moment = model->sum[SUM_MOMENT], *isotropic = model->sum[SUM_EXTENSION];
+    const double full = surface_full_family(model->bonds, 1);
+    sum_moments(model, 2, moment);
+    sum_moments(model, 1, isotropic);
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int k = 0; k < body->owned.items[s].count; k++) {
+            const int64_t i = body->owned.items[s].site + k;
+            const double ratio = model->correction == SURFACE_NONE ? 1 : isotropic[i] / full;
+            const struct ordinary_moduli moduli = model->law->moduli(
+                &all->items[body->grid.phase[i]], all->plane, body, moment[i], ratio);
+            model->dilatation[i] = moduli.dilatation;
+            model->volumetric[i] = moduli.volumetric * moduli.dilatation;
+            model->distortion[i] = moduli.distortion;
+        }
+}
+
+static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
+{
+    struct ordinary *model = self;
+    const size_t n = (size_t)body->grid.n_sites;
+    model->bonds = bonds;
+    surface_correction_apply(model->correction, bonds, 2);
+    model->dilatation = memory_new(n, sizeof(double));
+    model->volumetric = memory_new(n, sizeof(double));
+    model->distortion = memory_new(n, sizeof(double));
+    for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = memory_new(n, sizeof(double));
+    for (int k = 0; k < NODE_COUNT; k++) model->node[k] = memory_new(n, sizeof(double));
+    find_moduli(model, body);
+    memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
+    halo_exchange(body->stress_halo, &model->node[NODE_SPRING], 1);
+    for (int p = 0; p < model->materials->count && !model->plastic; p++)
+        if (model->materials->items[p].yields) model->plastic = ordinary_plastic_new(model);
+}
+
+static const struct strips *ordinary_strips(const void *self, const struct body *body)
+{
+    (void)self;
+    return &body->owned;
+}
+
+static void ordinary_free(void *self)
+{
+    struct ordinary *model = self;
+    if (model->plastic) ordinary_plastic_free(model->plastic);
+    free(model->dilatation);
+    free(model->volumetric);
+    free(model->distortion);
+    for (int k = 0; k < SUM_COUNT; k++) free(model->sum[k]);
+    for (int k = 0; k < NODE_COUNT; k++) free(model->node[k]);
+    free(model);
+}
+
+#define PASSES                                                                                     \
+    .keys = (const char *const[]){"surface_correction", NULL}, .near = ordinary_near,              \
+    .start = ordinary_start, .force = ordinary_force, .prepare = ordinary_prepare,                 \
+    .observe = ordinary_observe, .strips = ordinary_strips, .free = ordinary_free
+
+const struct formulation formulation_ordinary = {
+    .name = "ordinary state-based",
+    .influence = "linear",
+    .read = ordinary_read,
+    PASSES,
+};
+
+const struct formulation formulation_madenci_oterkus = {
+    .name = "ordinary state-based (a, b, d)",
+    .influence = "inverse",
+    .read = madenci_oterkus_read,
+    PASSES,
+};

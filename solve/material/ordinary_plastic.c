@@ -1,0 +1,174 @@
+/* ordinary_plastic.c - J2 plasticity of the linear peridynamic solid, with any hardening law.
+ *
+ *   c_i = sum_j w |xi| (e - e^p) V_j / sum_j w |xi|^2 V_j                            (ordinary_plastic.1)
+ *   q_i = [3 mu b_i sum_j w (e - e^p - c_i |xi|)^2 V_j]^1/2 <= sigma_y(p)            (ordinary_plastic.2)
+ *   return: q_trial - 3 mu g = sigma_y(p + g),  p += g,
+ *           e^p += (3 mu g/q_trial) (e - e^p - c_i |xi|)                            (ordinary_plastic.3)
+ *
+ * Mitchell, A nonlocal, ordinary, state-based plasticity model for peridynamics, SAND2011-3166, with the yield
+ * function scaled by the shear modulus, so that q is von Mises' stress in uniform strain of a continuum, and
+ * with hardening.  In an unbroken family c = theta/3: e^p changes no volume, and stays so.  The return
+ * minimises (b/2) sum w (e - e^p)^2 V + integral of sigma_y over e^p without change of volume, the
+ * incremental potential, of which the force is the gradient in a broken family, too.
+ *
+ * The sum of squares needs no pass of its own: sum w (q - c |xi|)^2 V = sum w q^2 V - c sum w |xi| q V. */
+#include "flow_curve.h"
+#include "memory.h"
+#include "ordinary.h"
+#include "radial_return.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct ordinary_plastic {
+    double *strain; /* p, a box field */
+    double **store; /* [strips of bonds] e^p, or NULL */
+    int64_t count;
+};
+
+struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model)
+{
+    struct ordinary_plastic *plastic = memory_new(1, sizeof *plastic);
+    plastic->count = model->bonds->count;
+    plastic->strain = memory_new((size_t)model->bonds->body->grid.n_sites, sizeof(double));
+    plastic->store = memory_new((size_t)plastic->count, sizeof *plastic->store);
+    return plastic;
+}
+
+void ordinary_plastic_free(struct ordinary_plastic *plastic)
+{
+    for (int64_t s = 0; s < plastic->count; s++) free(plastic->store[s]);
+    free(plastic->store);
+    free(plastic->strain);
+    free(plastic);
+}
+
+double *ordinary_plastic_store(const struct ordinary *model, int64_t strip)
+{
+    return model->plastic->store[strip];
+}
+
+const double *ordinary_plastic_strain(const struct ordinary *model)
+{
+    return model->plastic->strain;
+}
+
+double *ordinary_plastic_yielding(struct ordinary *model, int64_t strip)
+{
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[strip]);
+    double lower[LANES], upper[LANES];
+    const double *i = bond_gather(&view, false, model->node[NODE_FLOW], lower),
+                 *j = bond_gather(&view, true, model->node[NODE_FLOW], upper);
+    double **store = &model->plastic->store[strip];
+    double most = 0;
+    for (int k = 0; k < view.count; k++) most += i[k] + j[k];
+    if (!(most > 0)) return NULL;
+    if (!*store) *store = memory_new(2 * (size_t)view.stride, sizeof **store);
+    return *store;
+}
+
+/* A strip of nodes. */
+struct strip_state {
+    double mu[LANES], centre[LANES], square[LANES], q[LANES], yield[LANES];
+    double grown[LANES], scale[LANES], open[LANES];
+    int64_t curve[LANES];
+};
+
+/* (ordinary_plastic.1), (ordinary_plastic.2); returns whether a node is beyond yield. */
+HS_SIMD static int64_t trial(int count, const double *restrict distortion,
+                             const double *restrict extension, const double *restrict square,
+                             const double *restrict moment, const double *restrict plastic,
+                             const double *restrict p, const double *restrict table,
+                             struct strip_state *restrict s)
+{
+    int64_t beyond = 0;
+    for (int i = 0; i < count; i++) {
+        double along = extension[i] - plastic[i];
+        double centre = moment[i] > 0 ? along / moment[i] : 0;
+        double left = square[i] - centre * along;
+        left = left > 0 ? left : 0;
+        double q = sqrt(3 * s->mu[i] * distortion[i] * left);
+        s->centre[i] = centre;
+        s->square[i] = left;
+        s->q[i] = q;
+        s->scale[i] = 1;
+        s->grown[i] = 0;
+        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        s->yield[i] = yield;
+        beyond |= q > yield;
+    }
+    return beyond;
+}
+
+/* The force after the return: t = k D theta a + b w [scale (e - e^p) + (1 - scale) c |xi|]. */
+HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
+                                const double *restrict volumetric,
+                                const double *restrict distortion, const double *restrict extension,
+                                const struct strip_state *restrict s, double *restrict pull,
+                                double *restrict spring, double *restrict flow,
+                                double *restrict centre)
+{
+    for (int i = 0; i < count; i++) {
+        double flowed = 1 - s->scale[i];
+        pull[i] =
+            volumetric[i] * (dilatation[i] * extension[i]) + distortion[i] * flowed * s->centre[i];
+        spring[i] = distortion[i] * s->scale[i];
+        flow[i] = flowed;
+        centre[i] = s->centre[i];
+    }
+}
+
+static void add_energy(const struct ordinary *model, const struct body *body,
+                       const struct strip *strip, const struct strip_state *s,
+                       struct force_energy *energy)
+{
+    const double *table = model->materials->curves.table;
+    double stored[LANES], plastic[LANES];
+    for (int k = 0; k < strip->count; k++) {
+        const int64_t i = strip->site + k;
+        const double extension = model->sum[SUM_EXTENSION][i],
+                     along = extension - model->sum[SUM_PLASTIC][i],
+                     p = model->plastic->strain[i] + s->grown[k];
+        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * extension * extension +
+                           model->distortion[i] *
+                               (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
+        plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p);
+    }
+    body_times_volume(body, strip->site, strip->count, stored);
+    body_times_volume(body, strip->site, strip->count, plastic);
+    exact_sum_add_strip(&energy->stored, strip->count, stored, 1);
+    exact_sum_add_strip(&energy->plastic, strip->count, plastic, 1);
+}
+
+static void update_strip(struct ordinary *model, const struct body *body, const struct strip *strip,
+                         struct force_mode mode, struct force_energy *energy)
+{
+    const struct materials *all = model->materials;
+    const int64_t i = strip->site;
+    double *p = model->plastic->strain + i, *const *sum = model->sum, *const *node = model->node;
+    struct strip_state s;
+    for (int k = 0; k < strip->count; k++) {
+        const int phase = body->grid.phase[i + k];
+        s.mu[k] = all->items[phase].shear_modulus;
+        s.curve[k] = phase * (all->count + 1);
+    }
+    const int64_t beyond =
+        trial(strip->count, model->distortion + i, sum[SUM_EXTENSION] + i, sum[SUM_SQUARE] + i,
+              sum[SUM_MOMENT] + i, sum[SUM_PLASTIC] + i, p, all->curves.table, &s);
+    if (beyond && !mode.frozen)
+        radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.curve, s.grown,
+                                              s.scale, s.open, all->curves.table});
+    write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
+                sum[SUM_EXTENSION] + i, &s, node[NODE_PULL] + i, node[NODE_SPRING] + i,
+                node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
+    if (energy) add_energy(model, body, strip, &s, energy);
+    if (mode.commit && !mode.frozen)
+        for (int k = 0; k < strip->count; k++) p[k] += s.grown[k];
+}
+
+void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,
+                            struct force_energy *energy)
+{
+    for (int64_t s = 0; s < body->owned.count; s++)
+        update_strip(model, body, &body->owned.items[s], mode, energy);
+}

@@ -1,0 +1,82 @@
+#include "radial_return.h"
+
+#include "flow_curve.h"
+
+#include <math.h>
+
+/* First guess of g: along the tangent of the flow curve at p.  Points below yield get 0 and are done;
+ * open > 0 marks those that are not. */
+HS_SIMD static void start(int count, const double *restrict mu, const double *restrict q,
+                          const double *restrict yield, const double *restrict p,
+                          const int64_t *restrict curve, double *restrict grown,
+                          double *restrict open, const double *restrict table)
+{
+    for (int i = 0; i < count; i++) {
+        int64_t cell = flow_cell(curve[i], p[i]);
+        double beyond = q[i] - yield[i];
+        double g = beyond / (3 * mu[i] + flow_slope(table, cell, p[i]));
+        g = g > 0 ? g : 0;
+        grown[i] = g;
+        open[i] = g;
+    }
+}
+
+/* One Newton step for the points that are still open; returns whether any stays so.  The residual
+ * falls with g and, hardening being monotone, its root lies in [0, most].  The error of a step is
+ * about the square of the one before: from a residual below near, the step ends at round-off and is the
+ * point's last. */
+HS_SIMD static int64_t iterate(int count, const double *restrict mu, const double *restrict q,
+                               const double *restrict yield, const double *restrict p,
+                               const int64_t *restrict curve, double *restrict grown,
+                               double *restrict unsettled, const double *restrict table)
+{
+    const double near = 1e-8;
+    int64_t left = 0;
+    for (int i = 0; i < count; i++) {
+        double modulus = 3 * mu[i], trial = q[i], g = grown[i], open = unsettled[i];
+        double most = (trial - yield[i]) / modulus, all = p[i] + g;
+        int64_t cell = flow_cell(curve[i], all);
+        double residual = trial - modulus * g - flow_stress(table, cell, all);
+        double next = g + residual / (modulus + flow_slope(table, cell, all));
+        next = next > 0 ? next : 0;
+        next = next < most ? next : most;
+        grown[i] = open > 0 ? next : g;
+        open = fabs(residual) > near * trial ? open : 0;
+        unsettled[i] = open;
+        left |= open > 0;
+    }
+    return left;
+}
+
+/* For the points where Newton's method went to and fro between kinks of a table. */
+static void bisect(const struct radial_return *s)
+{
+    for (int i = 0; i < s->count; i++) {
+        if (!(s->open[i] > 0)) continue;
+        double modulus = 3 * s->mu[i], q = s->q[i], low = 0, high = (q - s->yield[i]) / modulus;
+        for (int step = 0; step < 60; step++) {
+            double g = 0.5 * (low + high), all = s->p[i] + g;
+            double residual =
+                q - modulus * g - flow_stress(s->table, flow_cell(s->curve[i], all), all);
+            *(residual > 0 ? &low : &high) = g;
+        }
+        s->grown[i] = 0.5 * (low + high);
+    }
+}
+
+HS_SIMD static void find_scale(int count, const double *restrict mu, const double *restrict q,
+                               const double *restrict grown, double *restrict scale)
+{
+    for (int i = 0; i < count; i++) scale[i] = 1 - 3 * mu[i] * grown[i] / (q[i] > 0 ? q[i] : 1);
+}
+
+void radial_return(const struct radial_return *s)
+{
+    int64_t left = 1;
+    start(s->count, s->mu, s->q, s->yield, s->p, s->curve, s->grown, s->open, s->table);
+    for (int step = 0; step < 25 && left; step++)
+        left =
+            iterate(s->count, s->mu, s->q, s->yield, s->p, s->curve, s->grown, s->open, s->table);
+    if (left) bisect(s);
+    find_scale(s->count, s->mu, s->q, s->grown, s->scale);
+}

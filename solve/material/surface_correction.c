@@ -1,0 +1,137 @@
+#include "surface_correction.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum surface_correction surface_correction_read(struct deck_node solver)
+{
+    static const char *const kinds[] = {"none", "volume", "energy"};
+    if (!deck_has(solver, "surface_correction")) return SURFACE_NONE;
+    return (enum surface_correction)deck_choice(deck_get(solver, "surface_correction"), kinds, 3);
+}
+
+/* w |xi|^power n_axis^4 of a bond; axis < 0: w |xi|^power. */
+static double share(double weight, const double xi[3], double length, int power, int axis)
+{
+    const double n = axis < 0 ? 1 : xi[axis] / length;
+    double product = weight * n * n * n * n;
+    for (int k = 0; k < power; k++) product *= length;
+    return product;
+}
+
+/* The same, summed up over a full family, times the volume. */
+static double full_family(const struct bonds *bonds, int power, int axis)
+{
+    const struct body *body = bonds->body;
+    const struct family *family = body->family;
+    const double pi = acos(-1), dx = body->lattice->spacing;
+    const bool flat = body->lattice->dimensions == 2;
+    double sum = 0;
+    if (bonds->lower) {
+        /* Mean of n_a^4: 1/5 in space, 3/8 in a plane. */
+        const double mean = axis < 0 ? 1 : flat ? 0.375 : 0.2;
+        sum = mean * (flat ? 2 * pi * body->lattice->thickness / dx : 4 * pi) *
+              family_moment(family, power + (flat ? 1 : 2)) * pow(dx, 3 + power);
+        if (!isfinite(sum))
+            die_user("no surface correction of scattered particles with the steep influence "
+                     "function: its "
+                     "continuum has no full family");
+        return sum;
+    }
+    for (int o = 0; o < family->n_half; o++) {
+        const struct bond_geometry *g = &bonds->geometry[o];
+        if (flat && family->half[o].step[2] != 0) continue;
+        sum += 2 * share(g->weight, g->xi, g->length, power, axis) * body->volume;
+    }
+    return sum;
+}
+
+double surface_full_family(const struct bonds *bonds, int power)
+{
+    return full_family(bonds, power, -1);
+}
+
+/* field[node] = full/sum over the bonds of the node, at owned nodes and their neighbours elsewhere. */
+static void find_ratio(const struct bonds *bonds, int power, int axis, double *field)
+{
+    const struct body *body = bonds->body;
+    const double full = full_family(bonds, power, axis);
+    for (int64_t s = 0; s < bonds->count; s++) {
+        const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
+        const int g = view.geometry_step;
+        for (int end = 0; end < 2; end++) {
+            double buffer[LANES], *target = bond_target(&view, end == 1, field, buffer);
+            for (int k = 0; k < view.count; k++) {
+                const double xi[3] = {view.xi[0][k * g], view.xi[1][k * g], view.xi[2][k * g]};
+                target[k] +=
+                    share(view.weight[k * view.weight_step], xi, view.length[k * g], power, axis) *
+                    (end ? view.volume_i : view.volume_j)[k * g];
+            }
+            bond_scatter(&view, end == 1, field, buffer);
+        }
+    }
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int k = 0; k < body->owned.items[s].count; k++) {
+            double *value = &field[body->owned.items[s].site + k];
+            *value = *value > 0 ? full / *value : 1;
+        }
+    halo_exchange(body->stress_halo, (double *const[]){field}, 1);
+}
+
+/* (surface.2) */
+static double on_ellipsoid(double *const ratio[3], int64_t i, int64_t j, const double xi[3],
+                           double length)
+{
+    double sum = 0;
+    for (int a = 0; a < 3; a++) {
+        const double n = xi[a] / length, half = 0.5 * (ratio[a][i] + ratio[a][j]);
+        sum += n * n / (half * half);
+    }
+    return 1 / sqrt(sum);
+}
+
+static void correct_strip(enum surface_correction kind, struct bonds *bonds,
+                          struct bond_strip *strip, double *const ratio[3])
+{
+    const struct bond_view view = bonds_view(bonds, strip);
+    const int g = view.geometry_step;
+    double factor[LANES];
+    bool changed = false;
+    for (int k = 0; k < view.count; k++) {
+        const double xi[3] = {view.xi[0][k * g], view.xi[1][k * g], view.xi[2][k * g]};
+        const int64_t i = bond_lower(&view, k), j = bond_upper(&view, k);
+        /* V_0/V is kept: 2 V_0/(V_i + V_j) = 2/(1/r_i + 1/r_j). */
+        factor[k] = kind == SURFACE_VOLUME ? 2 / (1 / ratio[0][i] + 1 / ratio[0][j])
+                                           : on_ellipsoid(ratio, i, j, xi, view.length[k * g]);
+        /* Inside the body the ratios are 1 but for rounding. */
+        if (fabs(factor[k] - 1) < 1e-12) factor[k] = 1;
+        changed |= factor[k] != 1;
+    }
+    if (!changed) return;
+    double *weight = bonds_own_weights(bonds, strip);
+    for (int k = 0; k < view.count; k++) weight[k] *= factor[k];
+}
+
+void surface_correction_apply(enum surface_correction kind, struct bonds *bonds, int power)
+{
+    const size_t n = (size_t)bonds->body->grid.n_sites;
+    double *ratio[3];
+    if (kind == SURFACE_NONE) return;
+    for (int a = 0; a < 3; a++) {
+        ratio[a] = memory_new(n, sizeof(double));
+        if (kind == SURFACE_ENERGY && a < bonds->body->lattice->dimensions) {
+            find_ratio(bonds, power, a, ratio[a]);
+        } else {
+            for (size_t i = 0; i < n; i++) ratio[a][i] = 1;
+        }
+    }
+    if (kind == SURFACE_VOLUME) {
+        for (size_t i = 0; i < n; i++) ratio[0][i] = 0;
+        find_ratio(bonds, 0, -1, ratio[0]);
+    }
+    for (int64_t s = 0; s < bonds->count; s++) correct_strip(kind, bonds, &bonds->strips[s], ratio);
+    for (int a = 0; a < 3; a++) free(ratio[a]);
+}
