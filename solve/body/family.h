@@ -37,6 +37,9 @@ extern const char *const family_influences[];
 extern const int family_influence_count;
 int family_influence(const char *name); /* its number */
 
+/* Number of a step among the half offsets, -1 where it is not one. */
+int family_number(const struct family *family, const int step[3]);
+
 /* Integral of w r^power over 0 <= r <= horizon, in spacings: the moments of the continuum.  Infinite for
  * the steep function. */
 double family_moment(const struct family *family, int power);
@@ -46,6 +49,11 @@ double family_moment(const struct family *family, int power);
  * a node has no deformation gradient and carries no stress. */
 bool family_shape(const struct family *family, const struct lattice *lattice, const int at[3],
                   double inverse[6], double first[3]);
+
+/* One member's part of K and s; sign -1: the one at -xi. */
+void family_add_shape(const struct offset *offset, int sign, double K[6], double first[3]);
+/* The inverse of K, or false and zero as above. */
+bool family_invert_shape(const double members[6], int dimensions, double inverse[6]);
 
 /* Bonds (ordered pairs / 2) of the whole body. */
 int64_t family_bonds(const struct family *family, const struct lattice *lattice);

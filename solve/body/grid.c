@@ -93,7 +93,7 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     drop_owned(&grid, SITE_STRESSED | SITE_MOVES);
     for (int64_t site = 0; site < grid.n_sites; site++)
         if ((grid.flags[site] & (SITE_OWNED | SITE_NEAR)) == SITE_NEAR)
-            grid.flags[site] |= SITE_MOVES;
+            grid.flags[site] |= SITE_MOVES | SITE_GHOST;
     return grid;
 }
 

@@ -123,7 +123,7 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
         s->q[i] = q;
         s->scale[i] = 1;
         s->grown[i] = 0;
-        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]) + s->shift[i];
         s->yield[i] = yield;
         beyond |= q > yield;
     }
@@ -158,7 +158,7 @@ HS_SIMD static int64_t return_step(int count, struct j2_strip *restrict s, const
         double modulus = 3 * s->mu[i], q = s->q[i], g = s->grown[i], open = s->open[i];
         double most = (q - s->yield[i]) / modulus, all = p[i] + g;
         int64_t cell = flow_cell(s->curve[i], all);
-        double residual = q - modulus * g - flow_stress(table, cell, all);
+        double residual = q - modulus * g - (flow_stress(table, cell, all) + s->shift[i]);
         double next = g + residual / (modulus + flow_slope(table, cell, all));
         next = next > 0 ? next : 0;
         next = next < most ? next : most;
@@ -178,8 +178,8 @@ static void return_by_bisection(struct j2_strip *s, const double *p, const doubl
         double modulus = 3 * s->mu[i], q = s->q[i], low = 0, high = (q - s->yield[i]) / modulus;
         for (int step = 0; step < 60; step++) {
             double g = 0.5 * (low + high), all = p[i] + g;
-            double residual =
-                q - modulus * g - flow_stress(table, flow_cell(s->curve[i], all), all);
+            double residual = q - modulus * g -
+                              (flow_stress(table, flow_cell(s->curve[i], all), all) + s->shift[i]);
             *(residual > 0 ? &low : &high) = g;
         }
         s->grown[i] = 0.5 * (low + high);
@@ -250,8 +250,9 @@ HS_SIMD static void energy(int count, struct j2_strip *restrict s, const double 
 {
     for (int i = 0; i < count; i++) {
         double q = s->scale[i] * s->q[i], all = p[i];
-        s->stored[i] = q * q / (6 * s->mu[i]) + 0.5 * s->bulk[i] * s->trace[i] * s->trace[i];
-        s->plastic[i] = flow_work(table, flow_cell(s->curve[i], all), all);
+        double mu = s->mu[i] > 0 ? s->mu[i] : 1;
+        s->stored[i] = q * q / (6 * mu) + 0.5 * s->bulk[i] * s->trace[i] * s->trace[i];
+        s->plastic[i] = flow_work(table, flow_cell(s->curve[i], all), all) + s->shift[i] * all;
     }
 }
 

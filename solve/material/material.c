@@ -91,10 +91,12 @@ static struct material read_material(struct deck_node map, const char *name, enu
     const struct kind *kind = read_kind(map);
     deck_keys(map, (const char *const[]){"model", "density", "youngs_modulus", "poissons_ratio",
                                          "bulk_modulus", "shear_modulus",
-                                         kind->hardened ? "hardening" : NULL, NULL});
+                                         kind->hardened ? "hardening" : NULL, "flaw",
+                                         "yield_scatter", NULL});
     struct material m = {.name = name};
     m.density = deck_number(deck_get(map, "density"), "kg/m3", 1e-3, 1e6);
     read_elasticity(map, kind, plane, &m);
+    if (kind->hardened) m.yield = yield_read(map);
     m.hardening = kind->hardened ? hardening_read(deck_get(map, "hardening")) : hardening_none();
     return m;
 }

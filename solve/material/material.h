@@ -5,6 +5,7 @@
 #include "deck.h"
 #include "flow_curve.h"
 #include "hardening.h"
+#include "yield.h"
 
 struct formulation;
 
@@ -17,6 +18,7 @@ struct material {
     double youngs_modulus, poissons_ratio;
     double shear_modulus, bulk_modulus; /* Pa */
     struct hardening hardening;
+    struct yield_variation yield;
 };
 
 /* All materials of a run and what the kernels read of them.  A bond between phases a and b takes the

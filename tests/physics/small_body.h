@@ -5,6 +5,7 @@
 
 #include "bonds.h"
 #include "boundary.h"
+#include "damage.h"
 #include "j2.h"
 #include "model.h"
 
@@ -19,8 +20,9 @@ struct small_case {
     const char *materials;     /* a mapping; the phases are its first "A", "B", ... */
     int n_phases;              /* 0: one */
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
-    enum plane plane; /* not SPACE: one layer as thick as the spacing */
-    bool partial;     /* volumes */
+    enum plane plane;     /* not SPACE: one layer as thick as the spacing */
+    bool partial;         /* volumes */
+    const char *breaking; /* further sections, "damage: ..., cracks: ...", or NULL */
 };
 
 struct small_body {
@@ -31,6 +33,8 @@ struct small_body {
     struct body body;
     struct model *model;
     struct bonds *bonds;
+    struct damage *damage;
+    int64_t cut; /* bonds, by cracks */
 };
 
 /* Elastic, and nickel with Voce's law; both of phase A, and of phase B a stronger nickel. */
