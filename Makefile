@@ -57,7 +57,7 @@ solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/
 post_SOURCES := $(sort $(filter-out post/hspost.c,$(wildcard post/*.c)))
 test_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/physics/test_*.c))
 
-SOLVE_INCLUDES := $(addprefix -I,solve solve/body solve/material solve/integrate solve/output)
+SOLVE_INCLUDES := $(addprefix -I,solve solve/body solve/material solve/damage solve/integrate solve/output)
 
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a

@@ -1,3 +1,4 @@
+#include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
 #include "memory.h"
@@ -106,12 +107,26 @@ static void open_outputs(struct simulation *s)
     if (a->fields) s->fields_output = spool_output(a->fields);
 }
 
+/* Before the model starts, which must see the body with its cracks. */
+static void start_damage(struct simulation *s)
+{
+    struct deck_node root = deck_root(s->deck), section = deck_find(root, "cracks");
+    s->damage = damage_new(root, s->model, &s->materials, &s->body, s->bonds);
+    struct cracks cracks = cracks_read(section, s->lattice.spacing, s->lattice.dimensions);
+    const int64_t cut = cracks_cut(&cracks, &s->body, s->bonds);
+    if (cracks.count > 0 && cut == 0) warn("the cracks cut no bond");
+    if (cut > 0) note("cracks cut %lld bonds", (long long)cut);
+    cracks_free(&cracks);
+}
+
 static void build(struct simulation *s)
 {
     const struct offset *near;
     int n_near = model_near(s->model, &s->family, &near);
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
+    yield_start(&s->body, &s->materials);
     s->bonds = bonds_new(&s->body);
+    start_damage(s);
     model_start(s->model, &s->body, s->bonds);
     s->boundary =
         boundary_new(&s->scene, &s->body, own_domain(s), 10 * materials_stiffest(&s->materials));
@@ -150,6 +165,7 @@ static void plan_time(struct simulation *s)
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s));
     s->verlet = verlet_new(dt, s->scene.damping, &s->materials, &s->body, &s->boundary, s->model);
+    s->verlet.damage = s->damage;
 }
 
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks)
@@ -167,7 +183,8 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());
             attributes_set_text(&s->domain.attributes, "deck", deck_text(s->deck));
         }
-        s->fields = fields_open(&s->fields_output, own_domain(s), &s->scene.fields, &s->body);
+        s->fields =
+            fields_open(&s->fields_output, own_domain(s), &s->scene.fields, &s->body, s->damage);
     }
     return s;
 }
@@ -199,6 +216,7 @@ void simulation_free(struct simulation *s)
     gauge_free(s->gauge);
     boundary_free(&s->boundary);
     model_free(s->model);
+    damage_free(s->damage);
     bonds_free(s->bonds);
     body_free(&s->body);
     materials_free(&s->materials);

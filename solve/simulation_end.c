@@ -1,3 +1,4 @@
+#include "broken.h"
 #include "die.h"
 #include "exodus.h"
 #include "memory.h"
@@ -94,6 +95,9 @@ void simulation_finish(struct simulation *s, const char *failure)
     exodus_write_history(&s->history_output, &s->recorder.history);
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;
+    if (damage_broken_bonds(s->damage) > 0)
+        note("%.0f bonds broken, %.3g J; %.0f nodes have no deformation gradient left",
+             damage_broken_bonds(s->damage), s->verlet.balance.fracture, s->body.broken->n_lost);
     double node_steps = (double)s->verlet.step * (double)s->lattice.n_nodes;
     note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; gauge strain %.4f, energy "
          "drift "

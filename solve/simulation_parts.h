@@ -24,6 +24,7 @@ struct simulation {
     struct body body;
     struct model *model;
     struct bonds *bonds;
+    struct damage *damage;
     struct boundary boundary;
     struct gauge *gauge;
     struct verlet verlet;

@@ -1,5 +1,6 @@
 #include "body.h"
 
+#include "broken.h"
 #include "die.h"
 #include "memory.h"
 
@@ -46,6 +47,7 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     body.grid = grid_new(lattice, &body.partition, family, bonds, n_bonds, ranks.rank);
     body.displacement_halo = halo_new(&body.grid, lattice, &body.partition, SITE_MOVES, ranks.size);
     body.stress_halo = halo_new(&body.grid, lattice, &body.partition, SITE_STRESSED, ranks.size);
+    body.gradient_halo = halo_new(&body.grid, lattice, &body.partition, SITE_GHOST, ranks.size);
     body.owned = grid_strips(&body.grid, SITE_OWNED, 0);
     body.near = grid_strips(&body.grid, SITE_NEAR, 0);
     body.ghosts = grid_strips(&body.grid, SITE_NEAR, SITE_OWNED);
@@ -82,6 +84,9 @@ void body_free(struct body *body)
     strips_free(&body->ghosts);
     halo_free(body->displacement_halo);
     halo_free(body->stress_halo);
+    halo_free(body->gradient_halo);
+    broken_free(body->broken);
+    free(body->yield_shift);
     grid_free(&body->grid);
     partition_free(&body->partition);
     *body = (struct body){0};

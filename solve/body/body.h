@@ -11,6 +11,7 @@
 #include "ranks.h"
 
 struct bonds;
+struct broken;
 
 struct body {
     struct ranks ranks;
@@ -18,22 +19,24 @@ struct body {
     const struct family *family;
     struct partition partition;
     struct grid grid;
-    struct halo *displacement_halo, *stress_halo;
+    struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
     struct bonds *bonds;
-    double volume;       /* of a node, m^3; of scattered ones their mean */
-    double *volumes;     /* box field where they differ, else NULL */
-    int64_t n_nodes;     /* of the whole body */
-    int64_t unsupported; /* nodes of the whole body without a deformation gradient */
+    double volume;         /* of a node, m^3; of scattered ones their mean */
+    double *volumes;       /* box field where they differ, else NULL */
+    int64_t n_nodes;       /* of the whole body */
+    int64_t unsupported;   /* nodes of the whole body without a deformation gradient */
+    struct broken *broken; /* NULL: all bonds are whole */
 
     /* Fields over the grid's box. */
-    double *u[3];       /* displacement, m */
-    double *v[3];       /* velocity, m/s */
-    double *f[3];       /* internal force density, N/m^3 */
-    double *H[9];       /* displacement gradient F - 1, row by row; valid at near sites */
-    double *S[9];       /* work-conjugate stress, then S K^-1 */
-    double *inverse[6]; /* inverse shape tensor, lattice units */
-    double *first[3];   /* s_i of family.2, lattice units */
+    double *u[3];        /* displacement, m */
+    double *v[3];        /* velocity, m/s */
+    double *f[3];        /* internal force density, N/m^3 */
+    double *H[9];        /* displacement gradient F - 1, row by row; valid at near sites */
+    double *S[9];        /* work-conjugate stress, then S K^-1 */
+    double *inverse[6];  /* inverse shape tensor, lattice units */
+    double *first[3];    /* s_i of family.2, lattice units */
+    double *yield_shift; /* what a node's flow stress has over its law's, Pa; NULL: nothing */
 };
 
 /* bonds: the half offsets of the stabilisation, which decide what lies near. */

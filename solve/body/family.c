@@ -102,14 +102,24 @@ struct family family_new(double horizon, int influence, bool partial)
     return family;
 }
 
+int family_number(const struct family *family, const int step[3])
+{
+    for (int o = 0; o < family->n_half; o++)
+        if (memcmp(family->half[o].step, step, 3 * sizeof *step) == 0) return o;
+    return -1;
+}
+
 void family_free(struct family *family)
 {
     free(family->half);
     *family = (struct family){0};
 }
 
-bool family_invert(const double K[6], double inverse[6])
+bool family_invert_shape(const double members[6], int dimensions, double inverse[6])
 {
+    /* In a plane nothing moves across it. */
+    const double K[6] = {members[0], members[1], dimensions == 2 ? 1 : members[2],
+                         members[3], members[4], members[5]};
     double xx = K[1] * K[2] - K[4] * K[4], xy = K[4] * K[5] - K[3] * K[2],
            zx = K[3] * K[4] - K[1] * K[5];
     double determinant = K[0] * xx + K[3] * xy + K[5] * zx, mean = (K[0] + K[1] + K[2]) / 3;
@@ -124,6 +134,19 @@ bool family_invert(const double K[6], double inverse[6])
     return true;
 }
 
+void family_add_shape(const struct offset *offset, int sign, double K[6], double first[3])
+{
+    const int *step = offset->step;
+    const double w = offset->weight;
+    K[0] += w * step[0] * step[0];
+    K[1] += w * step[1] * step[1];
+    K[2] += w * step[2] * step[2];
+    K[3] += w * step[0] * step[1];
+    K[4] += w * step[1] * step[2];
+    K[5] += w * step[2] * step[0];
+    for (int a = 0; a < 3; a++) first[a] += w * sign * step[a];
+}
+
 bool family_shape(const struct family *family, const struct lattice *lattice, const int at[3],
                   double inverse[6], double first[3])
 {
@@ -131,21 +154,12 @@ bool family_shape(const struct family *family, const struct lattice *lattice, co
     first[0] = first[1] = first[2] = 0;
     for (int o = 0; o < family->n_half; o++) {
         const int *step = family->half[o].step;
-        const double w = family->half[o].weight;
         for (int sign = -1; sign <= 1; sign += 2) {
             if (lattice_phase(lattice, at[0] + sign * step[0], at[1] + sign * step[1],
                               at[2] + sign * step[2]) == ABSENT)
                 continue;
-            K[0] += w * step[0] * step[0];
-            K[1] += w * step[1] * step[1];
-            K[2] += w * step[2] * step[2];
-            K[3] += w * step[0] * step[1];
-            K[4] += w * step[1] * step[2];
-            K[5] += w * step[2] * step[0];
-            for (int a = 0; a < 3; a++) first[a] += w * sign * step[a];
+            family_add_shape(&family->half[o], sign, K, first);
         }
     }
-    /* In a plane nothing moves across it. */
-    if (lattice->dimensions == 2) K[2] = 1;
-    return family_invert(K, inverse);
+    return family_invert_shape(K, lattice->dimensions, inverse);
 }

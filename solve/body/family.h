@@ -37,6 +37,9 @@ extern const char *const family_influences[];
 extern const int family_influence_count;
 int family_influence(const char *name); /* its number */
 
+/* Number of a step among the half offsets, -1 where it is not one. */
+int family_number(const struct family *family, const int step[3]);
+
 /* Integral of w r^power over 0 <= r <= horizon, in spacings: the moments of the continuum.  Infinite for
  * the steep function. */
 double family_moment(const struct family *family, int power);
@@ -44,13 +47,17 @@ double family_moment(const struct family *family, int power);
 /* Influence function times partial volume at a length in spacings. */
 double family_weight(const struct family *family, double length);
 
-/* K^-1 of a symmetric K (xx yy zz xy yz zx); zero, and false, where det K < 1e-4 (tr K/3)^3. */
-bool family_invert(const double K[6], double inverse[6]);
+/* K^-1 of a symmetric K (xx yy zz xy yz zx), in a plane of its part there; zero, and false, where det K <
+ * 1e-4 (tr K/3)^3. */
+bool family_invert_shape(const double members[6], int dimensions, double inverse[6]);
 
 /* Inverse shape tensor (xx yy zz xy yz zx) and s_i of the site at (x, y, z).  Where the members
  * present do not span space (det K < 1e-4 (tr K/3)^3) the inverse is zero and the answer false: such
  * a node has no deformation gradient and carries no stress. */
 bool family_shape(const struct family *family, const struct lattice *lattice, const int at[3],
                   double inverse[6], double first[3]);
+
+/* One member's part of K and s; sign -1: the one at -xi. */
+void family_add_shape(const struct offset *offset, int sign, double K[6], double first[3]);
 
 #endif

@@ -1,5 +1,6 @@
 #include "gradient.h"
 
+#include "broken.h"
 #include "scattered.h"
 
 /* G_ab += (u_a(+xi) - u_a(-xi)) w xi_b over one pair of family members; u = 0 where there is none. */
@@ -50,10 +51,14 @@ void displacement_gradient(struct body *body)
                         gradient_add_pair(count, u + shift, u - shift,
                                           offset->weight * offset->step[b], G[b]);
             }
+            for (int b = 0; body->broken && b < 3; b++)
+                broken_sums(body, i, count, body->u[a], b, G[b]);
             gradient_row(count, u, s[0] + i, s[1] + i, s[2] + i, K[0] + i, K[1] + i, K[2] + i,
                          K[3] + i, K[4] + i, K[5] + i, 1 / body->lattice->spacing,
                          (const double(*)[LANES])G, body->H[3 * a] + i, body->H[3 * a + 1] + i,
                          body->H[3 * a + 2] + i);
         }
     }
+    /* A ghost's bonds are known to its owner. */
+    if (body->broken) halo_exchange(body->gradient_halo, body->H, 9);
 }

@@ -88,7 +88,7 @@ static void near_sites_move(struct grid *grid)
 {
     for (int64_t site = 0; site < grid->n_sites; site++)
         if ((grid->flags[site] & (SITE_OWNED | SITE_NEAR)) == SITE_NEAR)
-            grid->flags[site] |= SITE_MOVES;
+            grid->flags[site] |= SITE_MOVES | SITE_GHOST;
 }
 
 static void allocate(struct grid *grid)

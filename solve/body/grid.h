@@ -13,9 +13,10 @@
 
 enum {
     SITE_OWNED = 1,
-    SITE_NEAR = 2,    /* its deformation gradient is needed: owned, or bonded to an owned site */
-    SITE_MOVES = 4,   /* its displacement comes from another rank */
-    SITE_STRESSED = 8 /* its stress comes from another rank */
+    SITE_NEAR = 2,     /* its deformation gradient is needed: owned, or bonded to an owned site */
+    SITE_MOVES = 4,    /* its displacement comes from another rank */
+    SITE_STRESSED = 8, /* its stress comes from another rank */
+    SITE_GHOST = 16    /* near, but not owned */
 };
 
 struct strip {

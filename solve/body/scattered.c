@@ -113,8 +113,7 @@ static void invert_shapes(struct body *body)
             const int64_t site = body->near.items[s].site + i;
             double K[6], inverse[6];
             for (int k = 0; k < 6; k++) K[k] = body->inverse[k][site];
-            if (body->lattice->dimensions == 2) K[2] = 1;
-            bool spans = family_invert(K, inverse);
+            bool spans = family_invert_shape(K, body->lattice->dimensions, inverse);
             for (int k = 0; k < 6; k++) body->inverse[k][site] = inverse[k];
             if (!spans && (body->grid.flags[site] & SITE_OWNED)) exact_sum_add(&unsupported, 1);
         }

@@ -4,7 +4,7 @@
 
 double energy_drift(const struct energy_balance *b)
 {
-    double held = b->kinetic + b->stored + b->plastic + b->stabilisation + b->damping;
+    double held = b->kinetic + b->stored + b->plastic + b->stabilisation + b->damping + b->fracture;
     double given = b->initial + b->work;
     double largest = fmax(fmax(fabs(held), fabs(given)), b->reference);
     return largest > 0 ? (held - given) / largest : 0;

@@ -1,6 +1,6 @@
 /* energy.h - where the work of the grips has gone.
  *
- *   kinetic + stored + plastic + stabilisation + damping = initial kinetic + external work
+ *   kinetic + stored + plastic + stabilisation + damping + fracture = initial kinetic + external work
  *
  * The drift is the difference of both sides over the larger of them, and, while both are still small,
  * over the kinetic energy of the affine motion at the grips' full speed.  It measures the
@@ -11,8 +11,9 @@
 
 struct energy_balance {
     double kinetic, stored, plastic, stabilisation, damping; /* J */
-    double initial, work;                                    /* J */
-    double reference; /* of the affine motion at the grips' full speed, J */
+    double fracture;      /* what the body held less after bonds had broken, J */
+    double initial, work; /* J */
+    double reference;     /* of the affine motion at the grips' full speed, J */
 };
 
 double energy_drift(const struct energy_balance *balance);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* v += half_step f/rho at the strip's nodes. */
 HS_SIMD static void kick(int count, const double *restrict f,
@@ -247,6 +248,21 @@ static void add_work(struct verlet *verlet, struct boundary *boundary)
     }
 }
 
+/* Bonds break at the configuration that the step has reached; the force, the energies and the reactions become
+ * those of the bonds left, and the difference of the energies is that of fracture. */
+static void break_bonds(struct verlet *verlet, struct body *body, struct boundary *boundary,
+                        struct model *model, double *axial)
+{
+    if (!verlet->damage || !damage_update(verlet->damage)) return;
+    struct force_energy energy = verlet->zero;
+    const double held = energy_internal(&verlet->balance);
+    if (axial) memset(axial, 0, (size_t)body->grid.n_sites * sizeof *axial);
+    model_force(model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial},
+                &energy);
+    finish_sums(verlet, body, boundary, &energy, &verlet->kinetic_zero);
+    verlet->balance.fracture += held - energy_internal(&verlet->balance);
+}
+
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
                  struct model *model, double *axial)
 {
@@ -273,4 +289,5 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
 
     finish_sums(verlet, body, boundary, &energy, &damped);
     add_work(verlet, boundary);
+    break_bonds(verlet, body, boundary, model, axial);
 }

@@ -3,11 +3,13 @@
  *   v += dt/2 a;  u += dt v;  a = f(u)/rho - c (v - v_affine);  v += dt/2 a
  *
  * Swope, Andersen, Berens, Wilson, J. Chem. Phys. 76 (1982) 637.  Optional damping c acts on the motion
- * relative to the affine one between the grips, so that it does not drag the test itself. */
+ * relative to the affine one between the grips, so that it does not drag the test itself.  Bonds break at the
+ * end of a step: the next starts with the force that is left. */
 #ifndef HS_VERLET_H
 #define HS_VERLET_H
 
 #include "boundary.h"
+#include "damage.h"
 #include "energy.h"
 #include "model.h"
 
@@ -19,6 +21,7 @@ struct verlet {
     struct force_energy zero; /* empty sums with their extractors */
     struct exact_sum kinetic_zero;
     struct energy_balance balance;
+    struct damage *damage; /* NULL: nothing breaks */
 };
 
 /* Starts from the body's u = 0, velocities as set; evaluates the first force. */

@@ -13,6 +13,7 @@
 #include "gradient.h"
 #include "memory.h"
 #include "model.h"
+#include "opening.h"
 #include "surface_correction.h"
 
 #include <math.h>
@@ -154,20 +155,32 @@ static void pull_strip(const struct bond_based *model, struct body *body,
     }
 }
 
+static void bond_based_bond_energy(const void *self, const struct body *body,
+                                   const struct bond_strip *strip, double *energy)
+{
+    const struct bond_based *model = self;
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    double displacement[6][LANES], moduli_buffer[LANES];
+    const struct bond_ends u = bond_ends_find(&view, body, displacement);
+    int several;
+    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    for (int k = 0; k < view.count; k++) {
+        double e = bond_ends_extension(&view, &u, k);
+        energy[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
+                    view.length[k * view.geometry_step];
+    }
+}
+
 /* Energy of a bond c w s^2 |xi| V_i V_j/2. */
 static void add_energy(const struct bond_based *model, const struct body *body,
                        const struct bond_strip *strip, struct exact_sum *stored)
 {
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], moduli_buffer[LANES], terms[LANES];
-    const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    int several, g = view.geometry_step;
-    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
-    for (int k = 0; k < view.count; k++) {
-        double e = bond_ends_extension(&view, &u, k);
-        terms[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
-                   view.length[k * g] * view.volume_i[k * g] * view.volume_j[k * g];
-    }
+    double terms[LANES];
+    bond_based_bond_energy(model, body, strip, terms);
+    for (int k = 0; k < view.count; k++)
+        terms[k] = terms[k] * view.volume_i[k * view.geometry_step] *
+                   view.volume_j[k * view.geometry_step];
     bonds_only_owned(model->bonds, &view, terms);
     exact_sum_add_strip(stored, view.count, terms, 1);
 }
@@ -242,5 +255,7 @@ const struct formulation formulation_bond_based = {
     .prepare = bond_based_prepare,
     .observe = bond_based_observe,
     .strips = bond_based_strips,
+    .bond_energy = bond_based_bond_energy,
+    .opening = opening_bond_based,
     .free = bond_based_free,
 };

@@ -12,6 +12,7 @@
  * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
  * it does not act as a strain-gradient stiffness in plastic flow. */
+#include "broken.h"
 #include "j2.h"
 #include "memory.h"
 #include "stabilisation.h"
@@ -81,7 +82,7 @@ static bool capped_near_nodes(const void *self)
 }
 
 /* What one strip of bonds works on. */
-struct bond_strip {
+struct springs {
     int count;
     double xi[3], length;  /* m */
     double slip[3][LANES]; /* m, what z loses in this step */
@@ -114,7 +115,7 @@ HS_SIMD static void subtract_zeta(int count, const double *restrict zeta, double
 }
 
 /* (capped.4): finds the elastic z and the excess; the energy lost moves on only where commit = 1. */
-HS_SIMD static int64_t slip(int count, struct bond_strip *restrict s, double *restrict lost,
+HS_SIMD static int64_t slip(int count, struct springs *restrict s, double *restrict lost,
                             double cap_on, double commit)
 {
     int64_t any = 0;
@@ -137,7 +138,7 @@ HS_SIMD static int64_t slip(int count, struct bond_strip *restrict s, double *re
 }
 
 /* zeta += Fbar^-1 slip */
-HS_SIMD static void add_slip(int count, const struct bond_strip *restrict s,
+HS_SIMD static void add_slip(int count, const struct springs *restrict s,
                              const double (*restrict F)[LANES], double *restrict px,
                              double *restrict py, double *restrict pz)
 {
@@ -156,7 +157,7 @@ HS_SIMD static void add_slip(int count, const struct bond_strip *restrict s,
     }
 }
 
-static void commit_slip(const struct bond_strip *s, const struct body *body, int64_t i, int64_t j,
+static void commit_slip(const struct springs *s, const struct body *body, int64_t i, int64_t j,
                         double *const zeta[3])
 {
     double F[9][LANES];
@@ -166,8 +167,8 @@ static void commit_slip(const struct bond_strip *s, const struct body *body, int
     add_slip(s->count, s, (const double(*)[LANES])F, zeta[0], zeta[1], zeta[2]);
 }
 
-static void find_caps(const struct capped *c, struct bond_strip *s, const struct body *body,
-                      int64_t i, int64_t j, double weight, const double *flow)
+static void find_caps(const struct capped *c, struct springs *s, const struct body *body, int64_t i,
+                      int64_t j, double weight, const double *flow)
 {
     const struct materials *all = c->materials;
     const double spacing = body->lattice->spacing;
@@ -178,6 +179,19 @@ static void find_caps(const struct capped *c, struct bond_strip *s, const struct
         s->cap[k] = c->cap * (flow[i + k] + flow[j + k]) / (2 * modulus) * s->length;
         s->stiffness[k] =
             2 * weight * c->stiffness * (lambda + 4 * mu) / (c->shape * spacing * spacing);
+    }
+}
+
+/* Broken bonds, and those with an end that has no deformation gradient any more, carry nothing and keep
+ * their slip. */
+static void switch_off(const struct broken *broken, int o, int64_t i, int64_t j, struct springs *s)
+{
+    for (int k = 0; broken && k < s->count; k++) {
+        if (!broken_bond(broken, i + k, o) && !broken_lost(broken, i + k) &&
+            !broken_lost(broken, j + k))
+            continue;
+        s->stiffness[k] = 0;
+        s->cap[k] = INFINITY;
     }
 }
 
@@ -194,7 +208,7 @@ HS_SIMD static void add_slip_stress(int count, const double *restrict z,
     for (int i = 0; i < count; i++) out[i] -= 0.5 * stiffness[i] * z[i] * zeta[i];
 }
 
-static void capped_energy(const struct body *body, const struct bond_strip *s, const double *lost,
+static void capped_energy(const struct body *body, const struct springs *s, const double *lost,
                           int64_t site, struct force_energy *energy)
 {
     for (int i = 0; i < s->count; i++) {
@@ -213,7 +227,7 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
     const int64_t step = grid_shift(&body->grid, offset->step), i = strip->site, j = i + step;
     double *state = c->state[o] + STATE * strip->store, *lost = state + 3 * strip->stride;
     double *const zeta[3] = {state, state + strip->stride, state + 2 * strip->stride};
-    struct bond_strip s = {.count = strip->count};
+    struct springs s = {.count = strip->count};
     double square = 0;
     for (int a = 0; a < 3; a++) {
         s.xi[a] = offset->step[a] * body->lattice->spacing;
@@ -221,6 +235,7 @@ static void capped_add(void *self, struct body *body, int o, const struct strip 
     }
     s.length = sqrt(square);
     find_caps(c, &s, body, i, j, offset->weight, flow);
+    switch_off(body->broken, o, i, j, &s);
     for (int a = 0; a < 3; a++) {
         difference(s.count, body->u[a] + i, body->u[a] + j, s.z[a]);
         for (int b = 0; b < 3; b++)

@@ -5,7 +5,9 @@
  *
  * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18; total Lagrangian.  The
  * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
- * too, without any surface correction. */
+ * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
+ * deformation gradient carries no stress and keeps its plastic state. */
+#include "broken.h"
 #include "gradient.h"
 #include "j2.h"
 #include "memory.h"
@@ -138,6 +140,11 @@ static const double *plastic_strain(const struct correspondence *model, const st
     return model->state + J2_STATE * strip->store + (J2_STATE - 1) * strip->stride;
 }
 
+static const double *correspondence_plastic(const void *self, const struct strip *strip)
+{
+    return plastic_strain(self, strip);
+}
+
 static void load_nodes(const struct correspondence *model, const struct body *body,
                        const struct strip *strip, struct j2_strip *j2)
 {
@@ -150,6 +157,8 @@ static void load_nodes(const struct correspondence *model, const struct body *bo
         j2->mu[i] = all->shear[pair];
         j2->bulk[i] = all->bulk[pair];
         j2->curve[i] = pair;
+        j2->shift[i] = body->yield_shift ? body->yield_shift[strip->site + i] : 0;
+        if (body->broken && broken_lost(body->broken, strip->site + i)) j2_switch_off(j2, i);
     }
 }
 
@@ -196,7 +205,8 @@ static void node_law(struct correspondence *model, struct body *body, const stru
 
     const double *p = plastic_strain(model, strip);
     for (int i = 0; model->flow && i < strip->count; i++)
-        model->flow[site + i] = flow_stress(all->curves.table, flow_cell(j2.curve[i], p[i]), p[i]);
+        model->flow[site + i] =
+            flow_stress(all->curves.table, flow_cell(j2.curve[i], p[i]), p[i]) + j2.shift[i];
     if (!mode.energy) return;
     body_only_owned(body, site, strip->count, j2.stored);
     body_only_owned(body, site, strip->count, j2.plastic);
@@ -269,6 +279,17 @@ HS_SIMD static void add_divergence(int count, const double *restrict qx, const d
     for (int i = 0; i < count; i++) f[i] += qx[i] * sx[i] + qy[i] * sy[i] + qz[i] * sz[i] + G[i];
 }
 
+/* The sum over the family of nodes with broken bonds. */
+static void broken_divergence(const struct body *body, int64_t site, int count, double *const Q[3],
+                              double *G)
+{
+    double sums[3][LANES];
+    if (!body->broken) return;
+    for (int b = 0; b < 3; b++) broken_sums(body, site, count, Q[b], b, sums[b]);
+    for (int i = 0; i < count; i++)
+        if (body->broken->touched[site + i]) G[i] = sums[0][i] + sums[1][i] + sums[2][i];
+}
+
 static void divergence(struct body *body)
 {
     if (body->lattice->point[0]) {
@@ -291,6 +312,7 @@ static void divergence(struct body *body)
                         gradient_add_pair(count, Q[b] + i + shift, Q[b] + i - shift,
                                           offset->weight * offset->step[b], G);
             }
+            broken_divergence(body, i, count, Q, G);
             add_divergence(count, Q[0] + i, Q[1] + i, Q[2] + i, s[0] + i, s[1] + i, s[2] + i, G,
                            body->f[a] + i);
         }
@@ -327,5 +349,6 @@ const struct formulation formulation_correspondence = {
     .prepare = correspondence_prepare,
     .observe = correspondence_observe,
     .strips = correspondence_strips,
+    .plastic_strain = correspondence_plastic,
     .free = correspondence_free,
 };

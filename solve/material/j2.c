@@ -124,7 +124,7 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
         s->q[i] = q;
         s->scale[i] = 1;
         s->grown[i] = 0;
-        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]) + s->shift[i];
         s->yield[i] = yield;
         beyond |= q > yield;
     }
@@ -187,8 +187,9 @@ HS_SIMD static void energy(int count, struct j2_strip *restrict s, const double 
 {
     for (int i = 0; i < count; i++) {
         double q = s->scale[i] * s->q[i], all = p[i];
-        s->stored[i] = q * q / (6 * s->mu[i]) + 0.5 * s->bulk[i] * s->trace[i] * s->trace[i];
-        s->plastic[i] = flow_work(table, flow_cell(s->curve[i], all), all);
+        double mu = s->mu[i] > 0 ? s->mu[i] : 1;
+        s->stored[i] = q * q / (6 * mu) + 0.5 * s->bulk[i] * s->trace[i] * s->trace[i];
+        s->plastic[i] = flow_work(table, flow_cell(s->curve[i], all), all) + s->shift[i] * all;
     }
 }
 
@@ -202,8 +203,8 @@ void j2_update(struct j2_strip *s, double *state, int64_t stride, const double *
     int64_t beyond = trial_strain(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p, table);
     beyond = beyond && !mode.frozen;
     if (beyond)
-        radial_return(&(struct radial_return){s->count, s->mu, s->q, s->yield, p, s->curve,
-                                              s->grown, s->scale, s->open, table});
+        radial_return(&(struct radial_return){s->count, s->mu, s->q, s->yield, p, s->shift,
+                                              s->curve, s->grown, s->scale, s->open, table});
     if (beyond && mode.commit)
         stress_and_state(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p);
     else

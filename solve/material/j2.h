@@ -30,6 +30,7 @@ struct j2_strip {
     double mu[LANES];           /* in: shear modulus [Pa] */
     double bulk[LANES];         /* in: bulk modulus [Pa] */
     int64_t curve[LANES];       /* in: index of the flow curve */
+    double shift[LANES];        /* in: what the flow stress has over the curve [Pa] */
     double P[TENSOR][LANES];    /* out: first Piola-Kirchhoff stress [Pa] */
     double stored[LANES];       /* out, where asked for: elastic energy density [J/m^3] */
     double plastic[LANES];      /* out, where asked for: plastic work density [J/m^3] */
@@ -46,6 +47,13 @@ struct j2_mode {
 /* state[k * stride + lane], k < J2_STATE; table: struct flow_curves.table. */
 void j2_update(struct j2_strip *strip, double *state, int64_t stride, const double *table,
                struct j2_mode mode);
+
+/* Point i carries nothing and keeps its state: to be called before the update. */
+static inline void j2_switch_off(struct j2_strip *strip, int i)
+{
+    for (int k = 0; k < TENSOR; k++) strip->H[k][i] = 0;
+    strip->mu[i] = strip->bulk[i] = 0;
+}
 
 /* Cauchy stress [Pa], symmetric components, of the strip after j2_update. */
 void j2_cauchy(const struct j2_strip *strip, double cauchy[SYMMETRIC][LANES]);

@@ -96,7 +96,8 @@ static struct material read_material(struct deck_node map, const char *name, enu
     const struct kind *kind = read_kind(map);
     deck_keys(map, (const char *const[]){"model", "density", "youngs_modulus", "poissons_ratio",
                                          "bulk_modulus", "shear_modulus",
-                                         kind->hardened ? "hardening" : NULL, NULL});
+                                         kind->hardened ? "hardening" : NULL, "flaw",
+                                         "yield_scatter", NULL});
     if (kind->spatial && plane != SPACE)
         deck_error(deck_get(map, "model"),
                    "%s is for bodies of three dimensions: in a plane its flow would keep the area, "
@@ -105,6 +106,7 @@ static struct material read_material(struct deck_node map, const char *name, enu
     struct material m = {.name = name, .yields = kind->hardened};
     m.density = deck_number(deck_get(map, "density"), "kg/m3", 1e-3, 1e6);
     read_elasticity(map, kind, plane, &m);
+    if (kind->hardened) m.yield = yield_read(map);
     m.hardening = kind->hardened ? hardening_read(deck_get(map, "hardening")) : hardening_none();
     return m;
 }

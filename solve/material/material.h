@@ -5,6 +5,7 @@
 #include "deck.h"
 #include "flow_curve.h"
 #include "hardening.h"
+#include "yield.h"
 
 #include <stdbool.h>
 
@@ -20,6 +21,7 @@ struct material {
     double shear_modulus, bulk_modulus; /* Pa */
     bool yields;                        /* has a hardening law */
     struct hardening hardening;
+    struct yield_variation yield;
 };
 
 /* All materials of a run and what the kernels read of them.  A bond between phases a and b takes the

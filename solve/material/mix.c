@@ -10,7 +10,11 @@
  * the column along the bond replaced by the bond's own stretch.  The bonds obey the full J2 law (a bond
  * across an interface the mean law of its ends), so the control of the zero-energy modes yields with
  * the material.  A uniform uniaxial stress stays exact at free surfaces for any weights g that depend
- * on the section alone, since both sums of the virtual work cancel by translation along the bar. */
+ * on the section alone, since both sums of the virtual work cancel by translation along the bar.
+ *
+ * A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
+ * its plastic state; the weights g stay those of the whole body, so that no other bond gains energy. */
+#include "broken.h"
 #include "j2.h"
 #include "memory.h"
 #include "stabilisation.h"
@@ -21,6 +25,7 @@
 struct mix {
     double share; /* a */
     const struct materials *materials;
+    int number[3];       /* of each axis among the half offsets */
     double *share_of[3]; /* g_ib of either bond of the site along each axis (box field) */
     double *state[3];    /* of the bonds along each axis, strip by strip */
 };
@@ -67,6 +72,7 @@ static void mix_start(void *self, const struct body *body, const struct strips b
     struct mix *mix = self;
     const size_t sites = (size_t)body->grid.n_sites;
     for (int a = 0; a < 3; a++) {
+        mix->number[a] = family_number(body->family, axes[a].step);
         mix->share_of[a] = memory_new(sites, sizeof(double));
         mix->state[a] = j2_state_new(&bonds[a]);
     }
@@ -118,6 +124,27 @@ HS_SIMD static void bond_law(int count, const uint8_t *restrict a, const uint8_t
         j2->bulk[i] = bulk[pair];
         j2->curve[i] = pair;
     }
+}
+
+/* The bonds of a strip that carry nothing: how many, and which. */
+static int find_off(const struct mix *mix, const struct body *body, int axis,
+                    const struct strip *strip, int64_t j, int *off)
+{
+    const struct broken *broken = body->broken;
+    const int64_t i = strip->site;
+    int count = 0;
+    for (int k = 0; broken && k < strip->count; k++)
+        if (broken_bond(broken, i + k, mix->number[axis]) || broken_lost(broken, i + k) ||
+            broken_lost(broken, j + k))
+            off[count++] = k;
+    return count;
+}
+
+static void find_shift(const struct body *body, int64_t i, int64_t j, struct j2_strip *j2)
+{
+    const double *shift = body->yield_shift;
+    for (int k = 0; k < j2->count; k++)
+        j2->shift[k] = shift ? 0.5 * (shift[i + k] + shift[j + k]) : 0;
 }
 
 /* out_i += lower beta P, out_j += upper beta P.  Along x the ends overlap: two sweeps, since the order of
@@ -177,6 +204,10 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     const struct materials *materials = mix->materials;
     bond_law(count, body->grid.phase + i, body->grid.phase + j, materials->count, materials->shear,
              materials->bulk, &j2);
+    int off[LANES];
+    const int n_off = find_off(mix, body, axis, strip, j, off);
+    find_shift(body, i, j, &j2);
+    for (int k = 0; k < n_off; k++) j2_switch_off(&j2, off[k]);
     j2_update(&j2, mix->state[axis] + J2_STATE * strip->store, strip->stride,
               materials->curves.table, (struct j2_mode){mode.commit, mode.frozen, mode.energy});
 

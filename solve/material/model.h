@@ -13,6 +13,7 @@
 #include <stdbool.h>
 
 struct bonds;
+struct bond_strip;
 
 struct force_mode {
     bool commit;   /* plastic state moves on */
@@ -56,6 +57,16 @@ struct formulation {
                     struct node_state *state);
     /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip. */
     const struct strips *(*strips)(const void *self, const struct body *body);
+    /* Equivalent plastic strain of the nodes of such a strip, [strip->count]; NULL: it has none. */
+    const double *(*plastic_strain)(const void *self, const struct strip *strip);
+    /* Energy density c w s^2 |xi|/2 or the like of each bond of a strip in body's state [J/m^6]; NULL: its
+     * bonds have no energy of their own. */
+    void (*bond_energy)(const void *self, const struct body *body, const struct bond_strip *strip,
+                        double *energy);
+    /* Energy per area and squared stretch that it takes to pull all bonds through a plane to the stretch
+     * s, [J/m^2]; NULL: it has no such formula. */
+    double (*opening)(const struct material *material, enum plane plane,
+                      const struct family *family, const struct lattice *lattice);
     void (*free)(void *self);
 };
 

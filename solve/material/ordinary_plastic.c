@@ -70,7 +70,7 @@ double *ordinary_plastic_yielding(struct ordinary *model, int64_t strip)
 /* A strip of nodes. */
 struct strip_state {
     double mu[LANES], centre[LANES], square[LANES], q[LANES], yield[LANES];
-    double grown[LANES], scale[LANES], open[LANES];
+    double grown[LANES], scale[LANES], open[LANES], shift[LANES];
     int64_t curve[LANES];
 };
 
@@ -93,7 +93,7 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
         s->q[i] = q;
         s->scale[i] = 1;
         s->grown[i] = 0;
-        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
+        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]) + s->shift[i];
         s->yield[i] = yield;
         beyond |= q > yield;
     }
@@ -132,7 +132,7 @@ static void add_energy(const struct ordinary *model, const struct body *body,
         stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * extension * extension +
                            model->distortion[i] *
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
-        plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p);
+        plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
     }
     body_times_volume(body, strip->site, strip->count, stored);
     body_times_volume(body, strip->site, strip->count, plastic);
@@ -151,13 +151,14 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
         const int phase = body->grid.phase[i + k];
         s.mu[k] = all->items[phase].shear_modulus;
         s.curve[k] = phase * (all->count + 1);
+        s.shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
     }
     const int64_t beyond =
         trial(strip->count, model->distortion + i, sum[SUM_EXTENSION] + i, sum[SUM_SQUARE] + i,
               sum[SUM_MOMENT] + i, sum[SUM_PLASTIC] + i, p, all->curves.table, &s);
     if (beyond && !mode.frozen)
-        radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.curve, s.grown,
-                                              s.scale, s.open, all->curves.table});
+        radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
+                                              s.grown, s.scale, s.open, all->curves.table});
     write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
                 sum[SUM_EXTENSION] + i, &s, node[NODE_PULL] + i, node[NODE_SPRING] + i,
                 node[NODE_FLOW] + i, node[NODE_CENTRE] + i);

@@ -27,8 +27,9 @@ HS_SIMD static void start(int count, const double *restrict mu, const double *re
  * point's last. */
 HS_SIMD static int64_t iterate(int count, const double *restrict mu, const double *restrict q,
                                const double *restrict yield, const double *restrict p,
-                               const int64_t *restrict curve, double *restrict grown,
-                               double *restrict unsettled, const double *restrict table)
+                               const double *restrict shift, const int64_t *restrict curve,
+                               double *restrict grown, double *restrict unsettled,
+                               const double *restrict table)
 {
     const double near = 1e-8;
     int64_t left = 0;
@@ -36,7 +37,7 @@ HS_SIMD static int64_t iterate(int count, const double *restrict mu, const doubl
         double modulus = 3 * mu[i], trial = q[i], g = grown[i], open = unsettled[i];
         double most = (trial - yield[i]) / modulus, all = p[i] + g;
         int64_t cell = flow_cell(curve[i], all);
-        double residual = trial - modulus * g - flow_stress(table, cell, all);
+        double residual = trial - modulus * g - (flow_stress(table, cell, all) + shift[i]);
         double next = g + residual / (modulus + flow_slope(table, cell, all));
         next = next > 0 ? next : 0;
         next = next < most ? next : most;
@@ -57,7 +58,8 @@ static void bisect(const struct radial_return *s)
         for (int step = 0; step < 60; step++) {
             double g = 0.5 * (low + high), all = s->p[i] + g;
             double residual =
-                q - modulus * g - flow_stress(s->table, flow_cell(s->curve[i], all), all);
+                q - modulus * g -
+                (flow_stress(s->table, flow_cell(s->curve[i], all), all) + s->shift[i]);
             *(residual > 0 ? &low : &high) = g;
         }
         s->grown[i] = 0.5 * (low + high);
@@ -75,8 +77,8 @@ void radial_return(const struct radial_return *s)
     int64_t left = 1;
     start(s->count, s->mu, s->q, s->yield, s->p, s->curve, s->grown, s->open, s->table);
     for (int step = 0; step < 25 && left; step++)
-        left =
-            iterate(s->count, s->mu, s->q, s->yield, s->p, s->curve, s->grown, s->open, s->table);
+        left = iterate(s->count, s->mu, s->q, s->yield, s->p, s->shift, s->curve, s->grown, s->open,
+                       s->table);
     if (left) bisect(s);
     find_scale(s->count, s->mu, s->q, s->grown, s->scale);
 }

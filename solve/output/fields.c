@@ -35,17 +35,20 @@ const int field_count = sizeof field_names / sizeof *field_names;
 struct fields {
     struct exodus_fields *file; /* rank 0 */
     struct scene_fields wanted;
+    const struct damage *damage;
     int n_variables;
     double **values;                                    /* [n_variables][nodes] on rank 0 */
     double *stress[MOST_COMPONENTS], *plastic, *scalar; /* box fields to gather from */
 };
 
 struct fields *fields_open(const struct spool *output, const struct domain *domain,
-                           const struct scene_fields *wanted, const struct body *body)
+                           const struct scene_fields *wanted, const struct body *body,
+                           const struct damage *damage)
 {
     struct fields *fields = memory_new(1, sizeof *fields);
     const char **names = memory_new((size_t)wanted->n_variables * MOST_COMPONENTS, sizeof *names);
     fields->wanted = *wanted;
+    fields->damage = damage;
     for (int k = 0; k < wanted->n_variables; k++)
         for (int c = 0; c < table[wanted->variables[k]].count; c++)
             names[fields->n_variables++] = table[wanted->variables[k]].components[c];
@@ -87,12 +90,6 @@ static double von_mises(double *const stress[MOST_COMPONENTS], int64_t i)
     return sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * shear);
 }
 
-/* A node is damaged where it carries no stress because it has no deformation gradient. */
-static double damage(const struct body *body, int64_t site)
-{
-    return body->inverse[0][site] == 0 && body->inverse[1][site] == 0 ? 1 : 0;
-}
-
 static const double *component(struct fields *fields, int variable, int c, struct body *body)
 {
     double *const *const vectors[] = {body->u, body->v, body->f};
@@ -103,14 +100,16 @@ static const double *component(struct fields *fields, int variable, int c, struc
         return fields->stress[c];
     case PLASTIC_STRAIN:
         return fields->plastic;
+    case DAMAGE:
+        damage_index(fields->damage, fields->scalar);
+        return fields->scalar;
     default:
         break;
     }
     for (int64_t i = 0; i < body->grid.n_sites; i++) {
         if (!(body->grid.flags[i] & SITE_OWNED)) continue;
         fields->scalar[i] = table[variable].source == VON_MISES ? von_mises(fields->stress, i)
-                            : table[variable].source == PHASE   ? body->grid.phase[i]
-                                                                : damage(body, i);
+                                                                : body->grid.phase[i];
     }
     return fields->scalar;
 }

@@ -2,6 +2,7 @@
 #ifndef HS_FIELDS_H
 #define HS_FIELDS_H
 
+#include "damage.h"
 #include "domain.h"
 #include "model.h"
 #include "scene.h"
@@ -15,7 +16,8 @@ struct fields;
 
 /* domain: rank 0's; elsewhere NULL.  Collective. */
 struct fields *fields_open(const struct spool *output, const struct domain *domain,
-                           const struct scene_fields *wanted, const struct body *body);
+                           const struct scene_fields *wanted, const struct body *body,
+                           const struct damage *damage);
 void fields_write(struct fields *fields, double time, struct model *model, struct body *body);
 void fields_close(struct fields *fields);
 

@@ -1,5 +1,6 @@
 #include "recorder.h"
 
+#include "broken.h"
 #include "memory.h"
 
 #include <stdlib.h>
@@ -21,7 +22,10 @@ static const char *const common[] = {"force_left_N",
                                      "minimum_section_x_m",
                                      "gauge_left_displacement_m",
                                      "gauge_right_displacement_m",
-                                     "unsteady_to_internal"};
+                                     "unsteady_to_internal",
+                                     "fracture_energy_J",
+                                     "broken_bonds",
+                                     "nodes_without_gradient"};
 static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
 enum { COMMON = sizeof common / sizeof *common, PER_PHASE = sizeof per_phase / sizeof *per_phase };
 
@@ -78,6 +82,12 @@ static double *new_record(struct recorder *recorder, double time)
     return history->values + (size_t)history->n_records++ * columns;
 }
 
+/* Nodes without a deformation gradient: from the start, or since their bonds broke. */
+static double body_unsupported(const struct body *body)
+{
+    return (double)body->unsupported + (body->broken ? body->broken->n_lost : 0);
+}
+
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      const struct verlet *verlet, const struct boundary *boundary,
                      struct model *model, struct body *body, double *axial)
@@ -110,7 +120,10 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                                        section.x,
                                        planes.left,
                                        planes.right,
-                                       unsteady * per_internal};
+                                       unsteady * per_internal,
+                                       b->fracture,
+                                       verlet->damage ? damage_broken_bonds(verlet->damage) : 0,
+                                       body_unsupported(body)};
         double *record = new_record(recorder, verlet->time);
         memcpy(record, values, sizeof values);
         for (int p = 0; p < recorder->n_phases; p++) {

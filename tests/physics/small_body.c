@@ -1,6 +1,7 @@
 #include "small_body.h"
 
 #include "check.h"
+#include "cracks.h"
 
 #include "memory.h"
 #include "random.h"
@@ -95,11 +96,13 @@ static struct lattice scattered(struct lattice *lattice, double jitter)
 void small_body_new(struct small_body *small, const struct small_case *wanted)
 {
     char *names[] = {"A", "B"};
-    char *text = memory_print("{materials: %s%s%s%s%s}", wanted->materials,
-                              wanted->stabilisation ? ", stabilisation: " : "",
-                              wanted->stabilisation ? wanted->stabilisation : "",
-                              wanted->surface_correction ? ", surface_correction: " : "",
-                              wanted->surface_correction ? wanted->surface_correction : "");
+    char *text =
+        memory_print("{materials: %s%s%s%s%s%s%s}", wanted->materials,
+                     wanted->stabilisation ? ", stabilisation: " : "",
+                     wanted->stabilisation ? wanted->stabilisation : "",
+                     wanted->surface_correction ? ", surface_correction: " : "",
+                     wanted->surface_correction ? wanted->surface_correction : "",
+                     wanted->breaking ? ", " : "", wanted->breaking ? wanted->breaking : "");
     small->deck = deck_parse(text, strlen(text), "test");
     free(text);
     struct deck_node root = deck_root(small->deck);
@@ -112,13 +115,20 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     const struct offset *near;
     int n_near = model_near(small->model, &small->family, &near);
     small->body = body_new(&small->lattice, &small->family, near, n_near, (struct ranks){0, 1});
+    yield_start(&small->body, &small->materials);
     small->bonds = bonds_new(&small->body);
+    small->damage = damage_new(root, small->model, &small->materials, &small->body, small->bonds);
+    struct cracks cracks =
+        cracks_read(deck_find(root, "cracks"), SMALL_SPACING, small->lattice.dimensions);
+    small->cut = cracks_cut(&cracks, &small->body, small->bonds);
+    cracks_free(&cracks);
     model_start(small->model, &small->body, small->bonds);
 }
 
 void small_body_free(struct small_body *small)
 {
     model_free(small->model);
+    damage_free(small->damage);
     bonds_free(small->bonds);
     body_free(&small->body);
     materials_free(&small->materials);

@@ -5,6 +5,7 @@
 
 #include "bonds.h"
 #include "boundary.h"
+#include "damage.h"
 #include "j2.h"
 #include "model.h"
 
@@ -24,6 +25,7 @@ struct small_case {
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
     double jitter;    /* scattered: each moved by up to this many spacings along each axis */
     const char *surface_correction; /* NULL: none */
+    const char *breaking;           /* further sections, "damage: ..., cracks: ...", or NULL */
 };
 
 struct small_body {
@@ -34,6 +36,8 @@ struct small_body {
     struct body body;
     struct model *model;
     struct bonds *bonds;
+    struct damage *damage;
+    int64_t cut; /* bonds, by cracks */
 };
 
 /* Elastic, and nickel with Voce's law; both of phase A, and of phase B a stronger nickel. */

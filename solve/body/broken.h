@@ -1,0 +1,52 @@
+/* broken.h - which bonds of a lattice are broken or cut, looked up from a node.
+ *
+ * A broken bond has weight 0 in the list of bonds (bonds.h).  What walks over families instead of bonds,
+ * the shape tensor, the deformation gradient and the divergence of stress, asks here.  A body that is whole has
+ * no such record and pays nothing; of one that has, only nodes with a broken bond are summed up bond by
+ * bond.  All ranks know the bonds of the nodes that they own; the gradients of their ghosts come from the
+ * owners. */
+#ifndef HS_BROKEN_H
+#define HS_BROKEN_H
+
+#include "body.h"
+
+#include <stdbool.h>
+
+struct bonds;
+struct bond_strip;
+
+struct broken {
+    int words;      /* a site */
+    uint64_t *bits; /* [n_sites * words] bit o: the bond along half offset o from this lower end */
+    uint8_t *touched; /* [n_sites] 1: an end of a broken bond; 2: not yet in the shape tensor */
+    double *lost;     /* box field, 1 at near nodes that have no deformation gradient any more */
+    double n_lost;    /* nodes of the whole body with that */
+};
+
+void broken_free(struct broken *broken);
+
+/* Bond k of the strip breaks; body->broken appears with the first one. */
+void broken_add(struct body *body, struct bonds *bonds, struct bond_strip *strip, int k);
+
+/* Shape tensors of the nodes that have lost bonds since the last call.  A node whose remaining family does
+ * not span space has an inverse of zero and counts as lost.  To be called where any rank has broken a
+ * bond.  Collective. */
+void broken_shapes(struct body *body);
+
+/* Over the bonds left of the nodes from site on that have a broken one: sums[i] = sum of w xi_b field_j,
+ * xi in spacings; the other sums stay. */
+void broken_sums(const struct body *body, int64_t site, int count, const double *field, int b,
+                 double *sums);
+
+static inline bool broken_bond(const struct broken *broken, int64_t lower, int o)
+{
+    return broken->bits[lower * broken->words + o / 64] >> (o % 64) & 1;
+}
+
+/* Whether the node of a site has lost its deformation gradient. */
+static inline bool broken_lost(const struct broken *broken, int64_t site)
+{
+    return broken->lost[site] > 0;
+}
+
+#endif

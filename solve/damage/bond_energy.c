@@ -1,0 +1,38 @@
+/* bond_energy.c - a bond breaks when it holds more than an energy density w_c [J/m^6]; from a fracture energy
+ * by (opening.3), which is the same for all bonds and materials (Foster, Silling, Chen, Int. J. Multiscale
+ * Comput. Eng. 9 (2011) 675). */
+#include "damage.h"
+#include "opening.h"
+
+static void room(const struct damage_view *see, const struct bond_strip *strip,
+                 const struct bond_view *bond, const double *value, double *out)
+{
+    const struct model *model = see->model;
+    double energy[LANES];
+    model->formulation->bond_energy(model->self, see->body, strip, energy);
+    for (int k = 0; k < bond->count; k++) out[k] = energy[k] > value[k] ? -1 : 0;
+}
+
+static double from_fracture_energy(const struct damage_view *see, int a, int b, double energy,
+                                   struct deck_node where)
+{
+    (void)a, (void)b, (void)where;
+    return energy * opening_energy_density(see->body->family, see->body->lattice);
+}
+
+static void check(const struct damage_view *see, struct deck_node where)
+{
+    if (!see->materials->formulation->bond_energy)
+        deck_error(where, "bonds of %s materials have no energy of their own: use %s or %s",
+                   see->materials->formulation->name, damage_critical_stretch.name,
+                   damage_plastic_strain.name);
+}
+
+const struct damage_law damage_bond_energy = {
+    .name = "bond_energy",
+    .unit = "J/m6",
+    .most = 1e60,
+    .room = room,
+    .from_fracture_energy = from_fracture_energy,
+    .check = check,
+};

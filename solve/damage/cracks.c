@@ -1,0 +1,161 @@
+#include "cracks.h"
+
+#include "broken.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static void read_point(struct deck_node list, double spacing, double point[3])
+{
+    if (!deck_is_list(list) || deck_count(list) != 3)
+        deck_error(list, "a list of three lengths is expected here");
+    for (int a = 0; a < 3; a++) point[a] = deck_length(deck_item(list, a), spacing, -1e3, 1e3);
+}
+
+static void make_unit(double vector[3], struct deck_node where)
+{
+    const double length = sqrt(dot(vector, vector));
+    if (!(length > 0)) deck_error(where, "this crack has no direction: an edge or normal is zero");
+    for (int a = 0; a < 3; a++) vector[a] /= length;
+}
+
+/* In a plane the second edge is the way through the layer, the first the line that is seen. */
+static void stand_up(struct crack *crack, struct deck_node where)
+{
+    const double *const *edges = (const double *const[]){crack->edge[0], crack->edge[1]};
+    const bool flat[2] = {hypot(edges[0][0], edges[0][1]) <= crack->slack,
+                          hypot(edges[1][0], edges[1][1]) <= crack->slack};
+    if (flat[0] == flat[1])
+        deck_error(where, "in a body of one layer one edge of a crack lies in the plane, the other "
+                          "along z");
+    if (flat[0]) memcpy(crack->edge[0], crack->edge[1], sizeof crack->edge[0]);
+    crack->edge[0][2] = crack->corner[2] = 0;
+    memcpy(crack->edge[1], (double[3]){0, 0, 1}, sizeof crack->edge[1]);
+}
+
+static struct crack read_rectangle(struct deck_node list, double spacing, int dimensions)
+{
+    struct crack crack = {.slack = 1e-9 * spacing};
+    if (!deck_is_list(list) || deck_count(list) != 3)
+        deck_error(list, "a rectangle is a list of a corner and two edges");
+    read_point(deck_item(list, 0), spacing, crack.corner);
+    for (int e = 0; e < 2; e++) read_point(deck_item(list, e + 1), spacing, crack.edge[e]);
+    if (dimensions == 2) stand_up(&crack, list);
+    cross(crack.edge[0], crack.edge[1], crack.normal);
+    make_unit(crack.normal, list);
+    const double *a = crack.edge[0], *b = crack.edge[1];
+    if (fabs(dot(a, b)) > 1e-6 * sqrt(dot(a, a) * dot(b, b)))
+        deck_error(list, "the edges of a rectangle stand at right angles");
+    if (dimensions == 2) memset(crack.edge[1], 0, sizeof crack.edge[1]); /* no end along z */
+    return crack;
+}
+
+static struct crack read_disc(struct deck_node map, double spacing, int dimensions)
+{
+    struct crack crack = {.disc = true, .slack = 1e-9 * spacing};
+    deck_keys(map, (const char *const[]){"centre", "normal", "radius", NULL});
+    read_point(deck_get(map, "centre"), spacing, crack.corner);
+    struct deck_node normal = deck_get(map, "normal");
+    if (!deck_is_list(normal) || deck_count(normal) != 3)
+        deck_error(normal, "a list of three numbers is expected here");
+    for (int a = 0; a < 3; a++) crack.normal[a] = deck_number(deck_item(normal, a), "1", -1e6, 1e6);
+    make_unit(crack.normal, normal);
+    crack.radius = deck_length(deck_get(map, "radius"), spacing, 0, 1e3);
+    if (dimensions == 2 && fabs(crack.normal[2]) > 1e-9)
+        deck_error(normal, "in a body of one layer the normal of a crack lies in the plane");
+    if (dimensions == 2) crack.corner[2] = 0;
+    return crack;
+}
+
+struct cracks cracks_read(struct deck_node section, double spacing, int dimensions)
+{
+    struct cracks cracks = {0};
+    if (section.index == 0) return cracks;
+    if (!deck_is_list(section)) deck_error(section, "cracks is a list of rectangles and discs");
+    cracks.count = deck_count(section);
+    cracks.items = memory_new((size_t)cracks.count, sizeof *cracks.items);
+    for (int i = 0; i < cracks.count; i++) {
+        struct deck_node entry = deck_item(section, i);
+        deck_keys(entry, (const char *const[]){"rectangle", "disc", NULL});
+        if (deck_has(entry, "rectangle") == deck_has(entry, "disc"))
+            deck_error(entry, "give one of rectangle and disc");
+        cracks.items[i] = deck_has(entry, "disc")
+                              ? read_disc(deck_get(entry, "disc"), spacing, dimensions)
+                              : read_rectangle(deck_get(entry, "rectangle"), spacing, dimensions);
+    }
+    return cracks;
+}
+
+void cracks_free(struct cracks *cracks)
+{
+    free(cracks->items);
+    *cracks = (struct cracks){0};
+}
+
+/* Whether a point of the crack's plane, counted from its corner or centre, belongs to it. */
+static bool covers(const struct crack *crack, const double at[3])
+{
+    if (crack->disc) return sqrt(dot(at, at)) <= crack->radius + crack->slack;
+    for (int e = 0; e < 2; e++) {
+        const double length = sqrt(dot(crack->edge[e], crack->edge[e]));
+        if (!(length > 0)) continue; /* through the layer */
+        const double along = dot(at, crack->edge[e]) / length;
+        if (along < -crack->slack || along > length + crack->slack) return false;
+    }
+    return true;
+}
+
+bool crack_cuts(const struct crack *crack, const double from[3], const double to[3])
+{
+    double a[3], b[3], at[3];
+    for (int k = 0; k < 3; k++) {
+        a[k] = from[k] - crack->corner[k];
+        b[k] = to[k] - crack->corner[k];
+    }
+    double before = dot(a, crack->normal), behind = dot(b, crack->normal);
+    if (fabs(before) <= crack->slack) before = 0;
+    if (fabs(behind) <= crack->slack) behind = 0;
+    if ((before < 0) == (behind < 0)) return false;
+    for (int k = 0; k < 3; k++) at[k] = (before * b[k] - behind * a[k]) / (before - behind);
+    return covers(crack, at);
+}
+
+static bool cuts_any(const struct cracks *cracks, const double from[3], const double to[3])
+{
+    for (int c = 0; c < cracks->count; c++)
+        if (crack_cuts(&cracks->items[c], from, to)) return true;
+    return false;
+}
+
+int64_t cracks_cut(const struct cracks *cracks, struct body *body, struct bonds *bonds)
+{
+    double cut = 0;
+    if (cracks->count == 0) return 0;
+    for (int64_t s = 0; s < bonds->count; s++)
+        for (int k = 0; k < bonds->strips[s].count; k++) {
+            const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
+            double from[3], to[3];
+            body_position(body, bond_lower(&view, k), from);
+            body_position(body, bond_upper(&view, k), to);
+            if (body->lattice->dimensions == 2) from[2] = to[2] = 0;
+            if (!(view.weight[k * view.weight_step] > 0) || !cuts_any(cracks, from, to)) continue;
+            cut += body->grid.flags[bond_lower(&view, k)] & SITE_OWNED ? 1 : 0;
+            broken_add(body, bonds, &bonds->strips[s], k);
+        }
+    ranks_sum(&cut, 1);
+    if (cut > 0) broken_shapes(body);
+    return (int64_t)cut;
+}

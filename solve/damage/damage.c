@@ -1,0 +1,230 @@
+#include "damage.h"
+
+#include "broken.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct damage {
+    struct damage_view see;
+    struct body *body;
+    struct bonds *bonds;
+    struct damage_rules rules;
+    double broken; /* bonds of the whole body */
+    double *whole; /* box field: volume of the family, m^3 */
+    double *spent; /* box field: 1 where all bonds of a node are to break */
+    bool test_all;
+    /* A strip is tested again only when its ends may have closed the room of its closest bond: travelled is
+     * not less than the way of any node so far, due what it must be beyond. */
+    double travelled, *due;
+    double *last[3]; /* box fields: u at the last update */
+};
+
+/* Adds the volume of the other end to both, for bonds of weight over 0. */
+static void add_volumes(const struct damage *damage, double *volumes)
+{
+    memset(volumes, 0, (size_t)damage->body->grid.n_sites * sizeof *volumes);
+    for (int64_t s = 0; s < damage->bonds->count; s++) {
+        const struct bond_view view = bonds_view(damage->bonds, &damage->bonds->strips[s]);
+        const int g = view.geometry_step;
+        for (int k = 0; k < view.count; k++) {
+            if (!(view.weight[k * view.weight_step] > 0)) continue;
+            volumes[bond_lower(&view, k)] += view.volume_j[k * g];
+            volumes[bond_upper(&view, k)] += view.volume_i[k * g];
+        }
+    }
+}
+
+struct damage *damage_new(struct deck_node root, const struct model *model,
+                          const struct materials *materials, struct body *body, struct bonds *bonds)
+{
+    struct damage *damage = memory_new(1, sizeof *damage);
+    const size_t sites = (size_t)body->grid.n_sites;
+    damage->see = (struct damage_view){model, materials, body, bonds};
+    damage->body = body;
+    damage->bonds = bonds;
+    damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
+    damage->whole = memory_new(sites, sizeof(double));
+    add_volumes(damage, damage->whole);
+    if (damage->rules.nodes) damage->spent = memory_new(sites, sizeof(double));
+    if (!damage->rules.bonds) return damage;
+    damage->due = memory_new((size_t)bonds->count, sizeof(double));
+    for (int64_t s = 0; s < bonds->count; s++) damage->due[s] = -1;
+    for (int a = 0; a < 3; a++) damage->last[a] = memory_new(sites, sizeof(double));
+    return damage;
+}
+
+void damage_free(struct damage *damage)
+{
+    if (!damage) return;
+    damage_rules_free(&damage->rules);
+    free(damage->whole);
+    free(damage->spent);
+    free(damage->due);
+    for (int a = 0; a < 3; a++) free(damage->last[a]);
+    free(damage);
+}
+
+void damage_test_all(struct damage *damage)
+{
+    damage->test_all = true;
+}
+
+double damage_broken_bonds(const struct damage *damage)
+{
+    return damage->broken;
+}
+
+void damage_index(const struct damage *damage, double *index)
+{
+    add_volumes(damage, index);
+    for (int64_t i = 0; i < damage->body->grid.n_sites; i++)
+        index[i] = damage->whole[i] > 0 ? 1 - index[i] / damage->whole[i] : 0;
+}
+
+/* Largest square of the way that any node has gone since the last update. */
+HS_SIMD static double longest_way(int64_t count, const double *restrict x, const double *restrict y,
+                                  const double *restrict z, double *restrict px,
+                                  double *restrict py, double *restrict pz)
+{
+    double most = 0;
+#pragma omp simd reduction(max : most)
+    for (int64_t i = 0; i < count; i++) {
+        double a = x[i] - px[i], b = y[i] - py[i], d = z[i] - pz[i];
+        double square = a * a + b * b + d * d;
+        most = square > most ? square : most;
+        px[i] = x[i];
+        py[i] = y[i];
+        pz[i] = z[i];
+    }
+    return most;
+}
+
+/* The factors outweigh the rounding, so that travelled never grows by less than a node has moved. */
+static void travel(struct damage *damage)
+{
+    double *const *u = damage->body->u, *const *last = damage->last;
+    double square =
+        longest_way(damage->body->grid.n_sites, u[0], u[1], u[2], last[0], last[1], last[2]);
+    damage->travelled = (damage->travelled + sqrt(square) * (1 + 0x1p-48)) * (1 + 0x1p-51);
+}
+
+/* Room of each bond of a strip; INFINITY where it is broken or never breaks. */
+static void find_rooms(const struct damage *damage, const struct bond_strip *strip,
+                       const struct bond_view *view, double *rooms)
+{
+    const struct damage_rules *rules = &damage->rules;
+    const uint8_t *phase = damage->body->grid.phase;
+    const struct damage_law *law[LANES];
+    double value[LANES], some[LANES];
+    for (int k = 0; k < view->count; k++) {
+        const int pair = phase[bond_lower(view, k)] * rules->n_phases + phase[bond_upper(view, k)];
+        law[k] = view->weight[k * view->weight_step] > 0 ? rules->law[pair] : NULL;
+        value[k] = rules->value[pair];
+        rooms[k] = INFINITY;
+    }
+    for (int first = 0; first < view->count; first++) {
+        const struct damage_law *one = law[first];
+        if (!one) continue;
+        one->room(&damage->see, strip, view, value, some);
+        for (int k = first; k < view->count; k++) {
+            if (law[k] != one) continue;
+            rooms[k] = some[k];
+            law[k] = NULL;
+        }
+    }
+}
+
+/* 1 where this rank counts the bond. */
+static double count_bond(const struct damage *damage, const struct bond_view *view, int k)
+{
+    return damage->body->grid.flags[bond_lower(view, k)] & SITE_OWNED ? 1 : 0;
+}
+
+/* Half of the closest bond's room, less what rounding may hide, is how far a node may go until the next
+ * test. */
+static double test_strip(struct damage *damage, int64_t s)
+{
+    struct bond_strip *strip = &damage->bonds->strips[s];
+    const struct bond_view view = bonds_view(damage->bonds, strip);
+    double rooms[LANES], broken = 0, least = INFINITY;
+    find_rooms(damage, strip, &view, rooms);
+    for (int k = 0; k < view.count; k++) {
+        if (rooms[k] < 0) {
+            broken += count_bond(damage, &view, k);
+            broken_add(damage->body, damage->bonds, strip, k);
+            continue;
+        }
+        least = fmin(least, rooms[k] - 1e-13 * view.length[k * view.geometry_step]);
+    }
+    damage->due[s] = damage->travelled + 0.5 * least * (1 - 0x1p-48);
+    return broken;
+}
+
+static double test_bonds(struct damage *damage)
+{
+    double broken = 0;
+    travel(damage);
+    for (int64_t s = 0; s < damage->bonds->count; s++)
+        if (damage->travelled > damage->due[s] || damage->test_all) broken += test_strip(damage, s);
+    return broken;
+}
+
+/* Owned nodes that are beyond their plastic strain since now. */
+static double find_spent(struct damage *damage)
+{
+    const struct model *model = damage->see.model;
+    const struct body *body = damage->body;
+    const struct strips *strips = model_strips(model, body);
+    double found = 0;
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
+        const double *p = model->formulation->plastic_strain(model->self, strip);
+        for (int i = 0; i < strip->count; i++) {
+            const int64_t site = strip->site + i;
+            if (!(p[i] > damage->rules.plastic_strain[body->grid.phase[site]])) continue;
+            if (!(body->grid.flags[site] & SITE_OWNED) || damage->spent[site] > 0) continue;
+            damage->spent[site] = 1;
+            found++;
+        }
+    }
+    return found;
+}
+
+static double break_spent(struct damage *damage)
+{
+    double broken = 0;
+    halo_exchange(damage->body->displacement_halo, &damage->spent, 1);
+    for (int64_t s = 0; s < damage->bonds->count; s++) {
+        struct bond_strip *strip = &damage->bonds->strips[s];
+        for (int k = 0; k < strip->count; k++) {
+            const struct bond_view view = bonds_view(damage->bonds, strip);
+            if (!(damage->spent[bond_lower(&view, k)] + damage->spent[bond_upper(&view, k)] > 0) ||
+                !(view.weight[k * view.weight_step] > 0))
+                continue;
+            broken += count_bond(damage, &view, k);
+            broken_add(damage->body, damage->bonds, strip, k);
+        }
+    }
+    return broken;
+}
+
+bool damage_update(struct damage *damage)
+{
+    const struct damage_rules *rules = &damage->rules;
+    if (!rules->bonds && !rules->nodes) return false;
+    double counts[2] = {rules->bonds ? test_bonds(damage) : 0,
+                        rules->nodes ? find_spent(damage) : 0};
+    ranks_sum(counts, 2);
+    if (counts[1] > 0) {
+        double broken = break_spent(damage);
+        ranks_sum(&broken, 1);
+        counts[0] += broken;
+    }
+    if (!(counts[0] > 0)) return false;
+    damage->broken += counts[0];
+    broken_shapes(damage->body);
+    return true;
+}

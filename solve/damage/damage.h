@@ -1,0 +1,79 @@
+/* damage.h - when bonds break, and what has broken.
+ *
+ * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the end
+ * of a step, at the configuration that the step has reached: what the body holds less after they have broken
+ * is the energy of fracture.  To add a law: one file, one line in the table of damage_rules.c. */
+#ifndef HS_DAMAGE_H
+#define HS_DAMAGE_H
+
+#include "bonds.h"
+#include "deck.h"
+#include "model.h"
+
+#include <stdbool.h>
+
+/* What laws may look at. */
+struct damage_view {
+    const struct model *model;
+    const struct materials *materials;
+    const struct body *body;
+    const struct bonds *bonds;
+};
+
+struct damage_law {
+    const char *name;
+    const char *unit; /* of its value */
+    double most;      /* largest value */
+    /* Of bonds: how far [m] the ends of each bond of a strip may still move apart before it breaks, below 0
+     * where it has to break now, 0 where only a test can tell.  NULL: a law of nodes, whose bonds all break
+     * once their equivalent plastic strain is beyond the value. */
+    void (*room)(const struct damage_view *see, const struct bond_strip *strip,
+                 const struct bond_view *bond, const double *value, double *room);
+    /* The value that a fracture energy [J/m^2] stands for, at bonds between two phases; dies where the
+     * material has none.  NULL: there is no such thing. */
+    double (*from_fracture_energy)(const struct damage_view *see, int a, int b, double energy,
+                                   struct deck_node where);
+    /* Dies where the material lacks what the law needs. */
+    void (*check)(const struct damage_view *see, struct deck_node where);
+};
+
+extern const struct damage_law damage_critical_stretch, damage_bond_energy, damage_plastic_strain;
+
+/* The deck's section, read for the phases of the domain. */
+struct damage_rules {
+    int n_phases;
+    const struct damage_law *
+        *law;               /* [n_phases^2] of the bonds of each pair, NULL: they never break */
+    double *value;          /* [n_phases^2] */
+    double *plastic_strain; /* [n_phases] of nodes, or INFINITY */
+    bool bonds, nodes;      /* whether there is any rule of either kind */
+};
+
+/* section.index may be 0: nothing breaks. */
+struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see);
+void damage_rules_free(struct damage_rules *rules);
+
+struct damage;
+
+/* root: of the deck, whose section "damage" is read; it may be missing.  To be made of the whole body, before
+ * cracks are cut.  Collective. */
+struct damage *damage_new(struct deck_node root, const struct model *model,
+                          const struct materials *materials, struct body *body,
+                          struct bonds *bonds);
+void damage_free(struct damage *damage);
+
+/* Breaks what has to break at the body's u and plastic strain.  Whether anything broke anywhere: then the
+ * force has to be found again.  Collective. */
+bool damage_update(struct damage *damage);
+
+/* Bonds of the whole body broken so far, without those that cracks cut. */
+double damage_broken_bonds(const struct damage *damage);
+
+/* index[site] = 1 - (volume of the family still bonded)/(volume of the family) at owned nodes, cuts by cracks
+ * included. */
+void damage_index(const struct damage *damage, double *index);
+
+/* For tests: no strip of bonds is passed over. */
+void damage_test_all(struct damage *damage);
+
+#endif

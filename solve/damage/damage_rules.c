@@ -1,0 +1,184 @@
+#include "damage.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const struct damage_law *const table[] = {&damage_critical_stretch, &damage_bond_energy,
+                                                 &damage_plastic_strain};
+enum { LAWS = sizeof table / sizeof *table };
+
+/* How the bonds between two phases get their value from those within each. */
+static double smaller(double a, double b)
+{
+    return fmin(a, b);
+}
+static double larger(double a, double b)
+{
+    return fmax(a, b);
+}
+static double mean(double a, double b)
+{
+    return 0.5 * (a + b);
+}
+static double harmonic(double a, double b)
+{
+    return 2 * a * b / (a + b);
+}
+static const char *const combinations[] = {"min", "max", "mean", "harmonic"};
+static double (*const combine[])(double, double) = {smaller, larger, mean, harmonic};
+enum { COMBINATIONS = sizeof combine / sizeof *combine };
+
+static int read_phase(struct deck_node node, const struct materials *materials)
+{
+    const char **names = memory_new((size_t)materials->count, sizeof *names);
+    for (int p = 0; p < materials->count; p++) names[p] = materials->items[p].name;
+    int phase = deck_choice(node, names, materials->count);
+    free(names);
+    return phase;
+}
+
+static void read_pair(struct deck_node entry, const struct materials *materials, int *a, int *b)
+{
+    struct deck_node pair = deck_get(entry, "pair");
+    if (!deck_is_list(pair) || deck_count(pair) != 2)
+        deck_error(pair, "a pair is a list of two phases, such as [%s, %s]",
+                   materials->items[0].name, materials->items[materials->count - 1].name);
+    *a = read_phase(deck_item(pair, 0), materials);
+    *b = read_phase(deck_item(pair, 1), materials);
+}
+
+static const struct damage_law *read_law(struct deck_node entry, const struct damage_view *see)
+{
+    const char *names[LAWS];
+    for (int k = 0; k < LAWS; k++) names[k] = table[k]->name;
+    struct deck_node node = deck_get(entry, "law");
+    const struct damage_law *law = table[deck_choice(node, names, LAWS)];
+    if (law->check) law->check(see, node);
+    return law;
+}
+
+static double read_value(struct deck_node entry, const struct damage_law *law,
+                         const struct damage_view *see, int a, int b)
+{
+    if (deck_has(entry, "value") == deck_has(entry, "fracture_energy"))
+        deck_error(entry, "give one of value and fracture_energy");
+    if (deck_has(entry, "value"))
+        return deck_number(deck_get(entry, "value"), law->unit, 1e-12, law->most);
+    struct deck_node node = deck_get(entry, "fracture_energy");
+    return law->from_fracture_energy(see, a, b, deck_number(node, "J/m2", 1e-12, 1e12), node);
+}
+
+static void read_node_law(struct damage_rules *rules, struct deck_node entry,
+                          const struct damage_view *see)
+{
+    deck_keys(entry, (const char *const[]){"phase", "law", "value", NULL});
+    const int phase = read_phase(deck_get(entry, "phase"), see->materials);
+    const struct damage_law *law = read_law(entry, see);
+    if (law->room)
+        deck_error(deck_get(entry, "law"), "%s is a law of bonds: it goes with 'pair: [A, B]'",
+                   law->name);
+    if (isfinite(rules->plastic_strain[phase]))
+        deck_error(entry, "phase '%s' is named twice", see->materials->items[phase].name);
+    rules->plastic_strain[phase] = deck_number(deck_get(entry, "value"), law->unit, 0, law->most);
+    rules->nodes = true;
+}
+
+static void read_bond_law(struct damage_rules *rules, struct deck_node entry,
+                          const struct damage_view *see)
+{
+    const int n = rules->n_phases;
+    int a, b;
+    read_pair(entry, see->materials, &a, &b);
+    if (rules->law[a * n + b])
+        deck_error(entry, "the pair '%s', '%s' is named twice", see->materials->items[a].name,
+                   see->materials->items[b].name);
+    if (deck_has(entry, "rule")) return;
+    deck_keys(entry, (const char *const[]){"pair", "law", "value", "fracture_energy", NULL});
+    const struct damage_law *law = read_law(entry, see);
+    if (!law->room)
+        deck_error(deck_get(entry, "law"), "%s is a law of nodes: it goes with 'phase: NAME'",
+                   law->name);
+    rules->law[a * n + b] = rules->law[b * n + a] = law;
+    rules->value[a * n + b] = rules->value[b * n + a] = read_value(entry, law, see, a, b);
+    rules->bonds = true;
+}
+
+/* Entries with a rule come after all those with a law, wherever they stand. */
+static void read_rule(struct damage_rules *rules, struct deck_node entry,
+                      const struct damage_view *see)
+{
+    const int n = rules->n_phases;
+    int a, b;
+    deck_keys(entry, (const char *const[]){"pair", "rule", NULL});
+    read_pair(entry, see->materials, &a, &b);
+    const char *first = see->materials->items[a].name, *second = see->materials->items[b].name;
+    const struct damage_law *of_a = rules->law[a * n + a], *of_b = rules->law[b * n + b];
+    const int chosen = deck_choice(deck_get(entry, "rule"), combinations, COMBINATIONS);
+    if (a == b) deck_error(entry, "a rule is for two different phases, not '%s' twice", first);
+    if (rules->law[a * n + b])
+        deck_error(entry, "the pair '%s', '%s' is named twice", first, second);
+    if (!of_a || of_a != of_b)
+        deck_error(entry, "a rule needs the pairs [%s, %s] and [%s, %s] with the same law", first,
+                   first, second, second);
+    const double value = combine[chosen](rules->value[a * n + a], rules->value[b * n + b]);
+    rules->law[a * n + b] = rules->law[b * n + a] = of_a;
+    rules->value[a * n + b] = rules->value[b * n + a] = value;
+}
+
+static void tell_unbroken(const struct damage_rules *rules, const struct materials *materials)
+{
+    const int n = rules->n_phases;
+    for (int a = 0; a < n; a++)
+        for (int b = a; b < n; b++)
+            if (!rules->law[a * n + b])
+                note("damage: no law for the pair '%s', '%s': its bonds do not break by stretch or "
+                     "energy",
+                     materials->items[a].name, materials->items[b].name);
+}
+
+/* The stress of a correspondence material comes from its nodes, whose shape tensors make up for lost bonds. */
+static void tell_weak(const struct damage_rules *rules, const struct materials *materials)
+{
+    if (materials->formulation == &formulation_correspondence && !rules->nodes)
+        warn("damage: broken bonds alone hardly unload a correspondence material, since the "
+             "families "
+             "left take over; '%s' does",
+             damage_plastic_strain.name);
+}
+
+struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see)
+{
+    const int n = see->materials->count;
+    struct damage_rules rules = {.n_phases = n};
+    rules.law = memory_new((size_t)(n * n), sizeof *rules.law);
+    rules.value = memory_new((size_t)(n * n), sizeof *rules.value);
+    rules.plastic_strain = memory_new((size_t)n, sizeof *rules.plastic_strain);
+    for (int p = 0; p < n; p++) rules.plastic_strain[p] = INFINITY;
+    if (section.index == 0) return rules;
+    if (!deck_is_list(section)) deck_error(section, "damage is a list of laws");
+    for (int i = 0; i < deck_count(section); i++) {
+        struct deck_node entry = deck_item(section, i);
+        if (deck_has(entry, "phase"))
+            read_node_law(&rules, entry, see);
+        else
+            read_bond_law(&rules, entry, see);
+    }
+    for (int i = 0; i < deck_count(section); i++)
+        if (deck_has(deck_item(section, i), "rule")) read_rule(&rules, deck_item(section, i), see);
+    if (rules.bonds) {
+        tell_unbroken(&rules, see->materials);
+        tell_weak(&rules, see->materials);
+    }
+    return rules;
+}
+
+void damage_rules_free(struct damage_rules *rules)
+{
+    free(rules->law);
+    free(rules->value);
+    free(rules->plastic_strain);
+    *rules = (struct damage_rules){0};
+}
