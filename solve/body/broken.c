@@ -107,7 +107,8 @@ static bool keep_gradient(const struct body *body, int64_t site, const double le
             double sum = 0;
             for (int c = 0; c < 3; c++) {
                 const int p = (c + 1) % 3, q = (c + 2) % 3, r = (a + 1) % 3, t = (a + 2) % 3;
-                double cofactor = left[3 * p + r] * left[3 * q + t] - left[3 * p + t] * left[3 * q + r];
+                double cofactor =
+                    left[3 * p + r] * left[3 * q + t] - left[3 * p + t] * left[3 * q + r];
                 sum += cofactor * F[3 * c + b];
             }
             body->broken->keep[3 * a + b][site] = sum / J;

@@ -252,8 +252,9 @@ static void add_work(struct verlet *verlet, struct boundary *boundary)
 static double held_energy(const struct force_energy *energy)
 {
     double values[3];
-    exact_sum_finish((const struct exact_sum[]){energy->stored, energy->plastic, energy->stabilisation},
-                     3, values);
+    exact_sum_finish(
+        (const struct exact_sum[]){energy->stored, energy->plastic, energy->stabilisation}, 3,
+        values);
     return values[0] + values[1] + values[2];
 }
 
@@ -276,8 +277,8 @@ static double half_step_power(const struct verlet *verlet, const struct body *bo
 /* Bonds break at the configuration that the force has just been found for; force and energies become those of
  * the bonds left.  The kick before had the old force, the kick to come has the new one: the bonds broke in
  * the middle of the step, and the energy of fracture is the difference of the energies there, dt v/2 back. */
-static void break_bonds(struct verlet *verlet, struct body *body, struct model *model, double *axial,
-                        struct force_energy *energy)
+static void break_bonds(struct verlet *verlet, struct body *body, struct model *model,
+                        double *axial, struct force_energy *energy)
 {
     if (!verlet->damage || !damage_update(verlet->damage)) return;
     const double before = held_energy(energy) + half_step_power(verlet, body);
