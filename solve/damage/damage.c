@@ -225,6 +225,6 @@ bool damage_update(struct damage *damage)
     }
     if (!(counts[0] > 0)) return false;
     damage->broken += counts[0];
-    broken_shapes(damage->body);
+    broken_shapes(damage->body, damage->see.model->formulation == &formulation_correspondence);
     return true;
 }

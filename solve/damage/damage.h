@@ -1,8 +1,8 @@
 /* damage.h - when bonds break, and what has broken.
  *
- * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the end
- * of a step, at the configuration that the step has reached: what the body holds less after they have broken
- * is the energy of fracture.  To add a law: one file, one line in the table of damage_rules.c. */
+ * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the
+ * configuration that a step has led to: what the body holds less after they have broken is the energy of
+ * fracture.  To add a law: one file, one line in the table of damage_rules.c. */
 #ifndef HS_DAMAGE_H
 #define HS_DAMAGE_H
 

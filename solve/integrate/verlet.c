@@ -248,19 +248,45 @@ static void add_work(struct verlet *verlet, struct boundary *boundary)
     }
 }
 
-/* Bonds break at the configuration that the step has reached; the force, the energies and the reactions become
- * those of the bonds left, and the difference of the energies is that of fracture. */
-static void break_bonds(struct verlet *verlet, struct body *body, struct boundary *boundary,
-                        struct model *model, double *axial)
+/* stored + plastic + stabilisation [J] */
+static double held_energy(const struct force_energy *energy)
+{
+    double values[3];
+    exact_sum_finish(
+        (const struct exact_sum[]){energy->stored, energy->plastic, energy->stabilisation}, 3,
+        values);
+    return values[0] + values[1] + values[2];
+}
+
+/* dt/2 sum V v . f at owned nodes, v in the middle of the step [J]. */
+static double half_step_power(const struct verlet *verlet, const struct body *body)
+{
+    struct exact_sum sum = verlet->kinetic_zero;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            const int64_t site = body->owned.items[s].site + i;
+            double power = 0;
+            for (int a = 0; a < 3; a++) power += body->v[a][site] * body->f[a][site];
+            exact_sum_add(&sum, 0.5 * verlet->dt * body_volume(body, site) * power);
+        }
+    double value;
+    exact_sum_finish(&sum, 1, &value);
+    return value;
+}
+
+/* Bonds break at the configuration that the force has just been found for; force and energies become those of
+ * the bonds left.  The kick before had the old force, the kick to come has the new one: the bonds broke in
+ * the middle of the step, and the energy of fracture is the difference of the energies there, dt v/2 back. */
+static void break_bonds(struct verlet *verlet, struct body *body, struct model *model,
+                        double *axial, struct force_energy *energy)
 {
     if (!verlet->damage || !damage_update(verlet->damage)) return;
-    struct force_energy energy = verlet->zero;
-    const double held = energy_internal(&verlet->balance);
+    const double before = held_energy(energy) + half_step_power(verlet, body);
     if (axial) memset(axial, 0, (size_t)body->grid.n_sites * sizeof *axial);
+    *energy = verlet->zero;
     model_force(model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial},
-                &energy);
-    finish_sums(verlet, body, boundary, &energy, &verlet->kinetic_zero);
-    verlet->balance.fracture += held - energy_internal(&verlet->balance);
+                energy);
+    verlet->balance.fracture += before - held_energy(energy) - half_step_power(verlet, body);
 }
 
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
@@ -282,6 +308,7 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
     struct force_energy energy = verlet->zero;
     model_force(model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial},
                 &energy);
+    break_bonds(verlet, body, model, axial, &energy);
     half_kick(verlet, body);
     boundary_set_velocities(boundary, body, verlet->time);
     if (verlet->damping > 0) damp(verlet, body, boundary, verlet->time, &damped);
@@ -289,5 +316,4 @@ void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boun
 
     finish_sums(verlet, body, boundary, &energy, &damped);
     add_work(verlet, boundary);
-    break_bonds(verlet, body, boundary, model, axial);
 }

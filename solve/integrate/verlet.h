@@ -3,8 +3,8 @@
  *   v += dt/2 a;  u += dt v;  a = f(u)/rho - c (v - v_affine);  v += dt/2 a
  *
  * Swope, Andersen, Berens, Wilson, J. Chem. Phys. 76 (1982) 637.  Optional damping c acts on the motion
- * relative to the affine one between the grips, so that it does not drag the test itself.  Bonds break at the
- * end of a step: the next starts with the force that is left. */
+ * relative to the affine one between the grips, so that it does not drag the test itself.  Bonds break where
+ * a step has led to: its second half already feels the force that is left. */
 #ifndef HS_VERLET_H
 #define HS_VERLET_H
 

@@ -282,6 +282,7 @@ static void divide_by_shape(struct body *body)
     double *const *K = body->inverse, *const *S = body->S;
     for (int64_t n = 0; n < body->owned.count; n++) {
         const int64_t i = body->owned.items[n].site;
+        if (body->broken) broken_keep_stress(body, i, body->owned.items[n].count);
         for (int a = 0; a < 9; a += 3)
             divide_row(body->owned.items[n].count, K[0] + i, K[1] + i, K[2] + i, K[3] + i, K[4] + i,
                        K[5] + i, 1 / body->lattice->spacing, S[a] + i, S[a + 1] + i, S[a + 2] + i);
