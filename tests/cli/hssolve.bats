@@ -92,7 +92,7 @@ wrong() {
     wrong 31:3 "key 'horizon' is missing here" '/horizon: 1/d'
     wrong 31:9 "'implicit' is not known here" 's/explicit/implicit/'
     wrong 32:12 "'mm' is a length, expected a pure number" 's/horizon: 1/horizon: 1 mm/'
-    wrong 32:12 "0.5 is out of range, expected 1 to 3.5" 's/horizon: 1/horizon: 0.5/'
+    wrong 32:12 "0.5 is out of range, expected 1 to 8" 's/horizon: 1/horizon: 0.5/'
     wrong 32:12 "expected a single value" 's/horizon: 1/horizon: [1]/'
     wrong 33:18 "expected a mapping" 's/stabilisation: .*/stabilisation: mix/'
     wrong 33:24 "did you mean mix? expected one of: mix, capped" 's/law: mix/law: mixx/'
