@@ -73,8 +73,8 @@ static double damage(const struct body *body, int64_t site)
     return body->inverse[0][site] == 0 && body->inverse[1][site] == 0 ? 1 : 0;
 }
 
-static double scalar(const struct node_values *values, enum node_value which,
-                     const struct body *body, int64_t site)
+static double scalar(const struct node_values *values, int which, const struct body *body,
+                     int64_t site)
 {
     switch (which) {
     case VON_MISES:

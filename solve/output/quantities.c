@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 struct quantity {
-    enum node_value value;
+    int value; /* enum node_value */
     enum scene_reduction reduction;
     struct members members;
 };
@@ -27,7 +27,7 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
     for (int k = 0; k < scene->n_quantities; k++) {
         const struct scene_quantity *wanted = &scene->quantities[k];
         quantities->items[k] = (struct quantity){
-            .value = (enum node_value)wanted->value,
+            .value = wanted->value,
             .reduction = wanted->reduction,
             .members = members_of_nodes(body, wanted->nodes.numbers, wanted->nodes.count)};
     }
@@ -55,7 +55,7 @@ struct range {
 };
 enum { RANGE = sizeof(struct range) / sizeof(double) };
 
-static bool is_force(enum node_value value)
+static bool is_force(int value)
 {
     return value >= FORCE_X && value < STRESS_XX;
 }

@@ -8,6 +8,13 @@
 static const double density = 8900, modulus = 210e9, ratio = 0.31; /* of small_elastic */
 static const struct small_case bar = {
     .size = {24, 3, 3}, .horizon = 1, .stabilisation = small_mix, .materials = small_elastic};
+/* The same as particles that lie anywhere. */
+static const struct small_case heap = {
+    .size = {24, 3, 3},
+    .horizon = 2,
+    .materials = "{A: {model: bond_based, density: 8900, youngs_modulus: 210 GPa}}",
+    .scattered = true,
+    .jitter = 0.2};
 static const double dt = 2e-9; /* half of the critical step */
 
 /* Largest difference of a component from a number over the body. */
@@ -20,12 +27,13 @@ static double spread(const struct scene_body *it, const double *field, double ex
 }
 
 /* A body that falls as a whole moves as one node of the scheme does: v += dt/2 b/rho, u += dt v. */
-static void check_fall(const char *load, double (*force)(double time), double tolerance)
+static void check_fall(const struct small_case *wanted, const char *load,
+                       double (*force)(double time), double tolerance)
 {
     struct scene_body it;
     double u = 0, v = 0;
     enum { STEPS = 200 };
-    scene_body_new(&it, &bar, load, 0, dt);
+    scene_body_new(&it, wanted, load, 0, dt);
     for (int n = 0; n < STEPS; n++) {
         scene_body_step(&it);
         v += 0.5 * dt * force(n * dt) / density;
@@ -64,15 +72,25 @@ static double rising(double time)
 static void test_free_fall(void **state)
 {
     (void)state;
-    check_fall("boundary: [{block: A, direction: y, body_force: 1e13}]", constant, 1e-12);
-    check_fall("boundary: [{block: A, direction: y, force: 33.75 N}]", total, 1e-12);
-    check_fall("boundary: [{block: A, direction: y, body_force: 4e12},"
+    check_fall(&bar, "boundary: [{block: A, direction: y, body_force: 1e13}]", constant, 1e-12);
+    check_fall(&bar, "boundary: [{block: A, direction: y, force: 33.75 N}]", total, 1e-12);
+    check_fall(&bar,
+               "boundary: [{block: A, direction: y, body_force: 4e12},"
                " {where: 'x >= 0', direction: y, body_force: 6e12 N/m3}]",
                constant, 1e-12);
-    check_fall("boundary: [{block: A, direction: y, body_force: '1e13*cos(1e7*t)'}]", swinging,
-               1.01 / 256);
-    check_fall("boundary: [{block: A, direction: y, body_force: {ramp: 0.3 us, to: 1e13}}]", rising,
-               1.01 / 256);
+    check_fall(&bar, "boundary: [{block: A, direction: y, body_force: '1e13*cos(1e7*t)'}]",
+               swinging, 1.01 / 256);
+    check_fall(&bar, "boundary: [{block: A, direction: y, body_force: {ramp: 0.3 us, to: 1e13}}]",
+               rising, 1.01 / 256);
+}
+
+/* A force spread over scattered particles of equal volume, chosen by place, is the same on each. */
+static void test_free_fall_of_scattered_particles(void **state)
+{
+    (void)state;
+    check_fall(&heap, "boundary: [{block: A, direction: y, force: 33.75 N}]", total, 1e-12);
+    check_fall(&heap, "boundary: [{where: 'x > -1', direction: y, body_force: '1e13*cos(1e7*t)'}]",
+               swinging, 1.01 / 256);
 }
 
 /* Mean displacement along x of a layer of nodes. */
@@ -277,6 +295,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_free_fall),
+        cmocka_unit_test(test_free_fall_of_scattered_particles),
         cmocka_unit_test(test_bar_under_a_force),
         cmocka_unit_test(test_load_on_held_nodes),
         cmocka_unit_test(test_steps),
