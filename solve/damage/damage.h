@@ -62,9 +62,10 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
                           struct bonds *bonds);
 void damage_free(struct damage *damage);
 
-/* Breaks what has to break at the body's u and plastic strain.  Whether anything broke anywhere: then the
- * force has to be found again.  Collective. */
-bool damage_update(struct damage *damage);
+/* Finds what has to break at the body's u and plastic strain: whether there is anything anywhere.  Then it is
+ * to be broken, and the force found again.  Collective, both. */
+bool damage_find(struct damage *damage);
+void damage_break(struct damage *damage);
 
 /* Bonds of the whole body broken so far, without those that cracks cut. */
 double damage_broken_bonds(const struct damage *damage);
