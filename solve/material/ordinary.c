@@ -63,9 +63,9 @@ struct pass {
     double *slip_lower, *slip_upper;
 };
 
-/* What a kernel does beyond the elastic force. */
-enum depth { ELASTIC, NORM, STORED }; /* first pass */
-enum { YIELDING = STORED + 1 };       /* second pass: NORM is not used, STORED, YIELDING */
+/* What a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
+ * its growth. */
+enum { ELASTIC, ENERGY, NORM, STORED, YIELDING };
 
 /* First pass over a strip, an element of geometry and weight every g and w. */
 HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
@@ -91,8 +91,8 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
         double extension = weight * R[k * g] * e;
         ei[k] += extension * Vj[k * g];
         ej[k] += extension * Vi[k * g];
-        if (depth >= NORM) {
-            double moment = weight * length * length, qi = e, qj = e;
+        if (depth >= ENERGY) {
+            double qi = e, qj = e;
             if (depth == STORED) {
                 qi -= pi[k];
                 qj -= pj[k];
@@ -101,6 +101,9 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
             }
             ni[k] += weight * qi * qi * Vj[k * g];
             nj[k] += weight * qj * qj * Vi[k * g];
+        }
+        if (depth >= NORM) {
+            double moment = weight * length * length;
             mi[k] += moment * Vj[k * g];
             mj[k] += moment * Vi[k * g];
         }
@@ -167,6 +170,7 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         }                                                                                          \
     }
 VARIANTS(sum_elastic, sum_up, ELASTIC)
+VARIANTS(sum_energy, sum_up, ENERGY)
 VARIANTS(sum_norm, sum_up, NORM)
 VARIANTS(sum_stored, sum_up, STORED)
 VARIANTS(push_elastic, push, ELASTIC)
@@ -175,9 +179,11 @@ VARIANTS(push_yielding, push, YIELDING)
 
 typedef void kernel(const struct pass *);
 /* [depth][geometry_step][weight_step] */
-static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_norm), CHOICE(sum_stored)};
-static kernel *const pushing[][2][2] = {CHOICE(push_elastic), CHOICE(push_elastic),
-                                        CHOICE(push_stored), CHOICE(push_yielding)};
+static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_energy), CHOICE(sum_norm),
+                                        CHOICE(sum_stored)};
+static kernel *const pushing[][2][2] = {[ELASTIC] = CHOICE(push_elastic),
+                                        [STORED] = CHOICE(push_stored),
+                                        [YIELDING] = CHOICE(push_yielding)};
 
 static struct pass pass_over(const struct ordinary *model, const struct bond_view *view,
                              const struct body *body, double buffer[6][LANES])
@@ -200,9 +206,9 @@ static void sum_strip(const struct ordinary *model, const struct body *body, int
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][LANES], lower[SUM_COUNT][LANES], upper[SUM_COUNT][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
-    set_slip(&pass, depth == NORM && model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    set_slip(&pass, depth == NORM ? ordinary_plastic_store(model, number) : NULL);
     if (pass.slip_lower) depth = STORED;
-    const int count = depth == ELASTIC ? 1 : depth == NORM ? SUM_PLASTIC : SUM_COUNT;
+    const int count = depth + 1; /* sums */
     for (int k = 0; k < count; k++) {
         pass.lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
         pass.upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
@@ -272,9 +278,9 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
 static void find_nodes(struct ordinary *model, struct body *body, struct force_mode mode,
                        struct force_energy *energy)
 {
-    const int depth = model->plastic || energy ? NORM : ELASTIC;
+    const int depth = model->plastic ? NORM : energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
-    bond_ends_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
+    bond_ends_clear(body, model->sum, model->plastic ? SUM_COUNT : depth + 1);
     for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, body, s, depth);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
