@@ -220,14 +220,14 @@ static void sum_strip(const struct ordinary *model, const struct body *body, int
     }
 }
 
-static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool commit)
+static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
 {
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][LANES], gathered[2][NODE_COUNT][LANES], force[2][3][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     int depth = ELASTIC;
     if (model->plastic) {
-        double *slip = commit ? ordinary_plastic_yielding(model, number) : NULL;
+        double *slip = flows ? ordinary_plastic_yielding(model, number) : NULL;
         depth = slip ? YIELDING : STORED;
         if (!slip) slip = ordinary_plastic_store(model, number);
         if (!slip) depth = ELASTIC;
@@ -289,14 +289,23 @@ static void find_nodes(struct ordinary *model, struct body *body, struct force_m
     halo_exchange(body->stress_halo, model->node, model->plastic ? NODE_COUNT : 1);
 }
 
+/* Whether a node that this rank knows is about to flow. */
+static bool any_flow(const struct ordinary *model, const struct body *body)
+{
+    double most = 0;
+    if (!model->plastic) return false;
+    for (int64_t i = 0; i < body->grid.n_sites; i++) most += model->node[NODE_FLOW][i];
+    return most > 0;
+}
+
 static void ordinary_force(void *self, struct body *body, struct force_mode mode,
                            struct force_energy *energy)
 {
     struct ordinary *model = self;
     find_nodes(model, body, mode, mode.energy ? energy : NULL);
+    const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     bond_ends_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        push_strip(model, body, s, mode.commit && !mode.frozen);
+    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
 }
 
 static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
