@@ -372,13 +372,14 @@ static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
     double *moment = model->sum[SUM_MOMENT], *isotropic = model->sum[SUM_EXTENSION];
-    const double full = surface_full_family(model->bonds, 1);
+    const bool corrected = model->correction != SURFACE_NONE;
+    const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
     sum_moments(model, 2, moment);
     sum_moments(model, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             const int64_t i = body->owned.items[s].site + k;
-            const double ratio = model->correction == SURFACE_NONE ? 1 : isotropic[i] / full;
+            const double ratio = corrected ? isotropic[i] / full : 1;
             const struct ordinary_moduli moduli = model->law->moduli(
                 &all->items[body->grid.phase[i]], all->plane, body, moment[i], ratio);
             model->dilatation[i] = moduli.dilatation;
