@@ -88,10 +88,10 @@ static const double *moduli(const struct bond_based *model, const struct bond_st
     return buffer;
 }
 
-/* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m.  e =
- * (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to round-off for small displacements, too. */
+/* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m; terms: the energy of each bond, c w s^2 |xi| V_i V_j/2.  e = (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to
+ * round-off for small displacements, too. */
 HS_INLINE void pull(int count, struct bond_ends u, const struct bond_view *v, int g, int w,
-                    const double *c, int m, double *const fi[3], double *const fj[3])
+                    const double *c, int m, double *const fi[3], double *const fj[3], double *terms)
 {
     const double *ux = u.lower[0], *uy = u.lower[1], *uz = u.lower[2];
     const double *vx = u.upper[0], *vy = u.upper[1], *vz = u.upper[2];
@@ -107,7 +107,8 @@ HS_INLINE void pull(int count, struct bond_ends u, const struct bond_view *v, in
         y += b;
         z += d;
         double now = sqrt(x * x + y * y + z * z);
-        double force = c[k * m] * W[k * w] * longer / ((now + length) * (length * now));
+        double modulus = c[k * m] * W[k * w], slope = longer / ((now + length) * (length * now));
+        double force = modulus * slope;
         double i = force * Vj[k * g], j = force * Vi[k * g];
         ix[k] += i * x;
         iy[k] += i * y;
@@ -115,14 +116,16 @@ HS_INLINE void pull(int count, struct bond_ends u, const struct bond_view *v, in
         jx[k] -= j * x;
         jy[k] -= j * y;
         jz[k] -= j * z;
+        terms[k] = 0.5 * modulus * (slope * now) * (slope * now) * length * (Vi[k * g] * Vj[k * g]);
     }
 }
 
 #define VARIANT(name, g, w, m)                                                                     \
     HS_SIMD static void name(int count, struct bond_ends u, const struct bond_view *v,             \
-                             const double *c, double *const fi[3], double *const fj[3])            \
+                             const double *c, double *const fi[3], double *const fj[3],            \
+                             double *terms)                                                        \
     {                                                                                              \
-        pull(count, u, v, g, w, c, m, fi, fj);                                                     \
+        pull(count, u, v, g, w, c, m, fi, fj, terms);                                              \
     }
 VARIANT(pull_alike, 0, 0, 0)
 VARIANT(pull_weighted, 0, 1, 0)
@@ -132,15 +135,18 @@ VARIANT(pull_scattered, 1, 1, 0)
 VARIANT(pull_scattered_phases, 1, 1, 1)
 #undef VARIANT
 
+/* stored: where not NULL, the strip's energy is added. */
 static void pull_strip(const struct bond_based *model, struct body *body,
-                       const struct bond_strip *strip)
+                       const struct bond_strip *strip, struct exact_sum *stored)
 {
     static void (*const variants[2][2][2])(int, struct bond_ends, const struct bond_view *,
-                                           const double *, double *const[3], double *const[3]) = {
+                                           const double *, double *const[3], double *const[3],
+                                           double *) = {
         {{pull_alike, pull_phases}, {pull_weighted, pull_weighted_phases}},
         {{NULL, NULL}, {pull_scattered, pull_scattered_phases}}};
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], force[6][LANES], moduli_buffer[LANES], *fi[3], *fj[3];
+    double displacement[6][LANES], force[6][LANES], moduli_buffer[LANES], terms[LANES], *fi[3],
+        *fj[3];
     int several;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
     for (int a = 0; a < 3; a++) {
@@ -148,11 +154,14 @@ static void pull_strip(const struct bond_based *model, struct body *body,
         fj[a] = bond_target(&view, true, body->f[a], force[3 + a]);
     }
     variants[view.geometry_step][view.weight_step][several](
-        view.count, bond_ends_find(&view, body, displacement), &view, c, fi, fj);
+        view.count, bond_ends_find(&view, body, displacement), &view, c, fi, fj, terms);
     for (int a = 0; a < 3; a++) {
         bond_scatter(&view, false, body->f[a], force[a]);
         bond_scatter(&view, true, body->f[a], force[3 + a]);
     }
+    if (!stored) return;
+    bonds_only_owned(model->bonds, &view, terms);
+    exact_sum_add_strip(stored, view.count, terms, 1);
 }
 
 static void bond_based_bond_energy(const void *self, const struct body *body,
@@ -171,20 +180,6 @@ static void bond_based_bond_energy(const void *self, const struct body *body,
     }
 }
 
-/* Energy of a bond c w s^2 |xi| V_i V_j/2. */
-static void add_energy(const struct bond_based *model, const struct body *body,
-                       const struct bond_strip *strip, struct exact_sum *stored)
-{
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    double terms[LANES];
-    bond_based_bond_energy(model, body, strip, terms);
-    for (int k = 0; k < view.count; k++)
-        terms[k] = terms[k] * view.volume_i[k * view.geometry_step] *
-                   view.volume_j[k * view.geometry_step];
-    bonds_only_owned(model->bonds, &view, terms);
-    exact_sum_add_strip(stored, view.count, terms, 1);
-}
-
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
                              struct force_energy *energy)
 {
@@ -192,10 +187,7 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
     halo_exchange(body->displacement_halo, body->u, 3);
     bond_ends_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++)
-        pull_strip(model, body, &model->bonds->strips[s]);
-    if (!mode.energy) return;
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        add_energy(model, body, &model->bonds->strips[s], &energy->stored);
+        pull_strip(model, body, &model->bonds->strips[s], mode.energy ? &energy->stored : NULL);
 }
 
 /* Half of the force of a bond belongs to either end. */

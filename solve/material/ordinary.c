@@ -63,9 +63,9 @@ struct pass {
     double *slip_lower, *slip_upper;
 };
 
-/* What a kernel does beyond the elastic force. */
-enum depth { ELASTIC, NORM, STORED }; /* first pass */
-enum { YIELDING = STORED + 1 };       /* second pass: NORM is not used, STORED, YIELDING */
+/* What a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
+ * its growth. */
+enum { ELASTIC, ENERGY, NORM, STORED, YIELDING };
 
 /* First pass over a strip, an element of geometry and weight every g and w. */
 HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
@@ -91,8 +91,8 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
         double extension = weight * R[k * g] * e;
         ei[k] += extension * Vj[k * g];
         ej[k] += extension * Vi[k * g];
-        if (depth >= NORM) {
-            double moment = weight * length * length, qi = e, qj = e;
+        if (depth >= ENERGY) {
+            double qi = e, qj = e;
             if (depth == STORED) {
                 qi -= pi[k];
                 qj -= pj[k];
@@ -101,6 +101,9 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
             }
             ni[k] += weight * qi * qi * Vj[k * g];
             nj[k] += weight * qj * qj * Vi[k * g];
+        }
+        if (depth >= NORM) {
+            double moment = weight * length * length;
             mi[k] += moment * Vj[k * g];
             mj[k] += moment * Vi[k * g];
         }
@@ -167,6 +170,7 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         }                                                                                          \
     }
 VARIANTS(sum_elastic, sum_up, ELASTIC)
+VARIANTS(sum_energy, sum_up, ENERGY)
 VARIANTS(sum_norm, sum_up, NORM)
 VARIANTS(sum_stored, sum_up, STORED)
 VARIANTS(push_elastic, push, ELASTIC)
@@ -175,9 +179,11 @@ VARIANTS(push_yielding, push, YIELDING)
 
 typedef void kernel(const struct pass *);
 /* [depth][geometry_step][weight_step] */
-static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_norm), CHOICE(sum_stored)};
-static kernel *const pushing[][2][2] = {CHOICE(push_elastic), CHOICE(push_elastic),
-                                        CHOICE(push_stored), CHOICE(push_yielding)};
+static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_energy), CHOICE(sum_norm),
+                                        CHOICE(sum_stored)};
+static kernel *const pushing[][2][2] = {[ELASTIC] = CHOICE(push_elastic),
+                                        [STORED] = CHOICE(push_stored),
+                                        [YIELDING] = CHOICE(push_yielding)};
 
 static struct pass pass_over(const struct ordinary *model, const struct bond_view *view,
                              const struct body *body, double buffer[6][LANES])
@@ -200,9 +206,9 @@ static void sum_strip(const struct ordinary *model, const struct body *body, int
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][LANES], lower[SUM_COUNT][LANES], upper[SUM_COUNT][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
-    set_slip(&pass, depth == NORM && model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    set_slip(&pass, depth == NORM ? ordinary_plastic_store(model, number) : NULL);
     if (pass.slip_lower) depth = STORED;
-    const int count = depth == ELASTIC ? 1 : depth == NORM ? SUM_PLASTIC : SUM_COUNT;
+    const int count = depth + 1; /* sums */
     for (int k = 0; k < count; k++) {
         pass.lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
         pass.upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
@@ -214,14 +220,14 @@ static void sum_strip(const struct ordinary *model, const struct body *body, int
     }
 }
 
-static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool commit)
+static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
 {
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][LANES], gathered[2][NODE_COUNT][LANES], force[2][3][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     int depth = ELASTIC;
     if (model->plastic) {
-        double *slip = commit ? ordinary_plastic_yielding(model, number) : NULL;
+        double *slip = flows ? ordinary_plastic_yielding(model, number) : NULL;
         depth = slip ? YIELDING : STORED;
         if (!slip) slip = ordinary_plastic_store(model, number);
         if (!slip) depth = ELASTIC;
@@ -272,9 +278,9 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
 static void find_nodes(struct ordinary *model, struct body *body, struct force_mode mode,
                        struct force_energy *energy)
 {
-    const int depth = model->plastic || energy ? NORM : ELASTIC;
+    const int depth = model->plastic ? NORM : energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
-    bond_ends_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
+    bond_ends_clear(body, model->sum, model->plastic ? SUM_COUNT : depth + 1);
     for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, body, s, depth);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
@@ -283,14 +289,23 @@ static void find_nodes(struct ordinary *model, struct body *body, struct force_m
     halo_exchange(body->stress_halo, model->node, model->plastic ? NODE_COUNT : 1);
 }
 
+/* Whether a node that this rank knows is about to flow. */
+static bool any_flow(const struct ordinary *model, const struct body *body)
+{
+    double most = 0;
+    if (!model->plastic) return false;
+    for (int64_t i = 0; i < body->grid.n_sites; i++) most += model->node[NODE_FLOW][i];
+    return most > 0;
+}
+
 static void ordinary_force(void *self, struct body *body, struct force_mode mode,
                            struct force_energy *energy)
 {
     struct ordinary *model = self;
     find_nodes(model, body, mode, mode.energy ? energy : NULL);
+    const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     bond_ends_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        push_strip(model, body, s, mode.commit && !mode.frozen);
+    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
 }
 
 static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
@@ -357,13 +372,14 @@ static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
     double *moment = model->sum[SUM_MOMENT], *isotropic = model->sum[SUM_EXTENSION];
-    const double full = surface_full_family(model->bonds, 1);
+    const bool corrected = model->correction != SURFACE_NONE;
+    const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
     sum_moments(model, 2, moment);
     sum_moments(model, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             const int64_t i = body->owned.items[s].site + k;
-            const double ratio = model->correction == SURFACE_NONE ? 1 : isotropic[i] / full;
+            const double ratio = corrected ? isotropic[i] / full : 1;
             const struct ordinary_moduli moduli = model->law->moduli(
                 &all->items[body->grid.phase[i]], all->plane, body, moment[i], ratio);
             model->dilatation[i] = moduli.dilatation;

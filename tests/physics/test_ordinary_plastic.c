@@ -182,7 +182,7 @@ static struct flight fly(double dt, int steps)
     struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
     const double initial = total(&verlet.balance);
     for (int n = 0; n < steps; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
         flight.drift = fmax(flight.drift, fabs(total(&verlet.balance) - initial) / initial);
     }
     flight.plastic = verlet.balance.plastic / initial;
