@@ -264,9 +264,13 @@ double expression_try(struct expression *e, const double *variables, const char 
     check_parser(e);
     if (value >= low && value <= high && isfinite(value)) return value;
     const char *shown = strcmp(unit, "1") == 0 ? "" : unit;
+    char *where = place(e), *fault = NULL;
     if (isfinite(value))
-        refuse(e, memory_print("is %g%s%s%s, expected %g to %g%s%s", value, *shown ? " " : "",
-                               shown, place(e), low, high, *shown ? " " : "", shown));
-    refuse(e, memory_print("is %s%s, expected a finite number",
-                           isnan(value) ? "not a number" : "infinite", place(e)));
+        fault = memory_print("is %g%s%s%s, expected %g to %g%s%s", value, *shown ? " " : "", shown,
+                             where, low, high, *shown ? " " : "", shown);
+    else
+        fault = memory_print("is %s%s, expected a finite number",
+                             isnan(value) ? "not a number" : "infinite", where);
+    free(where);
+    refuse(e, fault);
 }

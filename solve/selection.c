@@ -73,8 +73,8 @@ static char *extent(const struct domain *domain)
                         domain_smallest(domain->z, n), domain_largest(domain->z, n));
 }
 
-static int64_t take_set(const struct selection *selection, const struct domain *domain,
-                        int64_t *nodes)
+static const struct node_set *find_set(const struct selection *selection,
+                                       const struct domain *domain)
 {
     const char *name = deck_string(selection->where);
     const struct node_set *set = domain_set(domain, name);
@@ -85,23 +85,28 @@ static int64_t take_set(const struct selection *selection, const struct domain *
                    domain->n_sets ? nearest_list(names, domain->n_sets) : "none");
     }
     if (set->count == 0) deck_error(selection->where, "node set '%s' is empty", name);
-    memcpy(nodes, set->nodes, (size_t)set->count * sizeof *nodes);
-    return set->count;
+    return set;
 }
 
-static int64_t take_block(const struct selection *selection, const struct domain *domain,
-                          int64_t *nodes)
+static int find_phase(const struct selection *selection, const struct domain *domain)
 {
     const char *name = deck_string(selection->where);
-    int64_t count = 0;
     int phase = 0;
     while (phase < domain->n_phases && strcmp(domain->phase_names[phase], name) != 0) phase++;
     if (phase == domain->n_phases)
         deck_error(selection->where, "no block '%s' in the domain, which has: %s", name,
                    nearest_list((const char *const *)domain->phase_names, domain->n_phases));
+    return phase;
+}
+
+static int64_t take_block(const struct selection *selection, const struct domain *domain, int phase,
+                          int64_t *nodes)
+{
+    int64_t count = 0;
     for (int64_t i = 0; i < domain->n_nodes; i++)
         if (domain->phase[i] == phase) nodes[count++] = i;
-    if (count == 0) deck_error(selection->where, "no node is in block '%s'", name);
+    if (count == 0)
+        deck_error(selection->where, "no node is in block '%s'", deck_string(selection->where));
     return count;
 }
 
@@ -152,13 +157,16 @@ static int64_t take_where(const struct selection *selection, const struct domain
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
                          double spacing, int64_t *count)
 {
+    const struct node_set *set = selection->kind == SELECT_SET ? find_set(selection, domain) : NULL;
+    const int phase = selection->kind == SELECT_BLOCK ? find_phase(selection, domain) : 0;
     int64_t *all = memory_new((size_t)domain->n_nodes, sizeof *all);
     switch (selection->kind) {
     case SELECT_SET:
-        *count = take_set(selection, domain, all);
+        *count = set->count;
+        memcpy(all, set->nodes, (size_t)set->count * sizeof *all);
         break;
     case SELECT_BLOCK:
-        *count = take_block(selection, domain, all);
+        *count = take_block(selection, domain, phase, all);
         break;
     case SELECT_BOX:
         *count = take_box(selection, domain, spacing, all);
