@@ -203,7 +203,7 @@ static double find_spent(struct damage *damage)
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         const double *p = model->formulation->plastic_strain(model->self, strip);
-        for (int i = 0; i < strip->count; i++) {
+        for (int i = 0; p && i < strip->count; i++) {
             const int64_t site = strip->site + i;
             if (!(p[i] > damage->rules.plastic_strain[body->grid.phase[site]])) continue;
             if (!(body->grid.flags[site] & SITE_OWNED) || damage->spent[site] > 0) continue;
