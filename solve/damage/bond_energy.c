@@ -1,4 +1,4 @@
-/* bond_energy.c - a bond that is longer than at rest breaks when it holds more than an energy density w_c
+/* bond_energy.c - (bond_energy.1): a bond that is longer than at rest breaks when it holds more than an energy density w_c
  * [J/m^6]; from a fracture energy by (opening.3), which is the same for all bonds and materials (Foster,
  * Silling, Chen, Int. J. Multiscale Comput. Eng. 9 (2011) 675).  What an ordinary bond holds is that of the
  * force states of its ends as they are, over its elastic extension; theirs is the work done on it so far,
