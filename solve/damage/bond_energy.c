@@ -1,6 +1,9 @@
-/* bond_energy.c - a bond breaks when it holds more than an energy density w_c [J/m^6]; from a fracture energy
- * by (opening.3), which is the same for all bonds and materials (Foster, Silling, Chen, Int. J. Multiscale
- * Comput. Eng. 9 (2011) 675). */
+/* bond_energy.c - (bond_energy.1): a bond that is longer than at rest breaks when it holds more than an energy density w_c
+ * [J/m^6]; from a fracture energy by (opening.3), which is the same for all bonds and materials (Foster,
+ * Silling, Chen, Int. J. Multiscale Comput. Eng. 9 (2011) 675).  What an ordinary bond holds is that of the
+ * force states of its ends as they are, over its elastic extension; theirs is the work done on it so far,
+ * the same where the strain grows in proportion. */
+#include "bond_ends.h"
 #include "damage.h"
 #include "opening.h"
 
@@ -8,9 +11,11 @@ static void room(const struct damage_view *see, const struct bond_strip *strip,
                  const struct bond_view *bond, const double *value, double *out)
 {
     const struct model *model = see->model;
-    double energy[LANES];
+    double energy[LANES], displacement[6][LANES];
+    const struct bond_ends ends = bond_ends_find(bond, see->body, displacement);
     model->formulation->bond_energy(model->self, see->body, strip, energy);
-    for (int k = 0; k < bond->count; k++) out[k] = energy[k] > value[k] ? -1 : 0;
+    for (int k = 0; k < bond->count; k++)
+        out[k] = energy[k] > value[k] && bond_ends_extension(bond, &ends, k) > 0 ? -1 : 0;
 }
 
 static double from_fracture_energy(const struct damage_view *see, int a, int b, double energy,

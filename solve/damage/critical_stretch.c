@@ -1,4 +1,4 @@
-/* critical_stretch.c - a bond breaks beyond a stretch s = (|y| - |xi|)/|xi| (Silling, Askari, Computers &
+/* critical_stretch.c - (critical_stretch.1): a bond breaks beyond a stretch s = (|y| - |xi|)/|xi| (Silling, Askari, Computers &
  * Structures 83 (2005) 1526); from a fracture energy G by s = sqrt(G/a), (opening.1) and (opening.2). */
 #include "damage.h"
 #include "simd.h"

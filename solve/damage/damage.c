@@ -92,30 +92,31 @@ void damage_index(const struct damage *damage, double *index)
         index[i] = damage->whole[i] > 0 ? 1 - index[i] / damage->whole[i] : 0;
 }
 
-/* Largest square of the way that any node has gone since the last update. */
-HS_SIMD static double longest_way(int64_t count, const double *restrict x, const double *restrict y,
-                                  const double *restrict z, double *restrict px,
-                                  double *restrict py, double *restrict pz)
+/* most[i] = the larger of itself and the square of the way of node i since the last update. */
+HS_SIMD static void longer_ways(int count, const double *restrict x, const double *restrict y,
+                                const double *restrict z, double *restrict px, double *restrict py,
+                                double *restrict pz, double *restrict most)
 {
-    double most = 0;
-#pragma omp simd reduction(max : most)
-    for (int64_t i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++) {
         double a = x[i] - px[i], b = y[i] - py[i], d = z[i] - pz[i];
         double square = a * a + b * b + d * d;
-        most = square > most ? square : most;
+        most[i] = square > most[i] ? square : most[i];
         px[i] = x[i];
         py[i] = y[i];
         pz[i] = z[i];
     }
-    return most;
 }
 
 /* The factors outweigh the rounding, so that travelled never grows by less than a node has moved. */
 static void travel(struct damage *damage)
 {
     double *const *u = damage->body->u, *const *last = damage->last;
-    double square =
-        longest_way(damage->body->grid.n_sites, u[0], u[1], u[2], last[0], last[1], last[2]);
+    const int64_t sites = damage->body->grid.n_sites;
+    double most[LANES] = {0}, square = 0;
+    for (int64_t i = 0; i < sites; i += LANES)
+        longer_ways((int)(sites - i < LANES ? sites - i : LANES), u[0] + i, u[1] + i, u[2] + i,
+                    last[0] + i, last[1] + i, last[2] + i, most);
+    for (int k = 0; k < LANES; k++) square = fmax(square, most[k]);
     damage->travelled = (damage->travelled + sqrt(square) * (1 + 0x1p-48)) * (1 + 0x1p-51);
 }
 
@@ -203,7 +204,7 @@ static double find_spent(struct damage *damage)
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         const double *p = model->formulation->plastic_strain(model->self, strip);
-        for (int i = 0; i < strip->count; i++) {
+        for (int i = 0; p && i < strip->count; i++) {
             const int64_t site = strip->site + i;
             if (!(p[i] > damage->rules.plastic_strain[body->grid.phase[site]])) continue;
             if (!(body->grid.flags[site] & SITE_OWNED) || damage->spent[site] > 0) continue;

@@ -80,6 +80,9 @@ static void read_node_law(struct damage_rules *rules, struct deck_node entry,
     if (law->room)
         deck_error(deck_get(entry, "law"), "%s is a law of bonds: it goes with 'pair: [A, B]'",
                    law->name);
+    if (!see->materials->items[phase].yields)
+        deck_error(deck_get(entry, "phase"), "phase '%s' does not yield",
+                   see->materials->items[phase].name);
     if (isfinite(rules->plastic_strain[phase]))
         deck_error(entry, "phase '%s' is named twice", see->materials->items[phase].name);
     rules->plastic_strain[phase] = deck_number(deck_get(entry, "value"), law->unit, 0, law->most);

@@ -1,4 +1,4 @@
-/* plastic_strain.c - all bonds of a node break once its equivalent plastic strain is beyond a value. */
+/* plastic_strain.c - (plastic_strain.1): all bonds of a node break once its equivalent plastic strain is beyond a value. */
 #include "damage.h"
 
 static void check(const struct damage_view *see, struct deck_node where)

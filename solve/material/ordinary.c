@@ -3,6 +3,7 @@
 
 #include "gradient.h"
 #include "memory.h"
+#include "opening.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -308,24 +309,55 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
 }
 
+/* (ordinary.3) of both ends of the bonds of a strip. */
+static void find_states(const struct ordinary *model, const struct bond_view *view,
+                        const struct pass *pass, double state[2][LANES])
+{
+    for (int k = 0; k < view->count; k++) {
+        const double e = bond_ends_extension(view, &pass->u, k),
+                     reach = pass->reach[k * view->geometry_step],
+                     weight = view->weight[k * view->weight_step];
+        for (int end = 0; end < 2; end++) {
+            const double *slip = end ? pass->slip_upper : pass->slip_lower;
+            const int64_t i = end ? bond_upper(view, k) : bond_lower(view, k);
+            state[end][k] = weight * (model->node[NODE_PULL][i] * reach +
+                                      model->node[NODE_SPRING][i] * (e - (slip ? slip[k] : 0)));
+        }
+    }
+}
+
 static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
 {
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][LANES], state[2][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     set_slip(&pass, model->plastic ? ordinary_plastic_store(model, number) : NULL);
-    for (int k = 0; k < view.count; k++) {
-        const double e = bond_ends_extension(&view, &pass.u, k),
-                     reach = pass.reach[k * view.geometry_step],
-                     weight = view.weight[k * view.weight_step];
-        for (int end = 0; end < 2; end++) {
-            const double *slip = end ? pass.slip_upper : pass.slip_lower;
-            const int64_t i = end ? bond_upper(&view, k) : bond_lower(&view, k);
-            state[end][k] = weight * (model->node[NODE_PULL][i] * reach +
-                                      model->node[NODE_SPRING][i] * (e - (slip ? slip[k] : 0)));
-        }
-    }
+    find_states(model, &view, &pass, state);
     bond_ends_add_stress(&view, &pass.u, state[0], state[1], body);
+}
+
+/* Energy density that each bond holds: that of the force states of both ends over its elastic extension. */
+static void ordinary_bond_energy(const void *self, const struct body *body,
+                                 const struct bond_strip *strip, double *energy)
+{
+    const struct ordinary *model = self;
+    const int64_t number = strip - model->bonds->strips;
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    double displacement[6][LANES], state[2][LANES];
+    struct pass pass = pass_over(model, &view, body, displacement);
+    set_slip(&pass, model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    find_states(model, &view, &pass, state);
+    for (int k = 0; k < view.count; k++) {
+        const double e = bond_ends_extension(&view, &pass.u, k);
+        energy[k] = 0.5 * (state[0][k] * (e - (pass.slip_lower ? pass.slip_lower[k] : 0)) +
+                           state[1][k] * (e - (pass.slip_upper ? pass.slip_upper[k] : 0)));
+    }
+}
+
+static const double *ordinary_plastic(const void *self, const struct strip *strip)
+{
+    const struct ordinary *model = self;
+    return model->plastic ? ordinary_plastic_strain(model) + strip->site : NULL;
 }
 
 static void ordinary_prepare(void *self, struct body *body, double *axial)
@@ -427,12 +459,14 @@ static void ordinary_free(void *self)
 #define PASSES                                                                                     \
     .keys = (const char *const[]){"surface_correction", NULL}, .near = ordinary_near,              \
     .start = ordinary_start, .force = ordinary_force, .prepare = ordinary_prepare,                 \
-    .observe = ordinary_observe, .strips = ordinary_strips, .free = ordinary_free
+    .observe = ordinary_observe, .strips = ordinary_strips, .free = ordinary_free,                 \
+    .bond_energy = ordinary_bond_energy, .plastic_strain = ordinary_plastic
 
 const struct formulation formulation_ordinary = {
     .name = "ordinary state-based",
     .influence = "linear",
     .read = ordinary_read,
+    .opening = opening_ordinary,
     PASSES,
 };
 
@@ -440,5 +474,6 @@ const struct formulation formulation_madenci_oterkus = {
     .name = "ordinary state-based (a, b, d)",
     .influence = "inverse",
     .read = madenci_oterkus_read,
+    .opening = opening_madenci_oterkus,
     PASSES,
 };

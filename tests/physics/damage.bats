@@ -112,6 +112,16 @@ $cracks" 60 0.5
     compare 100 2 3 4 8
 }
 
+@test "ordinary, Mitchell's plasticity, plastic strain and stretch: 3 and 8 ranks give the bits of one" {
+    study "model: ordinary_plastic, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: ordinary_plastic, $elastic, $hard" 'horizon: 2.2' "damage:
+  - {phase: CG, law: plastic_strain, value: 0.05}
+  - {pair: [CG, UFG], law: critical_stretch, value: 0.03}
+  - {pair: [UFG, UFG], law: bond_energy, fracture_energy: 8 kJ/m2}
+$cracks" 60 0.5
+    compare 100 3 8
+}
+
 # A bar with a notch is pulled in two.  What rings in the halves has no mean: over the last third of the
 # records a hundredth of the largest force may be left of it, where the bar carried all of it before.
 separates() {
