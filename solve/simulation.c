@@ -133,6 +133,7 @@ static void build(struct simulation *s)
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
     yield_start(&s->body, &s->materials);
     s->bonds = bonds_new(&s->body);
+    s->n_bonds = (double)bonds_total(s->bonds);
     start_damage(s);
     model_start(s->model, &s->body, s->bonds);
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
@@ -229,7 +230,6 @@ void simulation_announce(struct simulation *s)
     model_force(s->model, &s->body, (struct force_mode){.frozen = true}, NULL);
     double force = ranks_clock() - start;
     double memory = ranks_memory();
-    const int64_t bonds = bonds_total(s->bonds);
     if (s->ranks.rank != 0) return;
     char *rate =
         boundary_has_grips(&s->boundary)
@@ -238,7 +238,7 @@ void simulation_announce(struct simulation *s)
     note("%lld nodes, %lld bonds, %d ranks; step %.3g s (%.2f of the critical %.3g s), about %lld "
          "steps "
          "to %.3g s; %sfastest wave %.0f m/s; %.0f MB; about %.0f s",
-         (long long)s->lattice.n_nodes, (long long)bonds, s->ranks.size, s->verlet.dt,
+         (long long)s->lattice.n_nodes, (long long)s->n_bonds, s->ranks.size, s->verlet.dt,
          s->scene.safety, s->critical_step, (long long)s->n_steps, s->end_time, rate,
          materials_wave_speed(&s->materials), memory * 1e-6, 1.15 * force * (double)s->n_steps);
     free(rate);

@@ -37,11 +37,12 @@ struct simulation {
     double critical_step, end_time;
     double strain; /* of the gauge */
     double deformation,
-        checked_deformation; /* as of the last record, and of the last critical step */
-    double drift;            /* of the energy balance when it was last looked at */
-    double disturbed;        /* time at which the body was last known not to be at equilibrium, s */
-    int64_t n_steps;         /* expected */
-    double wall;             /* s */
+        checked_deformation;        /* as of the last record, and of the last critical step */
+    double n_bonds, checked_broken; /* bonds at the start; broken as of the last critical step */
+    double drift;                   /* of the energy balance when it was last looked at */
+    double disturbed; /* time at which the body was last known not to be at equilibrium, s */
+    int64_t n_steps;  /* expected */
+    double wall;      /* s */
     char *failure;
 };
 

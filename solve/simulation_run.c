@@ -67,11 +67,16 @@ static double mean_deformation(const struct simulation *s)
     return sqrt(total / (double)s->lattice.n_nodes);
 }
 
-/* The step changes with the shape of the lattice; it is found again each 5 % of strain. */
+/* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is found again each 5 % of
+ * strain, and each hundredth of the bonds. */
 static void check_step(struct simulation *s)
 {
-    if (fabs(s->deformation - s->checked_deformation) < 0.05) return;
+    const double broken = damage_broken_bonds(s->damage);
+    if (fabs(s->deformation - s->checked_deformation) < 0.05 &&
+        broken - s->checked_broken < 0.01 * s->n_bonds)
+        return;
     s->checked_deformation = s->deformation;
+    s->checked_broken = broken;
     s->critical_step = stable_step(s->model, &s->body, &s->materials);
     s->verlet.dt = s->scene.safety * s->critical_step;
 }

@@ -266,7 +266,7 @@ wrong() {
     text "changed.txt:4: block 1.5" '4s/\([^ ]* [^ ]* [^ ]*\) [0-9]*/\1 1.5/'
     text "changed.txt:5: volume -" '5s/\([^ ]*\)$/-\1/'
     text "lies on another node" '5{p}'
-    text "lies off the lattice" '5s/^[^ ]*/-0.000181/'
+    text "needs particles on a lattice" '5s/^[^ ]*/-0.000181/'
     text "has no particles" '/^[^#]/d'
 }
 

@@ -8,11 +8,13 @@ hard='hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238
 elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
 
 # study CG UFG SOLVER DAMAGE VELOCITY END: domain.g of a plate of two phases
+# FLAT=yes: of one layer.
 study() {
     cat >study.yaml <<END
 title: Breaking
 domain:
   specimen: plate
+  dimensions: $([ -n "${FLAT:-}" ] && echo 2 || echo 3)
   size: [0.6 mm, 0.2 mm, 0.15 mm]
   gauge: {length: 0.3 mm}
   spacing: 25 um
@@ -120,6 +122,26 @@ $cracks" 60 0.5
   - {pair: [UFG, UFG], law: bond_energy, fracture_energy: 8 kJ/m2}
 $cracks" 60 0.5
     compare 100 3 8
+}
+
+@test "flat, the a, b, d form, partial volumes and a crack: 3 and 8 ranks give the bits of one" {
+    FLAT=yes study "model: madenci_oterkus, $elastic" "model: madenci_oterkus, youngs_modulus: 190 GPa, poissons_ratio: 0.3" \
+        'plane: stress, horizon: 2.2, volumes: partial, safety: 0.4' "damage:
+  - {pair: [CG, CG], law: critical_stretch, fracture_energy: 3 kJ/m2}
+  - {pair: [UFG, UFG], law: bond_energy, fracture_energy: 8 kJ/m2}
+  - {pair: [CG, UFG], law: critical_stretch, value: 0.02}
+$cracks" 60 0.5
+    compare 30 3 8
+}
+
+@test "flat, linear ordinary in plane strain, surface correction: 3 ranks give the bits of one" {
+    FLAT=yes study "model: ordinary, $elastic" "model: ordinary, youngs_modulus: 190 GPa, poissons_ratio: 0.3" \
+        'plane: strain, horizon: 3.015, surface_correction: energy, safety: 0.4' "damage:
+  - {pair: [CG, CG], law: critical_stretch, value: 0.02}
+  - {pair: [UFG, UFG], law: critical_stretch, value: 0.03}
+  - {pair: [CG, UFG], rule: min}
+$cracks" 60 0.5
+    compare 30 3
 }
 
 # A bar with a notch is pulled in two.  What rings in the halves has no mean: over the last third of the
