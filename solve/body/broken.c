@@ -9,6 +9,12 @@
 
 enum { TOUCHED = 1, OUTDATED = 2 };
 
+/* xx + yy + zz of K^-1: what the stiffness of the node's softest family direction grows with. */
+static double compliance(const struct body *body, int64_t site)
+{
+    return body->inverse[0][site] + body->inverse[1][site] + body->inverse[2][site];
+}
+
 static struct broken *broken_new(const struct body *body)
 {
     struct broken *broken = memory_new(1, sizeof *broken);
@@ -17,6 +23,8 @@ static struct broken *broken_new(const struct body *body)
     broken->bits = memory_new(sites * (size_t)broken->words, sizeof *broken->bits);
     broken->touched = memory_new(sites, sizeof *broken->touched);
     broken->lost = memory_new(sites, sizeof *broken->lost);
+    broken->whole = memory_new(sites, sizeof *broken->whole);
+    for (size_t i = 0; i < sites; i++) broken->whole[i] = compliance(body, (int64_t)i);
     for (int k = 0; k < 9; k++) {
         broken->keep[k] = memory_new(sites, sizeof(double));
         for (size_t i = 0; k % 4 == 0 && i < sites; i++) broken->keep[k][i] = 1;
@@ -31,6 +39,7 @@ void broken_free(struct broken *broken)
     free(broken->touched);
     for (int k = 0; k < 9; k++) free(broken->keep[k]);
     free(broken->lost);
+    free(broken->whole);
     free(broken);
 }
 
@@ -116,6 +125,14 @@ static bool keep_gradient(const struct body *body, int64_t site, const double le
     return true;
 }
 
+/* Whether the bonds left span space, and not so little of it that a stiff remnant sets the time step. */
+static bool still_spans(const struct body *body, int64_t site)
+{
+    enum { MOST_STIFFENING = 10 };
+    const double now = compliance(body, site);
+    return now > 0 && now < MOST_STIFFENING * body->broken->whole[site];
+}
+
 /* The node has no deformation gradient any more. */
 static void lose(struct body *body, int64_t site)
 {
@@ -138,9 +155,10 @@ static void lattice_shapes(struct body *body, bool keep)
             broken->touched[i] = TOUCHED;
             if (!has_gradient(body, i)) continue; /* what is lost stays so */
             double inverse[6], first[3], left[9];
-            bool spans = shape(body, i, inverse, first);
+            shape(body, i, inverse, first);
             for (int k = 0; k < 6; k++) body->inverse[k][i] = inverse[k];
             for (int k = 0; k < 3; k++) body->first[k][i] = first[k];
+            bool spans = still_spans(body, i);
             if (spans && keep) {
                 new_gradient(body, i, left);
                 spans = keep_gradient(body, i, left);
@@ -174,7 +192,7 @@ static void list_shapes(struct body *body, bool keep)
             broken->touched[i] = TOUCHED;
             old_gradient(body, i, left);
             for (int k = 0; k < 9; k++) body->H[k][i] = before[k][i];
-            const bool spans = had[i] && has_gradient(body, i);
+            const bool spans = had[i] && still_spans(body, i);
             if (!spans || (keep && outdated && !keep_gradient(body, i, left))) {
                 for (int k = 0; k < 6; k++) body->inverse[k][i] = 0;
                 if (had[i]) lose(body, i);

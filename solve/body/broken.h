@@ -26,6 +26,7 @@ struct broken {
     uint64_t *bits; /* [n_sites * words] bit o: the bond along half offset o from this lower end */
     uint8_t *touched; /* [n_sites] 1: an end of a broken bond; 2: not yet in the shape tensor */
     double *keep[9];  /* box fields: A_i at touched nodes, row by row */
+    double *whole;    /* box field: trace of K^-1 before any bond broke */
     double *lost;     /* box field, 1 at near nodes that have no deformation gradient any more */
     double n_lost;    /* nodes of the whole body with that */
 };
@@ -36,7 +37,7 @@ void broken_free(struct broken *broken);
 void broken_add(struct body *body, struct bonds *bonds, struct bond_strip *strip, int k);
 
 /* Shape tensors of the nodes that have lost bonds since the last call.  A node whose remaining family does
- * not span space, or sees a volume of less than a fifth or more than five times that before, has an
+ * not span space, or has a K^-1 ten times that of the whole one, or sees a volume of less than a fifth or more than five times that before, has an
  * inverse of zero and counts as lost.  keep: body->H belongs to u, and F stays (broken.1).  To be called
  * where any rank has broken a bond.  Collective. */
 void broken_shapes(struct body *body, bool keep);
