@@ -108,6 +108,10 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     struct deck_node root = deck_root(small->deck);
     small->lattice = lattice_of(wanted);
     if (wanted->scattered) small->lattice = scattered(&small->lattice, wanted->jitter);
+    if (wanted->points) {
+        lattice_free(&small->lattice);
+        small->lattice = lattice_scattered(wanted->points, 0);
+    }
     small->family = family_new(wanted->horizon, wanted->influence, wanted->partial);
     small->materials = materials_read(
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);

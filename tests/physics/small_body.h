@@ -24,6 +24,7 @@ struct small_case {
     bool partial;     /* volumes */
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
     double jitter;    /* scattered: each moved by up to this many spacings along each axis */
+    const struct domain *points;    /* scattered particles of space, in place of size and phase */
     const char *surface_correction; /* NULL: none */
     const char *breaking;           /* further sections, "damage: ..., cracks: ...", or NULL */
 };
