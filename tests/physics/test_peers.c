@@ -1,0 +1,305 @@
+/* Verification cases of other peridynamics codes, each against the exact answer, or where there is none against a
+ * figure recomputed in tests/lammps/peers.awk.  All here have the spacing of small bodies: lengths and times are
+ * theirs times one factor, force densities over it.
+ *
+ * Not here: J2 points, test_j2.c; soft flaw, test_yield.c; final state of the colliding particles and moduli of
+ * the lattice, test_ordinary.c; decomposition, ranks.bats; waves of correspondence, test_wave.c. */
+#include "check.h"
+
+#include "small_body.h"
+#include "small_static.h"
+#include "verlet.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static void show(const char *what, double value)
+{
+    if (getenv("HS_SHOW")) printf("# %s: %.6g\n", what, value);
+}
+
+static int64_t site_at(const struct small_body *small, int x, int y, int z)
+{
+    return grid_site(&small->body.grid, (const int[]){x, y, z});
+}
+
+#define PERIDIGM                                                                                   \
+    "{A: {model: ordinary, density: 7800, bulk_modulus: 130 GPa, shear_modulus: 78 GPa}}"
+
+/* Peridigm, Compression_2x1x1 and _3x1x1: particles that fly at each other at 1 m/s, 2 m and 1 m apart.  Peridigm is
+ * right: peers.awk finds its figures from the textbook.  Half a unit of their last digit, or the rounding of
+ * extensions of 1e-5 from positions of 1 m: 1e-11. */
+static void fly_together(int nodes, double spacing, double volume, const double *force,
+                         double energy)
+{
+    struct small_body small;
+    struct boundary nothing = small_free_boundary();
+    const double scale = SMALL_SPACING / spacing;
+    small_body_new(&small, &(struct small_case){{nodes, 1, 1}, 1.1, .materials = PERIDIGM});
+    small.body.v[0][site_at(&small, 0, 0, 0)] = 1;
+    small.body.v[0][site_at(&small, nodes - 1, 0, 0)] = -1;
+    struct verlet verlet =
+        verlet_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
+    for (int n = 0; n < 5; n++) {
+        verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+        if (force)
+            assert_relative(small.body.f[0][site_at(&small, 0, 0, 0)] * scale, force[n], 1e-9);
+        /* first step: dilatation -3e-5, so that the mean stress is K times it, 3e-5 K and no more */
+        if (n == 0 && force) {
+            double P[9];
+            small_body_stress(&small, site_at(&small, 0, 0, 0), P);
+            assert_relative((P[0] + P[4] + P[8]) / 3, -3e-5 * 130e9, 1e-10);
+        }
+    }
+    assert_relative(verlet.balance.stored / nodes / small.body.volume * volume, energy, 2e-9);
+    verlet_free(&verlet);
+    boundary_free(&nothing);
+    small_body_free(&small);
+}
+
+static void test_particles_that_collide(void **state)
+{
+    (void)state;
+    static const double force[] = {-1.17e7, -2.32245e7, -3.44006325e7, -4.50607555e7,
+                                   -5.50449672e7};
+    fly_together(2, 2, 2, force, 2589.6995);
+    fly_together(3, 1, 1, NULL, 1216.71392131);
+}
+
+/* Plastic strain and von Mises stress (Kirchhoff) of a node. */
+static void look(struct small_body *small, int64_t site, double *p, double *mises, double *axial)
+{
+    const struct strips *strips = model_strips(small->model, &small->body);
+    struct node_state node;
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
+        if (site < strip->site || site >= strip->site + strip->count) continue;
+        model_observe(small->model, &small->body, strip, &node);
+        const int64_t i = site - strip->site;
+        *p = node.plastic[i];
+        *axial = (1 + node.H[4][i]) * node.cauchy[1][i];
+        *mises = *axial - (1 + node.H[4][i]) * node.cauchy[0][i];
+    }
+}
+
+/* Peridigm, IsotropicHardeningPlasticFullyPrescribedTension_NoFlaw and ElasticPlasticCorrespondence...: a bar of 4 x
+ * 24 x 4 particles in uniaxial strain.  Without rotation the rate form is the logarithmic strain, and the answer
+ * exact, in nine and ten digits here.  Peridigm's own files have 7 and 10 % less plastic strain and are wrong.
+ * Its stresses, whose rate form knows no volume, are Kirchhoff stresses. */
+static void check_uniaxial(const char *law, const char *materials, const double F[4],
+                           const double p[4], const double mises[4], double axial)
+{
+    struct small_body small;
+    small_body_new(&small,
+                   &(struct small_case){{4, 24, 4}, 3.004, 0, law, materials, .n_phases = 1});
+    for (int n = 0; n < 4; n++) {
+        double strain = 0, stress = 0, along = 0;
+        small_body_deform(&small, (double[9]){0, 0, 0, 0, F[n] - 1});
+        small_body_force(&small, true, false);
+        for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+            if (!small_body_has(&small, site)) continue;
+            look(&small, site, &strain, &stress, &along);
+            assert_relative(strain, p[n], 2e-9);
+            assert_relative(stress, mises[n], 2e-9);
+        }
+        if (n == 3) assert_relative(along, axial, 2e-9);
+    }
+    small_body_free(&small);
+}
+
+static void test_uniaxial_strain(void **state)
+{
+    (void)state;
+    static const char hard[] =
+        "{A: {model: correspondence, density: 7800, youngs_modulus: 211 GPa, "
+        "poissons_ratio: 0, hardening: {law: linear, yield: 460 MPa, modulus: "
+        "5 GPa}}}",
+                      ideal[] =
+                          "{A: {model: correspondence, density: 7800, youngs_modulus: 200 GPa, "
+                          "poissons_ratio: 0, hardening: {law: linear, yield: 150 MPa, modulus: "
+                          "0 Pa}}}";
+    static const char *const laws[] = {small_mix, small_capped};
+    for (int k = 0; k < 2; k++) {
+        check_uniaxial(laws[k], hard, (double[]){1.025, 1.05, 1.075, 1.1},
+                       (double[]){0.0147749339, 0.0305901233, 0.0460331558, 0.0611211444},
+                       (double[]){533874669.6, 612950616.5, 690165779.1, 765605722.2}, 7213886461);
+        check_uniaxial(laws[k], ideal, (double[]){1.002, 1.004, 1.006, 1.008},
+                       (double[]){8.32001775e-4, 2.16134751e-3, 3.48804779e-3, 4.81211310e-3},
+                       (double[]){150e6, 150e6, 150e6, 150e6}, 631211309.9);
+    }
+}
+
+/* Peridigm, ElasticBondBased3D: the same bar, K = 200 GPa, drawn by 0.1 %; force on the upper half.  Peridigm is
+ * right, in 13 digits; the local 3/5 K 3/... of uniaxial strain would be 360 MN: so much is missing at the
+ * surfaces of a section of 4 x 4. */
+static void test_bar_of_springs(void **state)
+{
+    (void)state;
+    struct small_body small;
+    double force = 0;
+    small_body_new(&small, &(struct small_case){{4, 24, 4},
+                                                3.004,
+                                                .materials = "{A: {model: bond_based, density: "
+                                                             "7800, bulk_modulus: 200 GPa}}"});
+    small_body_deform(&small, (double[9]){0, 0, 0, 0, 0.001});
+    small_body_force(&small, false, false);
+    for (int y = 12; y < 24; y++)
+        for (int z = 0; z < 4; z++)
+            for (int x = 0; x < 4; x++)
+                force += small.body.f[1][site_at(&small, x, y, z)] * small.body.volume;
+    /* forces over the squares of lengths; rounding of 192 x 120 terms */
+    assert_relative(force * pow(0.25 / SMALL_SPACING, 2), -251257390.90063, 1e-11);
+    small_body_free(&small);
+}
+
+/* Energy density of the middle node: half of each of its bonds'. */
+static double middle_energy(struct small_body *small)
+{
+    const int64_t middle = small_body_middle(small);
+    double sum = 0;
+    for (int64_t s = 0; s < small->bonds->count; s++) {
+        const struct bond_strip *strip = &small->bonds->strips[s];
+        const struct bond_view view = bonds_view(small->bonds, strip);
+        double energy[LANES];
+        small->model->formulation->bond_energy(small->model->self, &small->body, strip, energy);
+        for (int k = 0; k < view.count; k++)
+            if (bond_lower(&view, k) == middle || bond_upper(&view, k) == middle)
+                sum += energy[k] / 2 * small->body.volume;
+    }
+    return sum;
+}
+
+/* Peridynamics.jl, test_strain_energy_density.jl: a cube of 12^3, horizon 3.015 spacings, stretched by 1.1 or sheared
+ * by 0.1.  Bond-based: the error of the lattice, for which Peridynamics.jl gives bands of 1 % and peers.awk the
+ * figures; ordinary and correspondence: none, at surfaces neither. */
+static void test_energy_of_affine_motions(void **state)
+{
+    (void)state;
+    static const struct {
+        double H[9], expected; /* energy less 1 */
+    } motions[] = {
+        {{0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1}, 0.0987}, {{0, 0.1}, 0.1960}, {{0.1}, 0.0679}};
+    const double E = 210e9, K = E / 1.5, G = E / 2.5;
+    const double density[] = {4.5 * K * 0.01, 0.5 * G * 0.01, 0.5 * (K + 4 * G / 3) * 0.01};
+    struct small_body small;
+    small_body_new(&small, &(struct small_case){{12, 12, 12},
+                                                3.015,
+                                                .materials = "{A: {model: bond_based, density: "
+                                                             "7850, youngs_modulus: 210 GPa}}"});
+    for (int n = 0; n < 3; n++) {
+        small_body_deform(&small, motions[n].H);
+        /* half a unit of the last digit */
+        assert_near(middle_energy(&small) / density[n] - 1, motions[n].expected, 5.1e-5);
+    }
+    small_body_free(&small);
+
+    const struct small_case ordinary = {
+        {12, 12, 12},
+        3.015,
+        .materials = "{A: {model: ordinary, density: 7850, youngs_modulus: 210 GPa, "
+                     "poissons_ratio: 0.25}}"};
+    small_body_new(&small, &ordinary);
+    small_body_deform(&small, motions[0].H);
+    const double volume = 12 * 12 * 12 * small.body.volume;
+    /* rounding of e, 1e-16 of |y|, a tenth of it */
+    assert_relative(small_body_elastic_energy(&small), density[0] * volume, 1e-14);
+    small_body_free(&small);
+
+    small_body_new(&small, &(struct small_case){
+                               {12, 12, 12}, 3.015, 0, small_mix, small_elastic, .n_phases = 1});
+    small_body_deform(&small, motions[0].H);
+    const double bulk = small.materials.items[0].bulk_modulus;
+    /* the logarithm of b = 1.21 by its series to the seventh power: 0.095^8/9 of it */
+    assert_relative(small_body_elastic_energy(&small), 4.5 * bulk * pow(log(1.1), 2) * volume,
+                    2e-9);
+    small_body_free(&small);
+}
+
+/* Peridynamics.jl, test_analytic_solutions.jl: a bar of 1 x 0.1 x 0.1, 200 GPa, one end held along it, 2 MN on the
+ * last layer: 1e-3 of elongation.  Error of the elongation between the outermost layers. */
+static double elongation_error(const char *materials, const char *stabilisation,
+                               const char *correction, const char *influence, double horizon,
+                               int across)
+{
+    struct small_body small;
+    const int length = 10 * across;
+    small_body_new(&small, &(struct small_case){{length, across, across},
+                                                horizon,
+                                                family_influence(influence),
+                                                stabilisation,
+                                                materials,
+                                                .n_phases = 1,
+                                                .surface_correction = correction});
+    struct small_static problem = small_static_new(&small);
+    const double stress = 200e9 * 1e-3;
+    for (int y = 0; y < across; y++)
+        for (int z = 0; z < across; z++) {
+            problem.held[0][site_at(&small, 0, y, z)] = 1;
+            problem.load[0][site_at(&small, length - 1, y, z)] = stress / SMALL_SPACING;
+        }
+    /* An elongation to 1e-6. */
+    small_static_solve(&problem, 1e-7, 4000);
+    double mean = 0;
+    for (int y = 0; y < across; y++)
+        for (int z = 0; z < across; z++)
+            mean += problem.u[0][site_at(&small, length - 1, y, z)] / (across * across);
+    small_static_free(&problem);
+    small_body_free(&small);
+    return mean / (1e-3 * (length - 1) * SMALL_SPACING) - 1;
+}
+
+#define AXIAL "density: 7850, youngs_modulus: 200 GPa"
+static const char springs[] = "{A: {model: bond_based, " AXIAL "}}",
+                  solid[] = "{A: {model: ordinary, " AXIAL ", poissons_ratio: 0.25}}",
+                  cauchy[] =
+                      "{A: {model: correspondence_elastic, " AXIAL ", poissons_ratio: 0.25}}";
+
+/* Bond-based with energy correction: Peridynamics.jl has errors of 13 % with 3 particles across and 8.6 % with 4, its
+ * factors being those from the continuum's energy to that of the node.  Ours are those from a full family's: they
+ * leave the lattice its 3.6 % of uniaxial stiffness at this horizon, and within a hundredth that is the
+ * difference.  The bar is stiff here, soft by more than half without correction.
+ *
+ * Correspondence: uniform stress needs loads on all layers within two horizons of an end, so that the last layer
+ * alone gives a constant number of spacings, half of one: 1/n of the elongation.  Ordinary: the surfaces. */
+static void test_elongation_of_a_bar(void **state)
+{
+    (void)state;
+    static const double theirs[] = {-0.13, -0.086};
+    static const struct {
+        const char *materials, *stabilisation, *influence;
+        double horizon;
+    } others[] = {{solid, NULL, "linear", 3.015},
+                  {cauchy, small_mix, "constant", 1},
+                  {cauchy, small_capped, "constant", 1},
+                  {cauchy, small_mix, "constant", 2}};
+    for (int n = 0; n < 2; n++) {
+        const double plain = elongation_error(springs, NULL, NULL, "constant", 3.015, 3 + n),
+                     energy = elongation_error(springs, NULL, "energy", "constant", 3.015, 3 + n);
+        show("bond-based, no correction", plain);
+        show("bond-based, energy", energy);
+        assert_near((1 + energy) * 1.036 - 1, theirs[n], 0.01);
+        assert_true(plain > 3 * fabs(energy));
+    }
+    for (int k = 0; k < 4; k++) {
+        double error[2];
+        for (int n = 0; n < 2; n++) {
+            error[n] = elongation_error(others[k].materials, others[k].stabilisation, NULL,
+                                        others[k].influence, others[k].horizon, 4 << n);
+            show(others[k].stabilisation ? "correspondence" : "ordinary", error[n]);
+        }
+        assert_true(fabs(error[1]) < 0.6 * fabs(error[0]));
+        if (others[k].stabilisation) assert_near(error[0] * 39, 0, 0.7); /* spacings */
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_particles_that_collide),
+        cmocka_unit_test(test_uniaxial_strain),
+        cmocka_unit_test(test_bar_of_springs),
+        cmocka_unit_test(test_energy_of_affine_motions),
+        cmocka_unit_test(test_elongation_of_a_bar),
+    };
+    return cmocka_run_group_tests_name("peers", tests, small_ranks_start, small_ranks_stop);
+}
