@@ -104,6 +104,11 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib
 	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(addprefix $(BUILD)/tests/physics/,small_body.o small_static.o scene_body.o)
 
+# Not a test: prints the table of errors (pipelines/errors).
+$(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/physics/small_body.o \
+    $(BUILD)/tests/physics/small_static.o $(foreach part,gen solve post lib,$(call archive,$(part)))
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 
 check: all $(TESTS) check-format
