@@ -292,6 +292,199 @@ static void test_elongation_of_a_bar(void **state)
     }
 }
 
+/* Where the kinetic energy is along x [m]. */
+static double centre_of(const struct small_body *small)
+{
+    double sum = 0, moment = 0;
+    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
+        double x[3];
+        if (!small_body_has(small, site)) continue;
+        body_position(&small->body, site, x);
+        const double square = pow(small->body.v[0][site], 2);
+        sum += square;
+        moment += square * x[0];
+    }
+    return moment / sum;
+}
+
+/* Speed of a pulse along a bar over sqrt(E/rho), less 1; its width is three times the bar's. */
+static double speed_error(const char *materials, const char *stabilisation, const char *correction,
+                          const char *influence, double horizon, int across)
+{
+    struct small_body small;
+    struct boundary nothing = small_free_boundary();
+    const int width = 3 * across, length = 10 * width;
+    small_body_new(&small, &(struct small_case){{length, across, across},
+                                                horizon,
+                                                family_influence(influence),
+                                                stabilisation,
+                                                materials,
+                                                .n_phases = 1,
+                                                .surface_correction = correction});
+    const struct material *m = &small.materials.items[0];
+    const double exact = sqrt(m->youngs_modulus / m->density), dt = 0.4 * SMALL_SPACING / exact,
+                 way = 2.5 * width * SMALL_SPACING;
+    for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+        double x[3];
+        if (!small_body_has(&small, site)) continue;
+        body_position(&small.body, site, x);
+        small.body.v[0][site] = 1e-3 * exp(-pow(x[0] / (width * SMALL_SPACING), 2));
+    }
+    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    double place[2];
+    for (int n = 0; n < 2; n++) {
+        while (verlet.time < (n + 1) * way / exact)
+            verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+        place[n] = centre_of(&small) - exact * verlet.time;
+    }
+    verlet_free(&verlet);
+    boundary_free(&nothing);
+    small_body_free(&small);
+    return (place[1] - place[0]) / way;
+}
+
+/* Peridynamics.jl asks for the speed of a wave in a bar within 25 % at 4 particles across, and for less with more of
+ * them, down to 5 %.  Ours at 4 and 6 across; what is left of the elastic ones is half of the error of the bar's
+ * modulus, as docs/errors.md has it. */
+static void test_wave_in_a_bar(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *materials, *stabilisation, *correction, *influence;
+        double horizon;
+    } bars[] = {{springs, NULL, "energy", "constant", 3.015},
+                {solid, NULL, NULL, "linear", 3.015},
+                {solid, NULL, "energy", "linear", 3.015},
+                {cauchy, small_mix, NULL, "constant", 1},
+                {cauchy, small_capped, NULL, "constant", 2}};
+    for (int k = 0; k < 5; k++) {
+        double error[2];
+        for (int n = 0; n < 2; n++) {
+            error[n] =
+                fabs(speed_error(bars[k].materials, bars[k].stabilisation, bars[k].correction,
+                                 bars[k].influence, bars[k].horizon, 4 + 2 * n));
+            show(bars[k].materials, error[n]);
+        }
+        assert_true(error[0] < 0.25);
+        assert_true(error[1] < error[0] || error[1] < 0.05);
+    }
+}
+
+/* Resistance of a chequerboard of displacements A, f over E A/delta^2.  Peridynamics.jl asks for half, in a measure
+ * that may differ from this by a factor of two.  Bonds with forces of their own have many times that.  What
+ * correspondence has is its stabilisation's alone: of mix, at a horizon of one, 8/3 of the share, so that
+ * more than half of it takes a share of a fifth; at three nine times as much. */
+static void test_chequerboard(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *materials, *stabilisation, *influence;
+        double horizon, least;
+    } bodies[] = {{springs, NULL, "constant", 3.015, 5},
+                  {solid, NULL, "linear", 3.015, 5},
+                  {cauchy, small_mix, "constant", 1, 0.26},
+                  {cauchy, small_mix, "constant", 3, 2.3},
+                  {cauchy, "{law: mix, share: 0.2}", "constant", 1, 0.52},
+                  {cauchy, small_capped, "constant", 1, 5},
+                  {cauchy, small_capped, "constant", 3, 5}};
+    for (int k = 0; k < 7; k++) {
+        struct small_body small;
+        const double A = 1e-6 * SMALL_SPACING, delta = bodies[k].horizon * SMALL_SPACING;
+        small_body_new(&small, &(struct small_case){{15, 15, 15},
+                                                    bodies[k].horizon,
+                                                    family_influence(bodies[k].influence),
+                                                    bodies[k].stabilisation,
+                                                    bodies[k].materials,
+                                                    .n_phases = 1});
+        for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+            int at[3];
+            if (!small_body_has(&small, site)) continue;
+            small_body_position(&small, site, at);
+            small.body.u[0][site] = (at[0] + at[1] + at[2]) % 2 ? A : -A;
+        }
+        small_body_force(&small, false, true);
+        const int64_t middle = small_body_middle(&small);
+        const double resistance =
+            -small.body.f[0][middle] / small.body.u[0][middle] * (delta * delta / 200e9);
+        show(bodies[k].materials, resistance);
+        assert_true(resistance > bodies[k].least);
+        small_body_free(&small);
+    }
+}
+
+/* Sum of v . (e_x x r) cos(pi x/L): how fast the bar twists. */
+static double twist_rate(const struct small_body *small, bool set, double rate)
+{
+    const int *size = small->lattice.size;
+    double sum = 0, norm = 0;
+    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(small, site)) continue;
+        small_body_position(small, site, at);
+        const double shape = cos(acos(-1) * (at[0] + 0.5) / size[0]),
+                     y = (at[1] - 0.5 * (size[1] - 1)) * SMALL_SPACING * shape,
+                     z = (at[2] - 0.5 * (size[2] - 1)) * SMALL_SPACING * shape;
+        if (set) {
+            small->body.v[1][site] = -rate * z;
+            small->body.v[2][site] = rate * y;
+        }
+        sum += small->body.v[2][site] * y - small->body.v[1][site] * z;
+        norm += y * y + z * z;
+    }
+    return sum / norm;
+}
+
+/* A free square bar of 48 x 8 x 8 that twists by 0.2 to both sides: Peridynamics.jl asks for the frequency within
+ * 30 % and the amplitude after a period within 5 %.  Saint-Venant: sqrt(G J/(rho I))/(2 L), J = 0.1406 a^4, I =
+ * a^4/6.  Correspondence: 2 % less at a horizon of one spacing and 6 % at two, since a family cut off by the
+ * surface finds the shear strain of a place inside, not that of the surface. */
+static void test_torsion(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *materials, *stabilisation, *influence;
+        double horizon, tolerance;
+    } bars[] = {{springs, NULL, "constant", 3.015, 0.3},
+                {solid, NULL, "linear", 3.015, 0.3},
+                {cauchy, small_mix, "constant", 1, 0.03},
+                {cauchy, small_capped, "constant", 2, 0.07}};
+    for (int k = 0; k < 4; k++) {
+        struct small_body small;
+        struct boundary nothing = small_free_boundary();
+        small_body_new(&small, &(struct small_case){{48, 8, 8},
+                                                    bars[k].horizon,
+                                                    family_influence(bars[k].influence),
+                                                    bars[k].stabilisation,
+                                                    bars[k].materials,
+                                                    .n_phases = 1});
+        const double G = 80e9, rho = 7850, pi = acos(-1),
+                     omega = pi / (48 * SMALL_SPACING) * sqrt(G / rho * 0.1406 * 6);
+        twist_rate(&small, true, 0.2 * omega);
+        struct verlet verlet =
+            verlet_new(1.5e-9, 0, &small.materials, &small.body, &nothing, small.model);
+        double before = 0.2 * omega, crossing[3], least = 0;
+        int crossings = 0;
+        while (crossings < 3 && verlet.time < 4 * 2 * pi / omega) {
+            verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+            const double now = twist_rate(&small, false, 0);
+            if (before * now <= 0)
+                crossing[crossings++] = verlet.time - verlet.dt * now / (now - before);
+            least = fmin(least, now);
+            before = now;
+        }
+        assert_int_equal(crossings, 3);
+        const double frequency = pi / (crossing[1] - crossing[0]) / omega;
+        show(bars[k].materials, frequency);
+        show("  amplitude", -least / (0.2 * omega));
+        show("  second half", (crossing[2] - crossing[1]) / (crossing[1] - crossing[0]));
+        assert_near(frequency, 1, bars[k].tolerance);
+        assert_near(-least / (0.2 * omega), 1, 0.05);
+        verlet_free(&verlet);
+        boundary_free(&nothing);
+        small_body_free(&small);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -300,6 +493,9 @@ int main(void)
         cmocka_unit_test(test_bar_of_springs),
         cmocka_unit_test(test_energy_of_affine_motions),
         cmocka_unit_test(test_elongation_of_a_bar),
+        cmocka_unit_test(test_wave_in_a_bar),
+        cmocka_unit_test(test_chequerboard),
+        cmocka_unit_test(test_torsion),
     };
     return cmocka_run_group_tests_name("peers", tests, small_ranks_start, small_ranks_stop);
 }
