@@ -3,6 +3,7 @@
 # statistics.csv and hssolve.log, fields.e where the deck is a large one.
 #
 #   make first                 the small study of the README
+#   make errors                errors of the elastic constants, yield and hardening of every material
 #   make plate-cg              the homogeneous plate that proves E and the hardening curve
 #   make flagship              pipelines/ni-hs40
 #   make flagship-horizons     the same at horizons 1, 2 and 3 spacings
@@ -19,9 +20,10 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis
+.PHONY: errors plate-cg flagship-horizons flagship-rate r40 thesis
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
+errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
 flagship: $(RESULTS)/ni-hs40/curve.csv
 r40: $(RESULTS)/ni-r40/curve.csv
 thesis: $(RESULTS)/ni-hs40-thesis/curve.csv
@@ -98,3 +100,16 @@ $(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS) pipelines/study/figure.gp
 	gnuplot -c pipelines/study/figure.gp $(@D) $@ $(SPACINGS)
 $(RESULTS)/study/table.csv: $(STUDY) $(BOUNDS) pipelines/compare.awk
 	awk -f pipelines/compare.awk $(STUDY) $(BOUNDS) > $@
+
+# Errors of the materials: elastic ones by a program of its own, yield and hardening by plates.
+$(RESULTS)/errors/elastic.csv: $(BUILD)/tests/physics/errors
+	@mkdir -p $(@D)
+	$< > $@
+$(RESULTS)/errors/plates.csv: pipelines/errors/plate.yaml pipelines/errors/plates | all
+	pipelines/errors/plates $< $(@D)/plates > $@
+$(RESULTS)/errors/table.md: pipelines/errors/table.awk $(RESULTS)/errors/elastic.csv $(RESULTS)/errors/plates.csv
+	awk -F, -f $^ > $@
+$(RESULTS)/errors-finite/study.yaml: pipelines/errors/plate.yaml
+	$(call VARY,-e 's/end_strain: .*/end_strain: 0.16/' -e 's/1 m.s/4 m\/s/g')
+$(RESULTS)/errors/finite.csv: pipelines/errors/finite.awk $(RESULTS)/errors-finite/curve.csv
+	awk -F, -f $^ > $@

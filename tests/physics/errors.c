@@ -243,16 +243,11 @@ static void all_plates(void)
             plate(ORDINARY, 0, 40, influence, 3.015, c % 2, corrections[c / 2]);
 }
 
-static void test_print(void **state)
-{
-    (void)state;
-    all_bulk();
-    all_plates();
-}
-
-/* cmocka, for the sake of what the bodies' set-up asserts; its own report goes to standard error. */
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_print)};
-    return cmocka_run_group_tests_name("errors", tests, small_ranks_start, small_ranks_stop);
+    small_ranks_start(NULL);
+    all_bulk();
+    all_plates();
+    small_ranks_stop(NULL);
+    return 0;
 }
