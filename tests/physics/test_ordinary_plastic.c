@@ -2,8 +2,12 @@
  * energy, and what finite strain does to it. */
 #include "check.h"
 
+#include "memory.h"
 #include "small_body.h"
 #include "verlet.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 #define ELASTIC "density: 7800, youngs_modulus: 210 GPa, poissons_ratio: 0.31"
 static const double E = 210e9, nu = 0.31, mu = 210e9 / 2.62, yield = 200e6;
@@ -145,6 +149,40 @@ static uint8_t rugged(const int size[3], const int at[3])
     return notch || step ? ABSENT : (uint8_t)((at[0] / 3 + at[1] / 2 + at[2]) % 2);
 }
 
+/* A body of two phases with surfaces, strained unevenly into flow and held: each node returns in one step, so that
+ * forces and plastic strain stay what they are, but for rounding of the trial norm, 1e-15 of it a step. */
+static void test_held_body_settles(void **state)
+{
+    (void)state;
+    struct small_body small;
+    double range[2], held[2], worst = 0;
+    small_body_new(&small, &(struct small_case){{11, 8, 7},
+                                                3.015,
+                                                family_influence("constant"),
+                                                NULL,
+                                                two_phases,
+                                                .n_phases = 2,
+                                                .phase = rugged,
+                                                .surface_correction = "energy"});
+    small_body_deform(&small, (const double[]){0.03, 0.01, 0, 0.002, -0.012, 0, 0.004, 0, -0.015});
+    small_body_shake(&small, 0.01, 1);
+    small_body_force(&small, true, false);
+    small_body_plastic_range(&small, range);
+    assert_true(range[1] > 0.01);
+    const size_t n = (size_t)small.body.grid.n_sites;
+    double *before = memory_new(n, sizeof *before);
+    memcpy(before, small.body.f[0], n * sizeof *before);
+    const double most = small_body_largest(&small, small.body.f);
+    for (int step = 0; step < 50; step++) small_body_force(&small, true, false);
+    small_body_plastic_range(&small, held);
+    for (size_t i = 0; i < n; i++) worst = fmax(worst, fabs(small.body.f[0][i] - before[i]));
+    assert_near(held[0], range[0], 1e-12 * range[1]);
+    assert_near(held[1], range[1], 1e-12 * range[1]);
+    assert_near(worst, 0, 1e-12 * most);
+    free(before);
+    small_body_free(&small);
+}
+
 static void strike(struct small_body *small, double speed)
 {
     for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
@@ -269,6 +307,7 @@ int main(void)
         cmocka_unit_test(test_yields_at_the_yield_stress),
         cmocka_unit_test(test_hardening_and_perfect_plasticity),
         cmocka_unit_test(test_flow_keeps_the_volume),
+        cmocka_unit_test(test_held_body_settles),
         cmocka_unit_test(test_energy_of_plastic_vibration),
         cmocka_unit_test(test_limits_at_finite_strain),
     };
