@@ -27,7 +27,7 @@ function head(titles,   n, i, cells) {
 /^#/ || /^where,/ { next }
 /^model,/ { yields = 1; next }
 yields {
-    plastic[++plastics] = "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " sprintf("%.3f | %.3f | %.2f |", $6, $7, $8)
+    plastic[++plastics] = "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " sprintf("%.3f | %.2f |", $6, $7)
     next
 }
 {
@@ -106,6 +106,6 @@ END {
     print "\n### Strip of 8, plane stress"; plates("plate", "plane stress", 0)
     print "\n### Strip of 8, plane strain"; plates("plate", "plane strain", 0)
     print "\n### Yield and hardening, plate of 8 x 8"
-    head("model;influence;horizon;volumes;correction;E;Rp0.2;slope")
+    head("model;influence;horizon;volumes;correction;Rp0.2;slope")
     for (i = 1; i <= plastics; i++) print plastic[i]
 }
