@@ -41,7 +41,7 @@ static void fly_together(int nodes, double spacing, double volume, const double 
     struct verlet verlet =
         verlet_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
         if (force)
             assert_relative(small.body.f[0][site_at(&small, 0, 0, 0)] * scale, force[n], 1e-9);
         /* first step: dilatation -3e-5, so that the mean stress is K times it, 3e-5 K and no more */
@@ -334,7 +334,7 @@ static double speed_error(const char *materials, const char *stabilisation, cons
     double place[2];
     for (int n = 0; n < 2; n++) {
         while (verlet.time < (n + 1) * way / exact)
-            verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+            verlet_step(&verlet, &small.body, &nothing, small.model, false, NULL);
         place[n] = centre_of(&small) - exact * verlet.time;
     }
     verlet_free(&verlet);
@@ -465,7 +465,7 @@ static void test_torsion(void **state)
         double before = 0.2 * omega, crossing[3], least = 0;
         int crossings = 0;
         while (crossings < 3 && verlet.time < 4 * 2 * pi / omega) {
-            verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+            verlet_step(&verlet, &small.body, &nothing, small.model, false, NULL);
             const double now = twist_rate(&small, false, 0);
             if (before * now <= 0)
                 crossing[crossings++] = verlet.time - verlet.dt * now / (now - before);
