@@ -130,8 +130,8 @@ static void test_uniaxial_strain(void **state)
 }
 
 /* Peridigm, ElasticBondBased3D: the same bar, K = 200 GPa, drawn by 0.1 %; force on the upper half.  Peridigm is
- * right, in 13 digits; the local 3/5 K 3/... of uniaxial strain would be 360 MN: so much is missing at the
- * surfaces of a section of 4 x 4. */
+ * right, in 13 digits.  Local elasticity has (9/5) K 0.001 m^2 = 360 MN: 30 % are missing at the surfaces of a
+ * section of 4 x 4. */
 static void test_bar_of_springs(void **state)
 {
     (void)state;
