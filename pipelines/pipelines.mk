@@ -10,6 +10,7 @@
 #   make r40 thesis            its random counterpart; the spheres that 25 um cannot resolve
 #   make study                 CG, UFG, HS40 and R40 at two spacings: one figure, one table
 #   make study SPACINGS=25um   the same at the coarse spacing alone
+#   make bond-plate            E of a bond-based sheet against horizon, spacing and corrections
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
@@ -19,7 +20,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis
+.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis bond-plate
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 flagship: $(RESULTS)/ni-hs40/curve.csv
@@ -98,3 +99,27 @@ $(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS) pipelines/study/figure.gp
 	gnuplot -c pipelines/study/figure.gp $(@D) $@ $(SPACINGS)
 $(RESULTS)/study/table.csv: $(STUDY) $(BOUNDS) pipelines/compare.awk
 	awk -f pipelines/compare.awk $(STUDY) $(BOUNDS) > $@
+
+# The bond-based sheet: a test for each plane, horizon, spacing, kind of volumes and of surface
+# correction; its folder has that name.  Plane strain differs by a factor, so one spacing and horizon do.
+BOND_HORIZONS := 2.015 3.015 4.015 5.015
+BOND_KINDS := whole-none whole-energy partial-none partial-energy
+BOND_NAMES := $(foreach k,$(BOND_KINDS),$(foreach h,$(BOND_HORIZONS),$(foreach s,4mm 2mm 1mm,stress-$(h)-$(s)-$(k))) strain-3.015-2mm-$(k))
+BOND_PLATES := $(BOND_NAMES:%=$(RESULTS)/bond-plate/%)
+bond-plate: $(RESULTS)/bond-plate/figure.svg
+
+bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(1))/' -e 's/^  horizon: .*/  horizon: $(word 2,$(1))/' \
+	-e 's/^  spacing: .*/  spacing: $(patsubst %mm,% mm,$(word 3,$(1)))/' -e 's/^  volumes: .*/  volumes: $(word 4,$(1))/' \
+	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/'
+$(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
+	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
+$(BOND_PLATES:%=%/curve.csv): FIELDS := yes
+$(BOND_PLATES:%=%/row.csv): %/row.csv: %/curve.csv pipelines/bond-plate/measure.awk
+	hspost --frames $(@D)/fields.e --csv --variables DisplacementX,DisplacementY > $(@D)/displacement.csv
+	awk -v name=$(notdir $(@D)) -f pipelines/bond-plate/measure.awk $< $(@D)/displacement.csv > $@
+$(RESULTS)/bond-plate/table.csv: $(BOND_PLATES:%=%/row.csv) pipelines/bond-plate/check.awk
+	{ echo plane,horizon,spacing_mm,volumes,surface_correction,exact_GPa,measured_GPa,error_percent,lattice_error_percent,poissons_ratio,lattice_poissons_ratio; \
+	cat $(filter %.csv,$^); } > $@
+	awk -f pipelines/bond-plate/check.awk $@
+$(RESULTS)/bond-plate/figure.svg: $(RESULTS)/bond-plate/table.csv pipelines/bond-plate/figure.gp
+	gnuplot -c pipelines/bond-plate/figure.gp $< $@
