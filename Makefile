@@ -102,7 +102,7 @@ $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
 	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
-$(filter $(BUILD)/tests/physics/%,$(TESTS)): $(BUILD)/tests/physics/small_body.o
+$(filter $(BUILD)/tests/physics/%,$(TESTS)): $(BUILD)/tests/physics/small_body.o $(BUILD)/tests/physics/scene_body.o
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 

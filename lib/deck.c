@@ -318,8 +318,9 @@ const char *const deck_post_keys[] = {"title",           "gauge_length",
 
 void deck_check_sections(const struct deck *deck)
 {
-    static const char *const sections[] = {"title",  "domain", "materials", "boundary", "damage",
-                                           "cracks", "solver", "output",    "post",     NULL};
+    static const char *const sections[] = {"title",  "domain", "materials", "boundary",
+                                           "damage", "cracks", "initial",   "solver",
+                                           "output", "post",   NULL};
     deck_keys(deck_root(deck), sections);
     struct deck_node post = deck_find(deck_root(deck), "post");
     if (post.index) deck_keys(post, deck_post_keys);

@@ -44,7 +44,8 @@ enum { DECK_POST_KEYS = 13 };
 extern const char *const deck_post_keys[DECK_POST_KEYS + 1];
 
 /* The sections one tool owns and those it passes over: every tool accepts title, domain, materials,
- * boundary, damage, cracks, solver, output, post at the top level, nothing else, and in post the keys above. */
+ * boundary, damage, cracks, initial, solver, output, post at the top level, nothing else, and in post the
+ * keys above. */
 void deck_check_sections(const struct deck *deck);
 
 bool deck_has(struct deck_node map, const char *key);

@@ -1,10 +1,12 @@
-/* scene.h - what to solve, from the deck's sections boundary, solver and output. */
+/* scene.h - what to solve, from the deck's sections boundary, initial, solver and output. */
 #ifndef HS_SCENE_H
 #define HS_SCENE_H
 
 #include "deck.h"
 #include "domain.h"
 #include "material.h"
+#include "selection.h"
+#include "value.h"
 
 #include <stdbool.h>
 
@@ -13,15 +15,39 @@ enum scene_start {
     START_RAMP    /* the body is at rest, the grips gain their velocity over a time */
 };
 
-struct scene_boundary {
-    const char *set;
-    int direction;   /* 0, 1, 2 */
-    double velocity; /* m/s */
-    struct deck_node node;
+/* Some nodes of the body: known to the deck, and, once resolved, by their numbers. */
+struct scene_nodes {
+    struct selection selection;
+    int64_t count, *numbers; /* from 0, ascending; rank 0 */
+};
+
+/* What an entry of boundary prescribes; one of initial is of the first two kinds. */
+enum scene_kind { SCENE_VELOCITY, SCENE_DISPLACEMENT, SCENE_FORCE, SCENE_BODY_FORCE, SCENE_KINDS };
+
+struct scene_entry {
+    struct scene_nodes nodes;
+    int direction; /* 0, 1, 2 */
+    enum scene_kind kind;
+    struct value value; /* m/s, m, N for all nodes together, N/m^3 */
+    struct deck_node where;
+};
+
+/* How the values of a quantity at the selected nodes become one number. */
+enum scene_reduction { REDUCE_SUM, REDUCE_MEAN, REDUCE_MINIMUM, REDUCE_MAXIMUM };
+
+/* A column of the history that the deck asks for. */
+struct scene_quantity {
+    const char *name;
+    int value; /* index into the table of output/node_values.c */
+    enum scene_reduction reduction;
+    struct deck_node place; /* of its nearest node; index 0: the selection counts */
+    struct scene_nodes nodes;
+    struct deck_node where;
 };
 
 struct scene_fields {
-    int frames; /* 0: none */
+    int frames;    /* roughly; 0: none, or every */
+    int64_t every; /* steps; 0: by frames */
     int n_variables;
     int *variables; /* indices into the table of output/fields.c */
 };
@@ -33,23 +59,41 @@ struct scene {
     struct deck_node solver; /* for what belongs to the formulation */
     bool partial_volumes;
     enum plane plane;
-    int n_boundary;
-    struct scene_boundary *boundary;
-    double end_strain, end_time; /* one of them; the other is 0 */
+    int n_boundary, n_initial;
+    struct scene_entry *boundary, *initial;
+    double end_strain, end_time; /* s */
+    int64_t end_steps;           /* one of the three; the others are 0 */
     double safety;
     enum scene_start start;
     double ramp;             /* s */
     double damping;          /* 1/s */
     double energy_tolerance; /* of the balance, relative */
     int history;             /* records */
+    int n_quantities;
+    struct scene_quantity *quantities;
     struct scene_fields fields;
 };
 
 /* Reads and checks everything but the materials, which need the domain's phases.  The deck must
  * outlive the scene. */
 struct scene scene_read(struct deck *deck);
-/* Dies where a set of the boundary is not in the domain. */
-void scene_check_sets(const struct scene *scene, const struct domain *domain);
+
+/* The parts of scene_read that have files of their own. */
+void scene_read_entries(struct scene *scene, struct deck_node root);
+void scene_read_output(struct scene *scene, struct deck_node output);
+
+/* Finds the nodes of every selection; spacing [m] as in selection.h.  Dies where there are none, and where
+ * a node is held, or set, twice along one direction. */
+void scene_resolve(struct scene *scene, const struct domain *domain, double spacing);
+/* Evaluates the expressions of all entries up to this time [s], at their nodes: dies where one is not
+ * finite or out of range. */
+void scene_try(const struct scene *scene, const struct domain *domain, double end_time);
 void scene_free(struct scene *scene);
+
+/* Kinds that hold nodes in their motion, not load them. */
+static inline bool scene_holds(enum scene_kind kind)
+{
+    return kind == SCENE_VELOCITY || kind == SCENE_DISPLACEMENT;
+}
 
 #endif

@@ -1,6 +1,7 @@
 #include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
+#include "initial.h"
 #include "memory.h"
 #include "options.h"
 #include "simulation_parts.h"
@@ -56,7 +57,7 @@ static void read_inputs(struct simulation *s)
         domain_input_read(s->arguments, &s->domain, &s->deck);
         s->scene = scene_read(s->deck);
         read_particles(s);
-        scene_check_sets(&s->scene, &s->domain);
+        scene_resolve(&s->scene, &s->domain, s->lattice.spacing);
         n_phases = s->domain.n_phases;
         check_plane(s);
         read_model(s);
@@ -101,9 +102,10 @@ static void open_outputs(struct simulation *s)
                  "(mpirun hides a full disk and a closed pipe)");
     else
         s->history_output = spool_output(a->history);
-    if (a->fields && s->scene.fields.frames == 0)
+    if (a->fields && s->scene.fields.n_variables == 0)
         die_user("-o %s: the deck's output section asks for no fields", a->fields);
-    if (!a->fields && s->scene.fields.frames > 0) note("no -o FILE: the fields are not written");
+    if (!a->fields && s->scene.fields.n_variables > 0)
+        note("no -o FILE: the fields are not written");
     if (a->fields) s->fields_output = spool_output(a->fields);
 }
 
@@ -119,6 +121,11 @@ static void start_damage(struct simulation *s)
     cracks_free(&cracks);
 }
 
+static bool needs_gradient(const struct simulation *s)
+{
+    return s->materials.formulation == &formulation_correspondence;
+}
+
 static void build(struct simulation *s)
 {
     const struct offset *near;
@@ -128,42 +135,68 @@ static void build(struct simulation *s)
     s->bonds = bonds_new(&s->body);
     start_damage(s);
     model_start(s->model, &s->body, s->bonds);
-    s->boundary =
-        boundary_new(&s->scene, &s->body, own_domain(s), 10 * materials_stiffest(&s->materials));
+    s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
+    s->quantities = quantities_new(&s->scene, &s->body, s->damage);
     s->axial = memory_new((size_t)s->body.grid.n_sites, sizeof(double));
-    if (s->body.unsupported == s->lattice.n_nodes)
+    if (s->body.unsupported == s->lattice.n_nodes && needs_gradient(s))
         die_user("no node has a deformation gradient: the body is too thin for horizon %g",
                  s->scene.horizon);
 }
 
-/* Poisson's ratio of the mean moduli, for the start velocity. */
+/* Share of a phase between the gauge planes, or of the whole body. */
+static double fraction(const struct simulation *s, int phase)
+{
+    int64_t nodes = 0;
+    if (s->gauge) return gauge_fraction(s->gauge, phase);
+    for (int64_t site = 0; site < s->lattice.n_sites; site++)
+        nodes += s->lattice.phase[site] == phase;
+    return (double)nodes / (double)s->lattice.n_nodes;
+}
+
+/* Mean Poisson's ratio, for the start velocity. */
 static double mean_poissons_ratio(const struct simulation *s)
 {
     double sum = 0;
     for (int p = 0; p < s->materials.count; p++)
-        sum += gauge_fraction(s->gauge, p) * s->materials.items[p].poissons_ratio;
+        sum += fraction(s, p) * s->materials.items[p].poissons_ratio;
     return sum;
+}
+
+/* Time in which the grips stretch the gauge to its end. */
+static double time_to_strain(const struct simulation *s)
+{
+    const struct deck_node where = deck_get(s->scene.solver, "end_strain");
+    const double rate = boundary_full_strain_rate(&s->boundary);
+    if (!s->gauge)
+        deck_error(where, "end_strain needs a gauge: node sets gauge_left and gauge_right");
+    if (!(rate > 0))
+        deck_error(where,
+                   "end_strain needs grips that move apart: two sets, one right of the other, with "
+                   "velocities along x that are numbers (strain rate %g 1/s)",
+                   rate);
+    /* By the ramp's end the grips have gone half of what they would at full speed. */
+    return s->scene.end_strain / rate + 0.5 * s->boundary.sets[s->boundary.right].value.ramp;
 }
 
 static void plan_time(struct simulation *s)
 {
+    initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
+    boundary_set_displacements(&s->boundary, &s->body);
     s->critical_step = stable_step(s->model, &s->body, &s->materials);
-    double dt = s->scene.safety * s->critical_step, rate = boundary_strain_rate(&s->boundary);
-    s->end_time = s->scene.end_time;
-    if (s->scene.end_strain > 0) {
-        if (!(rate > 0))
-            deck_error(deck_find(deck_root(s->deck), "boundary"),
-                       "end_strain needs grips that move apart (strain rate %g 1/s)", rate);
-        /* By the ramp's end the grips have gone half of what they would at full speed. */
-        s->end_time = s->scene.end_strain / rate + 0.5 * s->scene.ramp;
-    }
-    if (!(s->end_time / dt < 1e12))
-        deck_error(deck_find(deck_root(s->deck), "solver"),
-                   "%.3g s in steps of %.3g s are over 1e12 steps", s->end_time, dt);
-    s->n_steps = (int64_t)ceil(s->end_time / dt);
+    const double dt = s->scene.safety * s->critical_step;
+    s->end_time = s->scene.end_strain > 0  ? time_to_strain(s)
+                  : s->scene.end_steps > 0 ? (double)s->scene.end_steps * dt
+                                           : s->scene.end_time;
+    if (!(s->end_time / dt < 1.001e12))
+        deck_error(s->scene.solver, "%.3g s in steps of %.3g s are over 1e12 steps", s->end_time,
+                   dt);
+    s->n_steps = s->scene.end_steps > 0 ? s->scene.end_steps : (int64_t)ceil(s->end_time / dt);
+    /* A prescribed displacement is asked for half a step beyond the end. */
+    if (s->ranks.rank == 0) scene_try(&s->scene, &s->domain, s->end_time + dt);
     if (s->scene.start == START_AFFINE)
-        boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s));
+        boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);
+    initial_set(&s->scene, &s->body, SCENE_VELOCITY);
     s->verlet = verlet_new(dt, s->scene.damping, &s->materials, &s->body, &s->boundary, s->model);
     s->verlet.damage = s->damage;
 }
@@ -177,7 +210,8 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     open_outputs(s);
     build(s);
     plan_time(s);
-    s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names);
+    s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
+                               boundary_has_grips(&s->boundary), s->gauge != NULL);
     if (arguments->fields) {
         if (ranks.rank == 0) {
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());
@@ -197,14 +231,18 @@ void simulation_announce(struct simulation *s)
     double memory = ranks_memory();
     const int64_t bonds = bonds_total(s->bonds);
     if (s->ranks.rank != 0) return;
+    char *rate =
+        boundary_has_grips(&s->boundary)
+            ? memory_print("strain rate %.3g 1/s, ", boundary_full_strain_rate(&s->boundary))
+            : memory_text("");
     note("%lld nodes, %lld bonds, %d ranks; step %.3g s (%.2f of the critical %.3g s), about %lld "
          "steps "
-         "to %.3g s; strain rate %.3g 1/s, fastest wave %.0f m/s; %.0f MB; about %.0f s",
+         "to %.3g s; %sfastest wave %.0f m/s; %.0f MB; about %.0f s",
          (long long)s->lattice.n_nodes, (long long)bonds, s->ranks.size, s->verlet.dt,
-         s->scene.safety, s->critical_step, (long long)s->n_steps, s->end_time,
-         boundary_strain_rate(&s->boundary), materials_wave_speed(&s->materials), memory * 1e-6,
-         1.15 * force * (double)s->n_steps);
-    if (s->body.unsupported > 0)
+         s->scene.safety, s->critical_step, (long long)s->n_steps, s->end_time, rate,
+         materials_wave_speed(&s->materials), memory * 1e-6, 1.15 * force * (double)s->n_steps);
+    free(rate);
+    if (s->body.unsupported > 0 && needs_gradient(s))
         warn("%lld nodes have too few neighbours for a deformation gradient and carry no stress",
              (long long)s->body.unsupported);
 }
@@ -214,6 +252,7 @@ void simulation_free(struct simulation *s)
     recorder_free(&s->recorder);
     verlet_free(&s->verlet);
     gauge_free(s->gauge);
+    quantities_free(s->quantities);
     boundary_free(&s->boundary);
     model_free(s->model);
     damage_free(s->damage);

@@ -17,11 +17,13 @@ static void describe(struct simulation *s)
     attributes_set_text(a, "solver_program", options_version());
     attributes_set_text(a, "solver_command", launched ? launched : s->arguments->command);
     attributes_set_number(a, "solver_horizon", s->scene.horizon);
-    attributes_set_number(a, "solver_strain_rate_per_s", boundary_strain_rate(&s->boundary));
+    if (boundary_has_grips(&s->boundary))
+        attributes_set_number(a, "solver_strain_rate_per_s",
+                              boundary_full_strain_rate(&s->boundary));
     attributes_set_number(a, "solver_step_s", s->verlet.dt);
     attributes_set_number(a, "solver_steps", (double)s->verlet.step);
-    attributes_set_number(a, "gauge_length_m", gauge_length(s->gauge));
-    for (int p = 0; p < s->domain.n_phases; p++) {
+    if (s->gauge) attributes_set_number(a, "gauge_length_m", gauge_length(s->gauge));
+    for (int p = 0; s->gauge && p < s->domain.n_phases; p++) {
         char *name = memory_print("phase_%s_fraction", s->domain.phase_names[p]);
         attributes_set_number(a, name, gauge_fraction(s->gauge, p));
         free(name);
@@ -99,9 +101,9 @@ void simulation_finish(struct simulation *s, const char *failure)
         note("%.0f bonds broken, %.3g J; %.0f nodes have no deformation gradient left",
              damage_broken_bonds(s->damage), s->verlet.balance.fracture, s->body.broken->n_lost);
     double node_steps = (double)s->verlet.step * (double)s->lattice.n_nodes;
-    note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; gauge strain %.4f, energy "
-         "drift "
-         "%.1e",
+    char *strain = s->gauge ? memory_print("gauge strain %.4f, ", s->strain) : memory_text("");
+    note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; %senergy drift %.1e",
          (long long)s->verlet.step, s->wall, node_steps / s->wall / s->ranks.size, s->ranks.size,
-         s->strain, energy_drift(&s->verlet.balance));
+         strain, s->drift);
+    free(strain);
 }

@@ -7,6 +7,7 @@
 #include "fields.h"
 #include "gauge.h"
 #include "model.h"
+#include "quantities.h"
 #include "recorder.h"
 #include "scene.h"
 #include "simulation.h"
@@ -26,15 +27,21 @@ struct simulation {
     struct bonds *bonds;
     struct damage *damage;
     struct boundary boundary;
-    struct gauge *gauge;
+    struct gauge *gauge; /* NULL: none */
+    struct quantities *quantities;
     struct verlet verlet;
     struct recorder recorder;
     struct fields *fields;
     struct spool history_output, fields_output; /* rank 0 */
     double *axial;                              /* box field */
-    double critical_step, end_time, strain, checked_strain;
-    int64_t n_steps; /* expected */
-    double wall;     /* s */
+    double critical_step, end_time;
+    double strain; /* of the gauge */
+    double deformation,
+        checked_deformation; /* as of the last record, and of the last critical step */
+    double drift;            /* of the energy balance when it was last looked at */
+    double disturbed;        /* time at which the body was last known not to be at equilibrium, s */
+    int64_t n_steps;         /* expected */
+    double wall;             /* s */
     char *failure;
 };
 

@@ -34,7 +34,7 @@ static int64_t first_bad_node(const struct simulation *s)
 /* NULL while the run is sound. */
 static char *find_failure(const struct simulation *s)
 {
-    const double drift = energy_drift(&s->verlet.balance);
+    const double drift = s->drift;
     if (isfinite(drift) && fabs(drift) <= s->scene.energy_tolerance) return NULL;
     if (isfinite(drift))
         return memory_print("the energy balance is off by %.2g (energy_tolerance %g) at step %lld, "
@@ -46,19 +46,43 @@ static char *find_failure(const struct simulation *s)
                         (long long)s->verlet.step, s->verlet.time);
 }
 
-/* The step changes with the shape of the lattice; it is found again each 5 % of gauge strain. */
+/* Root mean square displacement gradient, none of which counts more than 1. */
+static double mean_deformation(const struct simulation *s)
+{
+    struct exact_sum sum = exact_sum_new((double)s->lattice.n_nodes);
+    const struct strips *strips = model_strips(s->model, &s->body);
+    for (int64_t k = 0; k < strips->count; k++) {
+        struct node_state node;
+        double squares[LANES] = {0};
+        model_observe(s->model, &s->body, &strips->items[k], &node);
+        for (int i = 0; i < node.count; i++) {
+            for (int c = 0; c < 9; c++) squares[i] += node.H[c][i] * node.H[c][i];
+            squares[i] = fmin(squares[i], 1);
+        }
+        body_only_owned(&s->body, strips->items[k].site, node.count, squares);
+        exact_sum_add_strip(&sum, node.count, squares, 1);
+    }
+    double total;
+    exact_sum_finish(&sum, 1, &total);
+    return sqrt(total / (double)s->lattice.n_nodes);
+}
+
+/* The step changes with the shape of the lattice; it is found again each 5 % of strain. */
 static void check_step(struct simulation *s)
 {
-    if (fabs(s->strain - s->checked_strain) < 0.05) return;
-    s->checked_strain = s->strain;
+    if (fabs(s->deformation - s->checked_deformation) < 0.05) return;
+    s->checked_deformation = s->deformation;
     s->critical_step = stable_step(s->model, &s->body, &s->materials);
     s->verlet.dt = s->scene.safety * s->critical_step;
 }
 
-static bool due(int64_t step, int64_t n_steps, int count)
+/* Whether the next step ends at a frame. */
+static bool frame_due(const struct simulation *s)
 {
-    int64_t every = n_steps / count > 0 ? n_steps / count : 1;
-    return step % every == 0;
+    if (!s->fields) return false;
+    const struct scene_fields *wanted = &s->scene.fields;
+    int64_t every = wanted->every > 0 ? wanted->every : s->n_steps / wanted->frames;
+    return (s->verlet.step + 1) % (every > 0 ? every : 1) == 0;
 }
 
 /* Records lie denser at the start, t_n = t_end (n/N)^2, where the elastic slope is measured. */
@@ -72,25 +96,53 @@ static bool record_due(const struct simulation *s)
 
 static void record(struct simulation *s)
 {
-    s->strain = recorder_take(&s->recorder, s->gauge, &s->verlet, &s->boundary, s->model, &s->body,
-                              s->axial);
+    s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->verlet, &s->boundary,
+                              s->model, &s->body, s->axial);
+    s->deformation = s->gauge ? s->strain : mean_deformation(s);
+}
+
+static void write_frame(struct simulation *s)
+{
+    fields_write(s->fields, s->verlet.time, s->model, &s->body);
+}
+
+/* Whether a number of steps, or a time, is the end. */
+static bool is_end(const struct simulation *s, int64_t step, double time)
+{
+    if (s->scene.end_steps > 0) return step >= s->scene.end_steps;
+    if (s->scene.end_time > 0) return time >= s->end_time - 1e-6 * s->verlet.dt;
+    return step >= 4 * s->n_steps;
 }
 
 static bool at_end(const struct simulation *s)
 {
-    if (s->scene.end_time > 0) return s->verlet.time >= s->end_time - 1e-6 * s->verlet.dt;
-    return s->strain >= s->scene.end_strain || s->verlet.step >= 4 * s->n_steps;
+    return (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
+           is_end(s, s->verlet.step, s->verlet.time);
 }
 
-/* Whether the next step is the last one that a given end time leaves. */
+/* Whether the next step is the last one that a given end leaves. */
 static bool near_end(const struct simulation *s)
 {
-    return s->scene.end_time > 0 &&
-           s->verlet.time + s->verlet.dt >= s->end_time - 1e-6 * s->verlet.dt;
+    return is_end(s, s->verlet.step + 1, s->verlet.time + s->verlet.dt);
+}
+
+/* Stepped loads grow after what there is to see of the step has been seen.  At equilibrium the kinetic energy
+ * has stayed below a thousandth of the internal one while a wave would have run there and back. */
+static void raise_loads(struct simulation *s, bool looking)
+{
+    const struct energy_balance *balance = &s->verlet.balance;
+    const double time = s->verlet.time, speed = materials_wave_speed(&s->materials);
+    double longest = 0;
+    if (s->boundary.loads.count == 0) return;
+    for (int a = 0; a < 3; a++) longest = fmax(longest, lattice_extent(&s->lattice, a));
+    if (looking && balance->kinetic > 1e-3 * energy_internal(balance)) s->disturbed = time;
+    const bool equilibrium = looking && time - s->disturbed >= 2 * longest / speed;
+    if (verlet_raise_loads(&s->verlet, &s->body, &s->boundary, equilibrium)) s->disturbed = time;
 }
 
 static double gauge_stress(const struct simulation *s)
 {
+    if (!boundary_has_grips(&s->boundary)) return 0;
     const struct boundary_set *sets = s->boundary.sets;
     double force = 0.5 * (sets[s->boundary.right].total_force - sets[s->boundary.left].total_force);
     double section = attributes_number(&s->domain.attributes, "section_m2", 0);
@@ -104,27 +156,38 @@ static double share_done(const struct simulation *s)
     return by_strain > 0 ? by_strain : fmin(by_steps, 1);
 }
 
+/* One step, and what it leaves behind. */
+static void advance(struct simulation *s)
+{
+    enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
+    const bool recording = record_due(s) || near_end(s), framing = frame_due(s),
+               looking = recording || framing || (s->verlet.step + 1) % LOOK_EVERY == 0;
+    if (recording) memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
+    verlet_step(&s->verlet, &s->body, &s->boundary, s->model, looking, recording ? s->axial : NULL);
+    if (looking) {
+        s->drift = energy_drift(&s->verlet.balance);
+        s->failure = find_failure(s);
+        if (s->failure) return;
+    }
+    if (recording) {
+        record(s);
+        check_step(s);
+    }
+    if (framing || (s->fields && at_end(s))) write_frame(s);
+    raise_loads(s, looking);
+}
+
 const char *simulation_run(struct simulation *s)
 {
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
-    const size_t bytes = (size_t)s->body.grid.n_sites * sizeof(double);
     simulation_protect(s);
     record(s);
-    if (s->fields) fields_write(s->fields, s->verlet.time, s->model, &s->body);
+    s->checked_deformation = s->deformation;
+    if (s->fields) write_frame(s);
     while (!s->failure && !at_end(s)) {
-        bool recording = record_due(s) || near_end(s);
-        if (recording) memset(s->axial, 0, bytes);
-        verlet_step(&s->verlet, &s->body, &s->boundary, s->model, recording ? s->axial : NULL);
-        s->failure = find_failure(s);
-        if (s->failure) break;
-        if (recording) {
-            record(s);
-            check_step(s);
-        }
-        if (s->fields && (due(s->verlet.step, s->n_steps, s->scene.fields.frames) || at_end(s)))
-            fields_write(s->fields, s->verlet.time, s->model, &s->body);
-        progress_update(&progress, share_done(s), s->verlet.step, s->strain, gauge_stress(s),
-                        energy_drift(&s->verlet.balance));
+        advance(s);
+        progress_update(&progress, share_done(s), s->verlet.step, s->gauge ? s->strain : NAN,
+                        gauge_stress(s), s->drift);
     }
     if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain)
         s->failure =

@@ -54,15 +54,15 @@ static void read_ramp(struct value *value)
     value->number = deck_number(deck_get(value->where, "to"), value->unit, value->low, value->high);
 }
 
-static int64_t read_every(struct deck_node where)
+int64_t value_every(struct deck_node where, bool equilibrium)
 {
     const char *text = deck_string(where);
-    if (strcmp(text, "equilibrium") == 0) return 0;
+    if (equilibrium && strcmp(text, "equilibrium") == 0) return 0;
     char *end;
     const long steps = strtol(text, &end, 10);
     if (!isdigit((unsigned char)*text) || strcmp(end + strspn(end, " "), "steps") != 0)
-        deck_error(where, "'%.40s' is not known here, expected such as '250 steps', or equilibrium",
-                   text);
+        deck_error(where, "'%.40s' is not known here, expected such as '250 steps'%s", text,
+                   equilibrium ? ", or equilibrium" : "");
     if (steps < 1 || steps > 1000000000)
         deck_error(where, "'%.40s' is out of range, expected 1 to 1000000000 steps", text);
     return steps;
@@ -76,7 +76,7 @@ static void read_steps(struct value *value)
         deck_number(deck_get(value->where, "initial"), value->unit, value->low, value->high);
     const double most = value->high - value->low;
     value->increment = deck_number(deck_get(value->where, "increment"), value->unit, -most, most);
-    value->every = read_every(deck_get(value->where, "every"));
+    value->every = value_every(deck_get(value->where, "every"), true);
 }
 
 static _Noreturn void wrong_kind(const struct value *value, int allowed)

@@ -37,6 +37,9 @@ struct value value_read(struct deck_node where, const char *unit, double low, do
                         int allowed);
 void value_free(struct value *value);
 
+/* "250 steps": how many; where equilibrium is true the word equilibrium, too, as 0. */
+int64_t value_every(struct deck_node where, bool equilibrium);
+
 bool value_depends_on_place(const struct value *value);
 bool value_depends_on_time(const struct value *value);
 

@@ -74,6 +74,7 @@ void body_free(struct body *body)
     free_fields(body->u, 3);
     free_fields(body->v, 3);
     free_fields(body->f, 3);
+    free_fields(body->b, 3);
     free_fields(body->H, 9);
     free_fields(body->S, 9);
     free_fields(body->inverse, 6);

@@ -32,6 +32,7 @@ struct body {
     double *u[3];        /* displacement, m */
     double *v[3];        /* velocity, m/s */
     double *f[3];        /* internal force density, N/m^3 */
+    double *b[3];        /* external force density, N/m^3; NULL along axes without loads */
     double *H[9];        /* displacement gradient F - 1, row by row; valid at near sites */
     double *S[9];        /* work-conjugate stress, then S K^-1 */
     double *inverse[6];  /* inverse shape tensor, lattice units */

@@ -133,7 +133,8 @@ struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *
     view.weight_step = strip->weight ? 1 : 0;
     view.i = i;
     view.j = i + bonds->shift[strip->offset];
-    view.apart = bonds->shift[strip->offset] >= strip->count;
+    const int *step = bonds->body->family->half[strip->offset].step;
+    view.apart = step[1] != 0 || step[2] != 0; /* the same on all ranks: it groups terms */
     return view;
 }
 

@@ -5,6 +5,7 @@
 #include "scattered.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { TOUCHED = 1, OUTDATED = 2 };
 
@@ -16,6 +17,10 @@ static struct broken *broken_new(const struct body *body)
     broken->bits = memory_new(sites * (size_t)broken->words, sizeof *broken->bits);
     broken->touched = memory_new(sites, sizeof *broken->touched);
     broken->lost = memory_new(sites, sizeof *broken->lost);
+    for (int k = 0; k < 9; k++) {
+        broken->keep[k] = memory_new(sites, sizeof(double));
+        for (size_t i = 0; k % 4 == 0 && i < sites; i++) broken->keep[k][i] = 1;
+    }
     return broken;
 }
 
@@ -24,6 +29,7 @@ void broken_free(struct broken *broken)
     if (!broken) return;
     free(broken->bits);
     free(broken->touched);
+    for (int k = 0; k < 9; k++) free(broken->keep[k]);
     free(broken->lost);
     free(broken);
 }
@@ -57,29 +63,171 @@ static bool shape(const struct body *body, int64_t site, double inverse[6], doub
     return family_invert_shape(K, body->lattice->dimensions, inverse);
 }
 
-void broken_shapes(struct body *body)
+static double determinant(const double F[9])
+{
+    return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
+           F[2] * (F[3] * F[7] - F[4] * F[6]);
+}
+
+/* 1 + H at a site from body->H, and over the bonds left from u, the inverse and s. */
+static void old_gradient(const struct body *body, int64_t site, double F[9])
+{
+    for (int k = 0; k < 9; k++) F[k] = body->H[k][site] + (k % 4 == 0);
+}
+
+static void new_gradient(const struct body *body, int64_t site, double F[9])
+{
+    const double per_spacing = 1 / body->lattice->spacing;
+    double K[6];
+    for (int k = 0; k < 6; k++) K[k] = body->inverse[k][site];
+    for (int a = 0; a < 3; a++) {
+        double G[3];
+        for (int b = 0; b < 3; b++) {
+            broken_sums(body, site, 1, body->u[a], b, &G[b]);
+            G[b] = (G[b] - body->u[a][site] * body->first[b][site]) * per_spacing;
+        }
+        F[3 * a] = G[0] * K[0] + G[1] * K[3] + G[2] * K[5];
+        F[3 * a + 1] = G[0] * K[3] + G[1] * K[1] + G[2] * K[4];
+        F[3 * a + 2] = G[0] * K[5] + G[1] * K[4] + G[2] * K[2];
+        F[4 * a] += 1;
+    }
+}
+
+/* A of (broken.1), left being 1 + H over the bonds left; false where the bonds left see another volume altogether. */
+static bool keep_gradient(const struct body *body, int64_t site, const double left[9])
+{
+    enum { MOST_CHANGE = 5 };
+    double F[9];
+    old_gradient(body, site, F);
+    const double J = determinant(left), volume = J / determinant(F);
+    if (!(volume > 1.0 / MOST_CHANGE && volume < MOST_CHANGE)) return false;
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            /* row a of the inverse: cofactors of column a */
+            double sum = 0;
+            for (int c = 0; c < 3; c++) {
+                const int p = (c + 1) % 3, q = (c + 2) % 3, r = (a + 1) % 3, t = (a + 2) % 3;
+                double cofactor =
+                    left[3 * p + r] * left[3 * q + t] - left[3 * p + t] * left[3 * q + r];
+                sum += cofactor * F[3 * c + b];
+            }
+            body->broken->keep[3 * a + b][site] = sum / J;
+        }
+    return true;
+}
+
+/* The node has no deformation gradient any more. */
+static void lose(struct body *body, int64_t site)
+{
+    for (int k = 0; k < 6; k++) body->inverse[k][site] = 0;
+    body->broken->lost[site] = 1;
+}
+
+static bool has_gradient(const struct body *body, int64_t site)
+{
+    return body->inverse[0][site] > 0;
+}
+
+static void lattice_shapes(struct body *body, bool keep)
+{
+    struct broken *broken = body->broken;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int64_t i = body->owned.items[s].site, end = i + body->owned.items[s].count; i < end;
+             i++) {
+            if (!(broken->touched[i] & OUTDATED)) continue;
+            broken->touched[i] = TOUCHED;
+            if (!has_gradient(body, i)) continue; /* what is lost stays so */
+            double inverse[6], first[3], left[9];
+            bool spans = shape(body, i, inverse, first);
+            for (int k = 0; k < 6; k++) body->inverse[k][i] = inverse[k];
+            for (int k = 0; k < 3; k++) body->first[k][i] = first[k];
+            if (spans && keep) {
+                new_gradient(body, i, left);
+                spans = keep_gradient(body, i, left);
+            }
+            if (!spans) lose(body, i);
+        }
+}
+
+/* The same where families are lists of bonds; every rank does it for its near nodes. */
+static void list_shapes(struct body *body, bool keep)
+{
+    struct broken *broken = body->broken;
+    const size_t sites = (size_t)body->grid.n_sites;
+    const int64_t unsupported = body->unsupported;
+    double *before[9];
+    bool *had = memory_new(sites, sizeof *had);
+    for (size_t i = 0; i < sites; i++) had[i] = has_gradient(body, (int64_t)i);
+    for (int k = 0; k < 9; k++) {
+        before[k] = memory_new(sites, sizeof(double));
+        memcpy(before[k], body->H[k], sites * sizeof(double));
+    }
+    scattered_shapes(body);
+    body->unsupported = unsupported;
+    if (keep) scattered_gradient(body);
+    for (int64_t s = 0; s < body->near.count; s++)
+        for (int64_t i = body->near.items[s].site, end = i + body->near.items[s].count; i < end;
+             i++) {
+            double left[9];
+            const bool outdated = broken->touched[i] & OUTDATED;
+            if (!outdated && !(broken->lost[i] > 0)) continue;
+            broken->touched[i] = TOUCHED;
+            old_gradient(body, i, left);
+            for (int k = 0; k < 9; k++) body->H[k][i] = before[k][i];
+            const bool spans = had[i] && has_gradient(body, i);
+            if (!spans || (keep && outdated && !keep_gradient(body, i, left))) {
+                for (int k = 0; k < 6; k++) body->inverse[k][i] = 0;
+                if (had[i]) lose(body, i);
+            }
+        }
+    for (int k = 0; k < 9; k++) free(before[k]);
+    free(had);
+}
+
+void broken_shapes(struct body *body, bool keep)
 {
     if (!body->broken) body->broken = broken_new(body);
     struct broken *broken = body->broken;
-    const bool scattered = body->lattice->point[0] != NULL;
-    if (scattered) scattered_shapes(body);
+    (body->lattice->point[0] ? list_shapes : lattice_shapes)(body, keep);
     broken->n_lost = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
-        for (int i = 0; i < body->owned.items[s].count; i++) {
-            const int64_t site = body->owned.items[s].site + i;
-            if (scattered) {
-                broken->lost[site] = body->inverse[0][site] > 0 ? 0 : 1;
-            } else if (broken->touched[site] & OUTDATED) {
-                double inverse[6], first[3];
-                broken->lost[site] = shape(body, site, inverse, first) ? 0 : 1;
-                for (int k = 0; k < 6; k++) body->inverse[k][site] = inverse[k];
-                for (int k = 0; k < 3; k++) body->first[k][site] = first[k];
-                broken->touched[site] = TOUCHED;
-            }
-            broken->n_lost += broken->lost[site];
-        }
+        for (int i = 0; i < body->owned.items[s].count; i++)
+            broken->n_lost += broken->lost[body->owned.items[s].site + i];
     ranks_sum(&broken->n_lost, 1);
     halo_exchange(body->gradient_halo, &broken->lost, 1);
+}
+
+void broken_keep_gradient(struct body *body, int64_t site, int count)
+{
+    const struct broken *broken = body->broken;
+    for (int64_t i = site; i < site + count; i++) {
+        double F[9];
+        if (!broken->touched[i] || broken->lost[i] > 0) continue;
+        old_gradient(body, i, F);
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b < 3; b++) {
+                double sum = a == b ? -1 : 0;
+                for (int c = 0; c < 3; c++) sum += F[3 * a + c] * broken->keep[3 * c + b][i];
+                body->H[3 * a + b][i] = sum;
+            }
+    }
+}
+
+void broken_keep_stress(struct body *body, int64_t site, int count)
+{
+    const struct broken *broken = body->broken;
+    for (int64_t i = site; i < site + count; i++) {
+        if (!broken->touched[i]) continue;
+        for (int a = 0; a < 3; a++) {
+            double row[3];
+            for (int b = 0; b < 3; b++) {
+                row[b] = 0;
+                for (int c = 0; c < 3; c++)
+                    row[b] += body->S[3 * a + c][i] * broken->keep[3 * b + c][i];
+            }
+            for (int b = 0; b < 3; b++) body->S[3 * a + b][i] = row[b];
+        }
+    }
 }
 
 void broken_sums(const struct body *body, int64_t site, int count, const double *field, int b,

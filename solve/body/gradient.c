@@ -33,6 +33,8 @@ void displacement_gradient(struct body *body)
 {
     if (body->lattice->point[0]) {
         scattered_gradient(body);
+        for (int64_t n = 0; body->broken && n < body->near.count; n++)
+            broken_keep_gradient(body, body->near.items[n].site, body->near.items[n].count);
         return;
     }
     const struct family *family = body->family;
@@ -58,6 +60,7 @@ void displacement_gradient(struct body *body)
                          (const double(*)[LANES])G, body->H[3 * a] + i, body->H[3 * a + 1] + i,
                          body->H[3 * a + 2] + i);
         }
+        if (body->broken) broken_keep_gradient(body, i, count);
     }
     /* A ghost's bonds are known to its owner. */
     if (body->broken) halo_exchange(body->gradient_halo, body->H, 9);

@@ -68,6 +68,16 @@ struct members members_of_nodes(const struct body *body, const int64_t *nodes, i
     return members;
 }
 
+void members_places(const struct members *members, const struct body *body, double *place[3])
+{
+    for (int a = 0; a < 3; a++) place[a] = memory_new((size_t)members->count, sizeof *place[a]);
+    for (int64_t i = 0; i < members->count; i++) {
+        double x[3];
+        body_position(body, members->sites[i], x);
+        for (int a = 0; a < 3; a++) place[a][i] = x[a];
+    }
+}
+
 void members_free(struct members *members)
 {
     free(members->sites);

@@ -17,6 +17,8 @@ struct members {
 struct members members_new(const struct body *body, const struct domain *domain, const char *name);
 /* The same from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */
 struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count);
+/* Reference positions of the owned ones, three new lists of members->count [m]; the caller frees them. */
+void members_places(const struct members *members, const struct body *body, double *place[3]);
 void members_free(struct members *members);
 
 #endif

@@ -156,6 +156,6 @@ int64_t cracks_cut(const struct cracks *cracks, struct body *body, struct bonds 
             broken_add(body, bonds, &bonds->strips[s], k);
         }
     ranks_sum(&cut, 1);
-    if (cut > 0) broken_shapes(body);
+    if (cut > 0) broken_shapes(body, false);
     return (int64_t)cut;
 }

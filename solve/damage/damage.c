@@ -20,6 +20,13 @@ struct damage {
      * not less than the way of any node so far, due what it must be beyond. */
     double travelled, *due;
     double *last[3]; /* box fields: u at the last update */
+    /* What damage_find has found. */
+    struct found {
+        int64_t strip;
+        int bond;
+    } * found;
+    int64_t n_found, room;
+    bool spending; /* nodes have been spent */
 };
 
 /* Adds the volume of the other end to both, for bonds of weight over 0. */
@@ -63,6 +70,7 @@ void damage_free(struct damage *damage)
     free(damage->whole);
     free(damage->spent);
     free(damage->due);
+    free(damage->found);
     for (int a = 0; a < 3; a++) free(damage->last[a]);
     free(damage);
 }
@@ -143,18 +151,31 @@ static double count_bond(const struct damage *damage, const struct bond_view *vi
     return damage->body->grid.flags[bond_lower(view, k)] & SITE_OWNED ? 1 : 0;
 }
 
+static void add_found(struct damage *damage, int64_t strip, int bond)
+{
+    if (damage->n_found == damage->room) {
+        damage->room = 2 * damage->room + 64;
+        struct found *longer = memory_new((size_t)damage->room, sizeof *longer);
+        if (damage->n_found > 0)
+            memcpy(longer, damage->found, (size_t)damage->n_found * sizeof *longer);
+        free(damage->found);
+        damage->found = longer;
+    }
+    damage->found[damage->n_found++] = (struct found){strip, bond};
+}
+
 /* Half of the closest bond's room, less what rounding may hide, is how far a node may go until the next
  * test. */
 static double test_strip(struct damage *damage, int64_t s)
 {
-    struct bond_strip *strip = &damage->bonds->strips[s];
+    const struct bond_strip *strip = &damage->bonds->strips[s];
     const struct bond_view view = bonds_view(damage->bonds, strip);
     double rooms[LANES], broken = 0, least = INFINITY;
     find_rooms(damage, strip, &view, rooms);
     for (int k = 0; k < view.count; k++) {
         if (rooms[k] < 0) {
             broken += count_bond(damage, &view, k);
-            broken_add(damage->body, damage->bonds, strip, k);
+            add_found(damage, s, k);
             continue;
         }
         least = fmin(least, rooms[k] - 1e-13 * view.length[k * view.geometry_step]);
@@ -211,20 +232,28 @@ static double break_spent(struct damage *damage)
     return broken;
 }
 
-bool damage_update(struct damage *damage)
+bool damage_find(struct damage *damage)
 {
     const struct damage_rules *rules = &damage->rules;
+    damage->n_found = 0;
     if (!rules->bonds && !rules->nodes) return false;
     double counts[2] = {rules->bonds ? test_bonds(damage) : 0,
                         rules->nodes ? find_spent(damage) : 0};
     ranks_sum(counts, 2);
-    if (counts[1] > 0) {
+    damage->broken += counts[0];
+    damage->spending = counts[1] > 0;
+    return counts[0] + counts[1] > 0;
+}
+
+void damage_break(struct damage *damage)
+{
+    for (int64_t n = 0; n < damage->n_found; n++)
+        broken_add(damage->body, damage->bonds, &damage->bonds->strips[damage->found[n].strip],
+                   damage->found[n].bond);
+    if (damage->spending) {
         double broken = break_spent(damage);
         ranks_sum(&broken, 1);
-        counts[0] += broken;
+        damage->broken += broken;
     }
-    if (!(counts[0] > 0)) return false;
-    damage->broken += counts[0];
-    broken_shapes(damage->body);
-    return true;
+    broken_shapes(damage->body, damage->see.model->formulation == &formulation_correspondence);
 }

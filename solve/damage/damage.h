@@ -1,8 +1,8 @@
 /* damage.h - when bonds break, and what has broken.
  *
- * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the end
- * of a step, at the configuration that the step has reached: what the body holds less after they have broken
- * is the energy of fracture.  To add a law: one file, one line in the table of damage_rules.c. */
+ * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the
+ * configuration that a step has led to: what the body holds less after they have broken is the energy of
+ * fracture.  To add a law: one file, one line in the table of damage_rules.c. */
 #ifndef HS_DAMAGE_H
 #define HS_DAMAGE_H
 
@@ -62,9 +62,10 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
                           struct bonds *bonds);
 void damage_free(struct damage *damage);
 
-/* Breaks what has to break at the body's u and plastic strain.  Whether anything broke anywhere: then the
- * force has to be found again.  Collective. */
-bool damage_update(struct damage *damage);
+/* Finds what has to break at the body's u and plastic strain: whether there is anything anywhere.  Then it is
+ * to be broken, and the force found again.  Collective, both. */
+bool damage_find(struct damage *damage);
+void damage_break(struct damage *damage);
 
 /* Bonds of the whole body broken so far, without those that cracks cut. */
 double damage_broken_bonds(const struct damage *damage);

@@ -1,6 +1,5 @@
 #include "boundary.h"
 
-#include "die.h"
 #include "memory.h"
 
 #include <math.h>
@@ -8,68 +7,135 @@
 
 static void find_grips(struct boundary *boundary)
 {
-    boundary->left = boundary->right = -1;
+    const struct boundary_set *sets = boundary->sets;
+    int left = -1, right = -1;
     for (int i = 0; i < boundary->count; i++) {
-        if (boundary->sets[i].direction != 0) continue;
-        if (boundary->left < 0 ||
-            boundary->sets[i].members.mean_x < boundary->sets[boundary->left].members.mean_x)
-            boundary->left = i;
-        if (boundary->right < 0 ||
-            boundary->sets[i].members.mean_x > boundary->sets[boundary->right].members.mean_x)
-            boundary->right = i;
+        if (sets[i].direction != 0 || sets[i].place[0]) continue;
+        if (left < 0 || sets[i].members.mean_x < sets[left].members.mean_x) left = i;
+        if (right < 0 || sets[i].members.mean_x > sets[right].members.mean_x) right = i;
     }
-    if (boundary->left == boundary->right) boundary->left = boundary->right = -1;
+    const bool two = left >= 0 && sets[left].members.high_x < sets[right].members.low_x;
+    boundary->left = two ? left : -1;
+    boundary->right = two ? right : -1;
 }
 
-struct boundary boundary_new(const struct scene *scene, const struct body *body,
-                             const struct domain *domain, double largest_stress)
+static struct boundary_set set_new(const struct scene_entry *entry, const struct body *body,
+                                   double largest_stress)
+{
+    const double spacing = body->lattice->spacing, middle = lattice_middle(body->lattice, 0);
+    struct members members = members_of_nodes(body, entry->nodes.numbers, entry->nodes.count);
+    struct boundary_set set = {
+        .direction = entry->direction,
+        .kind = entry->kind,
+        .value = entry->value,
+        .members = members,
+        .inner = members.mean_x < middle ? members.high_x : members.low_x,
+        .zero = exact_sum_new((double)members.n_all * largest_stress * spacing * spacing)};
+    if (value_depends_on_place(&entry->value)) members_places(&set.members, body, set.place);
+    return set;
+}
+
+struct boundary boundary_new(const struct scene *scene, struct body *body, double largest_stress)
 {
     struct boundary boundary = {
-        .count = scene->n_boundary,
-        .sets = memory_new((size_t)scene->n_boundary, sizeof(struct boundary_set)),
-        .ramp = scene->ramp};
-    const double spacing = body->lattice->spacing, middle = lattice_middle(body->lattice, 0);
-    for (int i = 0; i < boundary.count; i++) {
-        const struct scene_boundary *wanted = &scene->boundary[i];
-        struct members members = members_new(body, domain, wanted->set);
-        boundary.sets[i] = (struct boundary_set){
-            .name = wanted->set,
-            .direction = wanted->direction,
-            .velocity = wanted->velocity,
-            .members = members,
-            .inner = members.mean_x < middle ? members.high_x : members.low_x,
-            .zero = exact_sum_new((double)members.n_all * largest_stress * spacing * spacing)};
-    }
+        .sets = memory_new((size_t)scene->n_boundary, sizeof(struct boundary_set))};
+    for (int i = 0; i < scene->n_boundary; i++)
+        if (scene_holds(scene->boundary[i].kind))
+            boundary.sets[boundary.count++] = set_new(&scene->boundary[i], body, largest_stress);
+    boundary_mark(&boundary, body);
     find_grips(&boundary);
-    if (boundary.left < 0)
-        deck_error(deck_find(deck_root(scene->deck), "boundary"),
-                   "a tension test needs two sets with a velocity along x");
+    boundary.loads = loads_new(scene, body);
     return boundary;
 }
 
 void boundary_free(struct boundary *boundary)
 {
-    for (int i = 0; i < boundary->count; i++) members_free(&boundary->sets[i].members);
+    for (int b = 0; b < boundary->count; b++) {
+        members_free(&boundary->sets[b].members);
+        for (int a = 0; a < 3; a++) free(boundary->sets[b].place[a]);
+    }
     free(boundary->sets);
+    free(boundary->held);
+    loads_free(&boundary->loads);
     *boundary = (struct boundary){0};
 }
 
-double boundary_factor(const struct boundary *boundary, double time)
+void boundary_mark(struct boundary *boundary, const struct body *body)
 {
-    if (boundary->ramp <= 0 || time >= boundary->ramp) return 1;
-    double s = time / boundary->ramp;
-    return s * s * s * (10 + s * (6 * s - 15));
-}
-
-void boundary_set_velocities(const struct boundary *boundary, struct body *body, double time)
-{
-    const double factor = boundary_factor(boundary, time);
+    boundary->held = memory_new((size_t)body->grid.n_sites, 1);
     for (int b = 0; b < boundary->count; b++) {
         const struct boundary_set *set = &boundary->sets[b];
-        double *v = body->v[set->direction];
         for (int64_t i = 0; i < set->members.count; i++)
-            v[set->members.sites[i]] = factor * set->velocity;
+            boundary->held[set->members.sites[i]] |= (uint8_t)(1 << set->direction);
     }
+}
+
+/* What a set prescribes at one of its nodes; at any, where place is NULL. */
+static double given(const struct boundary_set *set, int64_t i, double time)
+{
+    double x[3] = {0, 0, 0};
+    for (int a = 0; a < 3 && set->place[a]; a++) x[a] = set->place[a][i];
+    return value_at(&set->value, x, time);
+}
+
+/* At a full step a prescribed displacement has its mean velocity over the half steps beside it, which
+ * does not ask for times before the start. */
+static double velocity(const struct boundary_set *set, int64_t i, double time, double dt)
+{
+    if (set->kind == SCENE_VELOCITY) return given(set, i, time);
+    const double start = fmax(time - 0.5 * dt, 0), end = time + 0.5 * dt;
+    return (given(set, i, end) - given(set, i, start)) / (end - start);
+}
+
+double boundary_speed(const struct boundary_set *set, double time, double dt)
+{
+    return velocity(set, 0, time, dt);
+}
+
+void boundary_set_displacements(const struct boundary *boundary, struct body *body)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        const struct boundary_set *set = &boundary->sets[b];
+        for (int64_t i = 0; set->kind == SCENE_DISPLACEMENT && i < set->members.count; i++)
+            body->u[set->direction][set->members.sites[i]] = given(set, i, 0);
+    }
+}
+
+void boundary_set_velocities(struct boundary *boundary, struct body *body, double time, double dt)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *set = &boundary->sets[b];
+        double *v = body->v[set->direction];
+        set->speed_before = set->speed;
+        if (!set->place[0]) set->speed = velocity(set, 0, time, dt);
+        for (int64_t i = 0; i < set->members.count; i++)
+            v[set->members.sites[i]] = set->place[0] ? velocity(set, i, time, dt) : set->speed;
+    }
+}
+
+void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *set = &boundary->sets[b];
+        const bool moved = set->kind == SCENE_DISPLACEMENT;
+        const double at = moved ? time + dt : time + 0.5 * dt;
+        const double one = set->place[0] ? 0 : given(set, 0, at);
+        double *v = body->v[set->direction], *u = body->u[set->direction];
+        set->way = set->place[0] ? 0 : moved ? one - given(set, 0, time) : one * dt;
+        for (int64_t i = 0; i < set->members.count; i++) {
+            const int64_t site = set->members.sites[i];
+            const double value = set->place[0] ? given(set, i, at) : one;
+            v[site] = moved ? (value - u[site]) / dt : value;
+        }
+    }
+}
+
+/* Reaction of a held component: what inner forces and loads leave to it [N]. */
+static double reaction(const struct body *body, int direction, int64_t site)
+{
+    double density = body->f[direction][site];
+    if (body->b[direction]) density += body->b[direction][site];
+    return -density * body_volume(body, site);
 }
 
 void boundary_reactions(const struct boundary *boundary, const struct body *body,
@@ -77,28 +143,76 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
 {
     for (int b = 0; b < boundary->count; b++) {
         const struct boundary_set *set = &boundary->sets[b];
-        const double *f = body->f[set->direction];
         sums[b] = set->zero;
         for (int64_t i = 0; i < set->members.count; i++)
-            exact_sum_add(&sums[b],
-                          -f[set->members.sites[i]] * body_volume(body, set->members.sites[i]));
+            exact_sum_add(&sums[b], reaction(body, set->direction, set->members.sites[i]));
     }
 }
 
-double boundary_strain_rate(const struct boundary *boundary)
+void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
+                       struct exact_sum *work)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        const struct boundary_set *set = &boundary->sets[b];
+        const double *v = body->v[set->direction];
+        for (int64_t i = 0; set->place[0] && i < set->members.count; i++) {
+            const int64_t site = set->members.sites[i];
+            exact_sum_add(work, reaction(body, set->direction, site) * v[site] * duration);
+        }
+    }
+    loads_add_work(&boundary->loads, body, duration, work);
+}
+
+/* Velocity at full speed; not finite where it is no number. */
+static double full_speed(const struct boundary_set *set)
+{
+    if (set->kind == SCENE_DISPLACEMENT) return set->value.kind == VALUE_CONSTANT ? 0 : NAN;
+    return set->value.kind == VALUE_EXPRESSION ? NAN : set->value.number;
+}
+
+static double full_rate(const struct boundary *boundary)
 {
     const struct boundary_set *left = &boundary->sets[boundary->left];
     const struct boundary_set *right = &boundary->sets[boundary->right];
-    double length = right->inner - left->inner;
-    return length > 0 ? (right->velocity - left->velocity) / length : 0;
+    return (full_speed(right) - full_speed(left)) / (right->inner - left->inner);
+}
+
+double boundary_full_strain_rate(const struct boundary *boundary)
+{
+    if (!boundary_has_grips(boundary)) return 0;
+    const double rate = full_rate(boundary);
+    return isfinite(rate) ? rate : 0;
+}
+
+/* Whether the grips gain speeds that are numbers in the same way. */
+static bool alike(const struct boundary_set *left, const struct boundary_set *right)
+{
+    return left->kind == SCENE_VELOCITY && right->kind == SCENE_VELOCITY &&
+           left->value.kind == right->value.kind && left->value.kind != VALUE_EXPRESSION &&
+           left->value.ramp == right->value.ramp;
+}
+
+double boundary_strain_rate(const struct boundary *boundary, double time, double dt)
+{
+    if (!boundary_has_grips(boundary)) return 0;
+    const struct boundary_set *left = &boundary->sets[boundary->left];
+    const struct boundary_set *right = &boundary->sets[boundary->right];
+    if (alike(left, right)) {
+        const double ramp = left->value.ramp;
+        return (ramp > 0 ? value_rise(time / ramp) : 1) * full_rate(boundary);
+    }
+    return (boundary_speed(right, time, dt) - boundary_speed(left, time, dt)) /
+           (right->inner - left->inner);
 }
 
 void boundary_affine_start(const struct boundary *boundary, struct body *body,
-                           double poissons_ratio)
+                           double poissons_ratio, double dt)
 {
+    if (!boundary_has_grips(boundary)) return;
     const struct boundary_set *left = &boundary->sets[boundary->left];
     const struct boundary_set *right = &boundary->sets[boundary->right];
-    const double rate = boundary_strain_rate(boundary);
+    const double rate = boundary_strain_rate(boundary, 0, dt),
+                 left_speed = boundary_speed(left, 0, dt);
     double centre[3];
     for (int a = 0; a < 3; a++) centre[a] = lattice_middle(body->lattice, a);
     for (int64_t s = 0; s < body->owned.count; s++)
@@ -107,10 +221,9 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
             double x[3];
             body_position(body, site, x);
             double along = fmin(fmax(x[0], left->inner), right->inner);
-            body->v[0][site] = left->velocity + rate * (along - left->inner);
+            body->v[0][site] = left_speed + rate * (along - left->inner);
             bool gripped = x[0] < left->inner || x[0] > right->inner;
             for (int a = 1; a < 3; a++)
                 body->v[a][site] = gripped ? 0 : -poissons_ratio * rate * (x[a] - centre[a]);
         }
-    boundary_set_velocities(boundary, body, 0);
 }

@@ -1,55 +1,83 @@
-/* boundary.h - node sets whose velocity is prescribed along an axis: the grips. */
+/* boundary.h - nodes whose motion along an axis is prescribed, as a velocity or as a displacement: the grips
+ * among them; and the loads on the body.
+ *
+ * A prescribed component has its velocity at each half step: the given one, or what brings the displacement
+ * to its value at the step's end.  The components of such nodes along other axes are free. */
 #ifndef HS_BOUNDARY_H
 #define HS_BOUNDARY_H
 
-#include "domain.h"
+#include "loads.h"
 #include "members.h"
 #include "scene.h"
 
 struct boundary_set {
-    const char *name;
     int direction;
-    double velocity; /* m/s, after the ramp */
+    enum scene_kind kind; /* of those that hold */
+    struct value value;   /* m/s or m; the scene frees it */
     struct members members;
+    double *place[3];      /* [members.count] m; NULL where the value is the same at all of them */
     double inner;          /* x of the set's layer nearest to the body's middle, m */
     double mass;           /* of the whole set, kg; the integrator fills it */
     struct exact_sum zero; /* empty sum of forces */
-    double moved;          /* along its direction so far, m */
-    double total_force;    /* at the end of the step, over all ranks, N */
-    double force_before;   /* the same a step earlier, N */
+    /* Where the value is the same at all nodes: */
+    double moved, way;          /* along its direction so far, and in this step, m */
+    double speed, speed_before; /* at the end of this step and of the one before, m/s */
+    /* Reaction: the force on the body along the direction, over all ranks, N; now and a step earlier. */
+    double total_force, force_before;
 };
 
 struct boundary {
     int count;
     struct boundary_set *sets;
-    double ramp; /* s; 0 for none */
+    uint8_t
+        *held; /* box field: bit a where the component along axis a is prescribed; NULL: nowhere */
     int left,
-        right; /* of the sets along x: the one with the lowest and the highest mean x, or -1 */
+        right; /* the grips: of the sets with one motion along x that with the lowest and that with the
+                        highest mean x, -1 where there are not two, one beside the other */
+    struct loads loads;
 };
 
-/* largest_stress [Pa] bounds the reactions.  domain: rank 0's.  Collective. */
-struct boundary boundary_new(const struct scene *scene, const struct body *body,
-                             const struct domain *domain, double largest_stress);
+/* scene: resolved on rank 0.  largest_stress [Pa] bounds the reactions.  Collective. */
+struct boundary boundary_new(const struct scene *scene, struct body *body, double largest_stress);
 void boundary_free(struct boundary *boundary);
 
-/* Factor on the velocities at time t: 10 s^3 - 15 s^4 + 6 s^5 with s = t/ramp, then 1; its first and
- * second derivatives vanish at both ends. */
-double boundary_factor(const struct boundary *boundary, double time);
+/* Marks the components that the sets prescribe; part of boundary_new. */
+void boundary_mark(struct boundary *boundary, const struct body *body);
 
-/* Sets the prescribed components of body->v to their values at the time. */
-void boundary_set_velocities(const struct boundary *boundary, struct body *body, double time);
+/* The displacement at the start, of sets that prescribe it. */
+void boundary_set_displacements(const struct boundary *boundary, struct body *body);
+
+/* Sets the prescribed components of body->v to their values at a time between steps of length dt. */
+void boundary_set_velocities(struct boundary *boundary, struct body *body, double time, double dt);
+/* The same for the step from time on: v becomes the way over dt. */
+void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt);
 
 /* This rank's part of the reactions, the force each set exerts on the body along its direction:
  * sums[count], to be finished over all ranks. */
 void boundary_reactions(const struct boundary *boundary, const struct body *body,
                         struct exact_sum *sums);
 
-/* Initial velocity field of the body: along x linear between the grips, across it the contraction of
- * uniaxial stress.  poissons_ratio: of the mean material. */
-void boundary_affine_start(const struct boundary *boundary, struct body *body,
-                           double poissons_ratio);
+/* Adds the work, in this share of a step [s] at body->v, of the loads and of the sets with a motion that
+ * depends on place; that of the others follows from their reactions. */
+void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
+                       struct exact_sum *work);
 
-/* Nominal strain rate between the grips [1/s], 0 where there are not two. */
-double boundary_strain_rate(const struct boundary *boundary);
+/* Initial velocity field of the body: along x linear between the grips, across it the contraction of
+ * uniaxial stress.  poissons_ratio: of the mean material.  Without grips nothing. */
+void boundary_affine_start(const struct boundary *boundary, struct body *body,
+                           double poissons_ratio, double dt);
+
+/* Velocity of a set with one motion at a time between steps [m/s]. */
+double boundary_speed(const struct boundary_set *set, double time, double dt);
+
+/* Strain rate between the grips at such a time [1/s]; 0 without grips. */
+double boundary_strain_rate(const struct boundary *boundary, double time, double dt);
+/* That at full speed; 0 where the grips' velocities are not given as numbers. */
+double boundary_full_strain_rate(const struct boundary *boundary);
+
+static inline bool boundary_has_grips(const struct boundary *boundary)
+{
+    return boundary->left >= 0;
+}
 
 #endif

@@ -1,10 +1,10 @@
 /* verlet.h - explicit central differences (velocity Verlet).
  *
- *   v += dt/2 a;  u += dt v;  a = f(u)/rho - c (v - v_affine);  v += dt/2 a
+ *   v += dt/2 a;  u += dt v;  a = (f(u) + b)/rho - c (v - v_affine);  v += dt/2 a
  *
- * Swope, Andersen, Berens, Wilson, J. Chem. Phys. 76 (1982) 637.  Optional damping c acts on the motion
- * relative to the affine one between the grips, so that it does not drag the test itself.  Bonds break at the
- * end of a step: the next starts with the force that is left. */
+ * Swope, Andersen, Berens, Wilson, J. Chem. Phys. 76 (1982) 637.  b are the loads.  Optional damping c acts on
+ * the motion relative to the affine one between the grips, so that it does not drag the test itself.  Bonds
+ * break where a step has led to: its second half already feels the force that is left. */
 #ifndef HS_VERLET_H
 #define HS_VERLET_H
 
@@ -20,22 +20,38 @@ struct verlet {
     double *inverse_density;  /* [phases] m^3/kg */
     struct force_energy zero; /* empty sums with their extractors */
     struct exact_sum kinetic_zero;
-    struct energy_balance balance;
+    double held; /* kinetic energy of nodes held in a motion that depends on place, J */
+    struct energy_balance
+        balance;           /* damping and work of all steps, the rest of the last that was asked */
     struct damage *damage; /* NULL: nothing breaks */
 };
 
-/* Starts from the body's u = 0, velocities as set; evaluates the first force. */
+/* Starts from the displacements and velocities as set, those of the boundary taking their places; evaluates
+ * the first force.  Collective. */
 struct verlet verlet_new(double dt, double damping, const struct materials *materials,
                          struct body *body, struct boundary *boundary, struct model *model);
 void verlet_free(struct verlet *verlet);
 
-/* One step; the balance is that at its end.  axial as in struct force_mode.  Collective. */
+/* One step.  energies: the balance becomes that at its end; evaluating it costs, and changes no motion.
+ * axial as in struct force_mode.  Collective. */
 void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
-                 struct model *model, double *axial);
+                 struct model *model, bool energies, double *axial);
 
-/* Kinetic energy [J] of the motion beyond the uniform stretching that the grips impose: waves, and necks.
- * Collective. */
-double verlet_unsteady_energy(const struct verlet *verlet, const struct body *body,
-                              const struct boundary *boundary);
+/* Between steps: raises the stepped loads that are due.  True where one has been.  Collective. */
+bool verlet_raise_loads(struct verlet *verlet, struct body *body, struct boundary *boundary,
+                        bool equilibrium);
+
+static inline void verlet_strip_density(const struct verlet *verlet, const struct body *body,
+                                        const struct strip *strip, double inverse_density[LANES])
+{
+    for (int i = 0; i < strip->count; i++)
+        inverse_density[i] = verlet->inverse_density[body->grid.phase[strip->site + i]];
+}
+
+static inline double verlet_node_mass(const struct verlet *verlet, const struct body *body,
+                                      int64_t site)
+{
+    return body_volume(body, site) / verlet->inverse_density[body->grid.phase[site]];
+}
 
 #endif

@@ -26,10 +26,8 @@ struct capped {
     double stiffness, cap; /* G, C */
     const struct materials *materials;
     const struct family *family;
-    double shape; /* kappa_0 in lattice units */
-    double *
-        *state; /* [n_half] bonds along each half offset, strip by strip: zeta [m], then the energy
-                       lost so far [J/m^3] */
+    double shape;  /* kappa_0 in lattice units */
+    double *state; /* strip by strip: zeta [m], then the energy lost so far [J/m^3] */
 };
 
 static const char *const keys[] = {"stiffness", "cap", NULL};
@@ -61,12 +59,8 @@ static int capped_bonds(const void *self, const struct family *family,
 static void capped_start(void *self, const struct body *body, const struct strips bonds[])
 {
     struct capped *c = self;
-    (void)body;
-    c->state = memory_new((size_t)c->family->n_half, sizeof *c->state);
-    for (int o = 0; o < c->family->n_half; o++) {
-        const size_t numbers = (size_t)bonds[o].points * STATE;
-        c->state[o] = memory_new(numbers, sizeof(double));
-    }
+    (void)bonds;
+    c->state = memory_new((size_t)body->bonds->points * STATE, sizeof *c->state);
 }
 
 static double capped_node_share(const void *self)
@@ -75,19 +69,13 @@ static double capped_node_share(const void *self)
     return 1;
 }
 
-static bool capped_near_nodes(const void *self)
-{
-    (void)self;
-    return true;
-}
-
 /* What one strip of bonds works on. */
 struct springs {
     int count;
-    double xi[3], length;  /* m */
     double slip[3][LANES]; /* m, what z loses in this step */
-    double z[3][LANES], cap[LANES],
-        stiffness[LANES]; /* stiffness: 2 V c w, so that tau = stiffness z */
+    double z[3][LANES], cap[LANES];
+    double stiffness[LANES]; /* 2 V c w with the mean volume, so that tau = stiffness z */
+    double at_lower[LANES], at_upper[LANES]; /* the same with the volume of the other end */
 };
 
 HS_SIMD static void difference(int count, const double *restrict ui, const double *restrict uj,
@@ -157,41 +145,65 @@ HS_SIMD static void add_slip(int count, const struct springs *restrict s,
     }
 }
 
-static void commit_slip(const struct springs *s, const struct body *body, int64_t i, int64_t j,
-                        double *const zeta[3])
+static void commit_slip(const struct springs *s, const struct body *body,
+                        const struct bond_view *view, double *const zeta[3])
 {
     double F[9][LANES];
     for (int k = 0; k < 9; k++)
         for (int l = 0; l < s->count; l++)
-            F[k][l] = (k % 4 == 0) + 0.5 * (body->H[k][i + l] + body->H[k][j + l]);
+            F[k][l] = (k % 4 == 0) +
+                      0.5 * (body->H[k][bond_lower(view, l)] + body->H[k][bond_upper(view, l)]);
     add_slip(s->count, s, (const double(*)[LANES])F, zeta[0], zeta[1], zeta[2]);
 }
 
-static void find_caps(const struct capped *c, struct springs *s, const struct body *body, int64_t i,
-                      int64_t j, double weight, const double *flow)
+/* A bond that is broken, or has an end without a deformation gradient, carries nothing and keeps its slip. */
+static bool carries(const struct body *body, double weight, int64_t i, int64_t j)
+{
+    if (!(weight > 0)) return false;
+    return !body->broken || !(broken_lost(body->broken, i) || broken_lost(body->broken, j));
+}
+
+static void find_caps(const struct capped *c, struct springs *s, const struct body *body,
+                      const struct bond_view *view, const double *flow)
 {
     const struct materials *all = c->materials;
     const double spacing = body->lattice->spacing;
     for (int k = 0; k < s->count; k++) {
-        int pair = body->grid.phase[i + k] * all->count + body->grid.phase[j + k];
-        double mu = all->shear[pair], bulk = all->bulk[pair];
-        double modulus = 9 * bulk * mu / (3 * bulk + mu), lambda = bulk - 2 * mu / 3;
-        s->cap[k] = c->cap * (flow[i + k] + flow[j + k]) / (2 * modulus) * s->length;
+        const int64_t i = bond_lower(view, k), j = bond_upper(view, k);
+        const int pair = body->grid.phase[i] * all->count + body->grid.phase[j],
+                  g = k * view->geometry_step;
+        const double mu = all->shear[pair], bulk = all->bulk[pair],
+                     weight = view->weight[k * view->weight_step];
+        const double modulus = 9 * bulk * mu / (3 * bulk + mu), lambda = bulk - 2 * mu / 3;
+        const bool whole = carries(body, weight, i, j);
+        s->cap[k] =
+            whole ? c->cap * (flow[i] + flow[j]) / (2 * modulus) * view->length[g] : INFINITY;
         s->stiffness[k] =
-            2 * weight * c->stiffness * (lambda + 4 * mu) / (c->shape * spacing * spacing);
+            whole ? 2 * weight * c->stiffness * (lambda + 4 * mu) / (c->shape * spacing * spacing)
+                  : 0;
+        s->at_lower[k] = s->stiffness[k] * (view->volume_j[g] / body->volume);
+        s->at_upper[k] = s->stiffness[k] * (view->volume_i[g] / body->volume);
     }
 }
 
-/* Broken bonds, and those with an end that has no deformation gradient any more, carry nothing and keep
- * their slip. */
-static void switch_off(const struct broken *broken, int o, int64_t i, int64_t j, struct springs *s)
+/* (capped.1) */
+static void find_z(struct springs *s, const struct body *body, const struct bond_view *view,
+                   double *const zeta[3])
 {
-    for (int k = 0; broken && k < s->count; k++) {
-        if (!broken_bond(broken, i + k, o) && !broken_lost(broken, i + k) &&
-            !broken_lost(broken, j + k))
-            continue;
-        s->stiffness[k] = 0;
-        s->cap[k] = INFINITY;
+    double ends[2][LANES];
+    for (int a = 0; a < 3; a++) {
+        difference(s->count, bond_gather(view, false, body->u[a], ends[0]),
+                   bond_gather(view, true, body->u[a], ends[1]), s->z[a]);
+        for (int b = 0; b < 3; b++) {
+            const double *Hi = bond_gather(view, false, body->H[3 * a + b], ends[0]),
+                         *Hj = bond_gather(view, true, body->H[3 * a + b], ends[1]);
+            if (view->geometry_step)
+                subtract_slip(s->count, Hi, Hj, view->xi[b], s->z[a]);
+            else if (view->xi[b][0] < 0 || view->xi[b][0] > 0)
+                subtract(s->count, Hi, Hj, 0.5 * view->xi[b][0], s->z[a]);
+            subtract_slip(s->count, Hi, Hj, zeta[b], s->z[a]);
+        }
+        subtract_zeta(s->count, zeta[a], s->z[a]);
     }
 }
 
@@ -208,64 +220,63 @@ HS_SIMD static void add_slip_stress(int count, const double *restrict z,
     for (int i = 0; i < count; i++) out[i] -= 0.5 * stiffness[i] * z[i] * zeta[i];
 }
 
-static void capped_energy(const struct body *body, const struct springs *s, const double *lost,
-                          int64_t site, struct force_energy *energy)
+/* (capped.2) at the lower or the upper ends. */
+static void add_to_end(const struct springs *s, struct body *body, const struct bond_view *view,
+                       bool upper, double *const zeta[3])
 {
-    for (int i = 0; i < s->count; i++) {
-        if (!(body->grid.flags[site + i] & SITE_OWNED)) continue; /* counted by the owner */
-        double square = s->z[0][i] * s->z[0][i] + s->z[1][i] * s->z[1][i] + s->z[2][i] * s->z[2][i];
-        exact_sum_add(&energy->stabilisation, 0.5 * body->volume * s->stiffness[i] * square);
-        exact_sum_add(&energy->plastic, body->volume * lost[i]);
+    const double *stiffness = upper ? s->at_upper : s->at_lower;
+    double buffer[LANES];
+    for (int a = 0; a < 3; a++) {
+        add_force(s->count, s->z[a], stiffness, upper ? -1 : 1,
+                  bond_target(view, upper, body->f[a], buffer));
+        bond_scatter(view, upper, body->f[a], buffer);
+        for (int b = 0; b < 3; b++) {
+            double *S = bond_target(view, upper, body->S[3 * a + b], buffer);
+            add_slip_stress(s->count, s->z[a], stiffness, zeta[b], S);
+            if (view->geometry_step)
+                add_slip_stress(s->count, s->z[a], stiffness, view->xi[b], S);
+            else if (view->xi[b][0] < 0 || view->xi[b][0] > 0)
+                add_force(s->count, s->z[a], stiffness, -0.5 * view->xi[b][0], S);
+            bond_scatter(view, upper, body->S[3 * a + b], buffer);
+        }
     }
 }
 
-static void capped_add(void *self, struct body *body, int o, const struct strip *strip,
+static void capped_energy(const struct body *body, const struct springs *s,
+                          const struct bond_view *view, const double *lost,
+                          struct force_energy *energy)
+{
+    for (int k = 0; k < s->count; k++) {
+        const int64_t site = bond_lower(view, k);
+        if (!(body->grid.flags[site] & SITE_OWNED)) continue; /* counted by the owner */
+        const double volume = body_volume(body, site);
+        double square = s->z[0][k] * s->z[0][k] + s->z[1][k] * s->z[1][k] + s->z[2][k] * s->z[2][k];
+        exact_sum_add(&energy->stabilisation, 0.5 * volume * s->at_lower[k] * square);
+        exact_sum_add(&energy->plastic,
+                      volume * (view->volume_j[k * view->geometry_step] / body->volume) * lost[k]);
+    }
+}
+
+static void capped_add(void *self, struct body *body, const struct bond_strip *strip,
                        const double *flow, struct force_mode mode, struct force_energy *energy)
 {
     struct capped *c = self;
-    const struct offset *offset = &c->family->half[o];
-    const int64_t step = grid_shift(&body->grid, offset->step), i = strip->site, j = i + step;
-    double *state = c->state[o] + STATE * strip->store, *lost = state + 3 * strip->stride;
-    double *const zeta[3] = {state, state + strip->stride, state + 2 * strip->stride};
-    struct springs s = {.count = strip->count};
-    double square = 0;
-    for (int a = 0; a < 3; a++) {
-        s.xi[a] = offset->step[a] * body->lattice->spacing;
-        square += s.xi[a] * s.xi[a];
-    }
-    s.length = sqrt(square);
-    find_caps(c, &s, body, i, j, offset->weight, flow);
-    switch_off(body->broken, o, i, j, &s);
-    for (int a = 0; a < 3; a++) {
-        difference(s.count, body->u[a] + i, body->u[a] + j, s.z[a]);
-        for (int b = 0; b < 3; b++)
-            if (offset->step[b])
-                subtract(s.count, body->H[3 * a + b] + i, body->H[3 * a + b] + j, 0.5 * s.xi[b],
-                         s.z[a]);
-        for (int b = 0; b < 3; b++)
-            subtract_slip(s.count, body->H[3 * a + b] + i, body->H[3 * a + b] + j, zeta[b], s.z[a]);
-        subtract_zeta(s.count, zeta[a], s.z[a]);
-    }
+    const struct bond_view view = bonds_view(body->bonds, strip);
+    double *state = c->state + STATE * strip->store, *lost = state + 3 * view.stride;
+    double *const zeta[3] = {state, state + view.stride, state + 2 * view.stride};
+    struct springs s = {.count = view.count};
+    find_caps(c, &s, body, &view, flow);
+    find_z(&s, body, &view, zeta);
     int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
-    for (int a = 0; a < 3; a++) {
-        add_force(s.count, s.z[a], s.stiffness, 1, body->f[a] + i);
-        add_force(s.count, s.z[a], s.stiffness, -1, body->f[a] + j);
-        for (int b = 0; b < 3; b++) {
-            add_slip_stress(s.count, s.z[a], s.stiffness, zeta[b], body->S[3 * a + b] + i);
-            add_slip_stress(s.count, s.z[a], s.stiffness, zeta[b], body->S[3 * a + b] + j);
-            if (!offset->step[b]) continue;
-            add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + i);
-            add_force(s.count, s.z[a], s.stiffness, -0.5 * s.xi[b], body->S[3 * a + b] + j);
-        }
-    }
-    if (any && mode.commit) commit_slip(&s, body, i, j, zeta);
-    if (mode.energy) capped_energy(body, &s, lost, i, energy);
+    add_to_end(&s, body, &view, false, zeta);
+    add_to_end(&s, body, &view, true, zeta);
+    if (any && mode.commit) commit_slip(&s, body, &view, zeta);
+    if (mode.energy) capped_energy(body, &s, &view, lost, energy);
 }
 
 static void capped_free(void *self)
 {
     struct capped *c = self;
-    for (int o = 0; o < c->family->n_half; o++) free(c->state[o]);
     free(c->state);
     free(c);
 }
@@ -277,7 +288,6 @@ const struct stabilisation stabilisation_capped = {
     .bonds = capped_bonds,
     .start = capped_start,
     .node_share = capped_node_share,
-    .near_nodes = capped_near_nodes,
-    .add = capped_add,
+    .add_family = capped_add,
     .free = capped_free,
 };

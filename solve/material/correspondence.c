@@ -7,7 +7,9 @@
  * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
  * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
  * deformation gradient carries no stress and keeps its plastic state. */
+#include "bond_ends.h"
 #include "broken.h"
+#include "die.h"
 #include "gradient.h"
 #include "j2.h"
 #include "memory.h"
@@ -71,7 +73,7 @@ static void list_tasks(struct correspondence *model, const struct body *body)
     const struct offset *bonds;
     int count = model->stabilisation->bonds(model->self, body->family, &bonds);
     struct strips *strips = memory_new((size_t)count, sizeof *strips);
-    if (!model->near_nodes) append_tasks(model, &body->grid, model->nodes, -1);
+    append_tasks(model, &body->grid, model->nodes, -1);
     for (int o = 0; o < count; o++) {
         strips[o] = grid_bond_strips(&body->grid, bonds[o].step);
         append_tasks(model, &body->grid, &strips[o], o);
@@ -115,13 +117,20 @@ static void correspondence_start(void *self, const struct body *body, struct bon
 {
     struct correspondence *model = self;
     (void)bonds;
+    if (body->lattice->point[0] && !model->stabilisation->add_family)
+        die_user("the stabilisation '%s' needs particles on a lattice: take 'capped'",
+                 model->stabilisation->name);
     model->n_sites = body->grid.n_sites;
     model->node_share = model->stabilisation->node_share(model->self);
-    model->near_nodes = model->stabilisation->near_nodes(model->self);
+    model->near_nodes = model->stabilisation->add_family != NULL;
     model->nodes = model->near_nodes ? &body->near : &body->owned;
     model->state = j2_state_new(model->nodes);
-    if (model->near_nodes) model->flow = memory_new((size_t)model->n_sites, sizeof(double));
-    list_tasks(model, body);
+    if (model->near_nodes) {
+        model->flow = memory_new((size_t)model->n_sites, sizeof(double));
+        model->stabilisation->start(model->self, body, NULL);
+    } else {
+        list_tasks(model, body);
+    }
 }
 
 static void correspondence_free(void *self)
@@ -210,14 +219,20 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     if (!mode.energy) return;
     body_only_owned(body, site, strip->count, j2.stored);
     body_only_owned(body, site, strip->count, j2.plastic);
-    exact_sum_add_strip(&energy->stored, strip->count, j2.stored, model->node_share * body->volume);
-    exact_sum_add_strip(&energy->plastic, strip->count, j2.plastic,
-                        model->node_share * body->volume);
+    body_times_volume(body, site, strip->count, j2.stored);
+    body_times_volume(body, site, strip->count, j2.plastic);
+    exact_sum_add_strip(&energy->stored, strip->count, j2.stored, model->node_share);
+    exact_sum_add_strip(&energy->plastic, strip->count, j2.plastic, model->node_share);
 }
 
 /* Ghost ends of bonds gather sums that nobody reads; they must not grow. */
 static void clear_ghosts(struct body *body)
 {
+    if (body->lattice->point[0]) { /* whose bonds reach beyond near sites */
+        bond_ends_clear(body, body->S, 9);
+        bond_ends_clear(body, body->f, 3);
+        return;
+    }
     for (int64_t s = 0; s < body->ghosts.count; s++) {
         const struct strip *strip = &body->ghosts.items[s];
         const size_t bytes = (size_t)strip->count * sizeof(double);
@@ -230,16 +245,19 @@ static void stresses(struct correspondence *model, struct body *body, struct for
                      struct force_energy *energy)
 {
     /* The flow stress of both ends must be known before their bond. */
-    if (model->near_nodes)
+    if (model->near_nodes) {
         for (int64_t s = 0; s < body->near.count; s++)
             node_law(model, body, &body->near.items[s], mode, energy);
+        for (int64_t s = 0; s < body->bonds->count; s++)
+            model->stabilisation->add_family(model->self, body, &body->bonds->strips[s],
+                                             model->flow, mode, energy);
+    }
     for (int64_t t = 0; t < model->n_tasks; t++) {
         const struct task *task = &model->tasks[t];
         if (task->kind < 0)
             node_law(model, body, &task->strip, mode, energy);
         else
-            model->stabilisation->add(model->self, body, task->kind, &task->strip, model->flow,
-                                      mode, energy);
+            model->stabilisation->add(model->self, body, task->kind, &task->strip, mode, energy);
     }
 }
 
@@ -264,6 +282,7 @@ static void divide_by_shape(struct body *body)
     double *const *K = body->inverse, *const *S = body->S;
     for (int64_t n = 0; n < body->owned.count; n++) {
         const int64_t i = body->owned.items[n].site;
+        if (body->broken) broken_keep_stress(body, i, body->owned.items[n].count);
         for (int a = 0; a < 9; a += 3)
             divide_row(body->owned.items[n].count, K[0] + i, K[1] + i, K[2] + i, K[3] + i, K[4] + i,
                        K[5] + i, 1 / body->lattice->spacing, S[a] + i, S[a + 1] + i, S[a + 2] + i);

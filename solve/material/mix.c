@@ -84,12 +84,6 @@ static double mix_node_share(const void *self)
     return 1 - ((const struct mix *)self)->share;
 }
 
-static bool mix_near_nodes(const void *self)
-{
-    (void)self;
-    return false;
-}
-
 /* (mix.2): two columns are means, the third is the bond's. */
 HS_SIMD static void mean_column(int count, const double *restrict Hi, const double *restrict Hj,
                                 double *restrict out)
@@ -191,9 +185,8 @@ static void mix_energy(const struct mix *mix, const struct body *body, const str
 }
 
 static void mix_add(void *self, struct body *body, int axis, const struct strip *strip,
-                    const double *flow, struct force_mode mode, struct force_energy *energy)
+                    struct force_mode mode, struct force_energy *energy)
 {
-    (void)flow;
     struct mix *mix = self;
     const int64_t step = body->grid.step[axis], i = strip->site, j = i + step;
     const int count = strip->count;
@@ -246,7 +239,6 @@ const struct stabilisation stabilisation_mix = {
     .bonds = mix_bonds,
     .start = mix_start,
     .node_share = mix_node_share,
-    .near_nodes = mix_near_nodes,
     .add = mix_add,
     .free = mix_free,
 };

@@ -7,6 +7,7 @@
 #ifndef HS_STABILISATION_H
 #define HS_STABILISATION_H
 
+#include "bonds.h"
 #include "model.h"
 
 #include <stdbool.h>
@@ -19,15 +20,17 @@ struct stabilisation {
                   const struct materials *materials);
     /* The half offsets its bonds run along. */
     int (*bonds)(const void *self, const struct family *family, const struct offset **offsets);
-    /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o. */
+    /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o, of add. */
     void (*start)(void *self, const struct body *body, const struct strips bonds[]);
     double (*node_share)(const void *self); /* weight of the node's own law */
-    bool (*near_nodes)(
-        const void *self); /* needs the flow stress of near nodes, not only of owned */
-    /* Adds the bonds whose lower end lies in the strip, along bond offset number o: forces to body->f,
-     * stresses to body->S.  flow: current flow stress of the nodes (box field). */
-    void (*add)(void *self, struct body *body, int o, const struct strip *strip, const double *flow,
+    /* One of the two.  Forces go to body->f, stresses to body->S. */
+    /* Bonds of a lattice whose lower end lies in the strip, along its offset number o. */
+    void (*add)(void *self, struct body *body, int o, const struct strip *strip,
                 struct force_mode mode, struct force_energy *energy);
+    /* Bonds of the families, between scattered particles, too.  flow: current flow stress of near nodes
+     * (box field). */
+    void (*add_family)(void *self, struct body *body, const struct bond_strip *strip,
+                       const double *flow, struct force_mode mode, struct force_energy *energy);
     void (*free)(void *self);
 };
 

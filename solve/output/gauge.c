@@ -56,6 +56,9 @@ static void count_phases(struct gauge *gauge, const struct body *body)
 
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
 {
+    bool wanted = domain && (domain_set(domain, "gauge_left") || domain_set(domain, "gauge_right"));
+    ranks_share(&wanted, sizeof wanted);
+    if (!wanted) return NULL;
     struct gauge *gauge = memory_new(1, sizeof *gauge);
     gauge->n_phases = n_phases;
     gauge->left = members_new(body, domain, "gauge_left");
@@ -74,6 +77,7 @@ struct gauge *gauge_new(const struct body *body, const struct domain *domain, in
 
 void gauge_free(struct gauge *gauge)
 {
+    if (!gauge) return;
     members_free(&gauge->left);
     members_free(&gauge->right);
     free(gauge->fraction);

@@ -7,7 +7,8 @@
 
 struct gauge;
 
-/* From the node sets gauge_left and gauge_right; dies where they are missing. Collective. */
+/* From the node sets gauge_left and gauge_right; NULL where there is neither, dies where one is missing.
+ * Collective. */
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases);
 void gauge_free(struct gauge *gauge);
 

@@ -2,6 +2,7 @@
 
 #include "ranks.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -21,12 +22,12 @@ void progress_update(struct progress *progress, double done, int64_t step, doubl
     if (now - progress->last < (progress->terminal ? 0.5 : 30)) return;
     progress->last = now;
     double spent = now - progress->started, left = done > 0 ? spent * (1 - done) / done : 0;
-    fprintf(
-        stderr,
-        "%shssolve: %3.0f %%  step %lld  gauge strain %.4f  stress %.1f MPa  energy drift %.1e  "
-        "%.0f s left%s",
-        progress->terminal ? "\r\033[K" : "", 100 * done, (long long)step, strain, stress * 1e-6,
-        drift, left, progress->terminal ? "" : "\n");
+    fprintf(stderr, "%shssolve: %3.0f %%  step %lld  ", progress->terminal ? "\r\033[K" : "",
+            100 * done, (long long)step);
+    if (!isnan(strain))
+        fprintf(stderr, "gauge strain %.4f  stress %.1f MPa  ", strain, stress * 1e-6);
+    fprintf(stderr, "energy drift %.1e  %.0f s left%s", drift, left,
+            progress->terminal ? "" : "\n");
     fflush(stderr);
 }
 

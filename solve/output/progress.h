@@ -15,7 +15,7 @@ struct progress {
 struct progress progress_start(bool shown);
 
 /* Called at every step; prints every half second on a terminal, every half minute elsewhere.
- * done: share of the run, 0 to 1. */
+ * done: share of the run, 0 to 1; strain: NAN where there is no gauge. */
 void progress_update(struct progress *progress, double done, int64_t step, double strain,
                      double stress, double drift);
 /* Seconds since the start. */

@@ -1,31 +1,39 @@
 #include "recorder.h"
 
 #include "broken.h"
+#include "damping.h"
 #include "memory.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const common[] = {"force_left_N",
-                                     "force_right_N",
-                                     "extension_m",
-                                     "grip_extension_m",
-                                     "kinetic_energy_J",
-                                     "stored_energy_J",
-                                     "plastic_energy_J",
-                                     "stabilisation_energy_J",
-                                     "damping_energy_J",
-                                     "external_work_J",
-                                     "energy_drift",
-                                     "kinetic_to_internal",
-                                     "minimum_section_ratio",
-                                     "minimum_section_x_m",
-                                     "gauge_left_displacement_m",
-                                     "gauge_right_displacement_m",
-                                     "unsteady_to_internal",
-                                     "fracture_energy_J",
-                                     "broken_bonds",
-                                     "nodes_without_gradient"};
+/* Columns of a tension test are there where the scene has what they measure. */
+enum need { NOTHING, GRIPS, GAUGE };
+static const struct {
+    const char *name;
+    enum need need;
+} common[] = {
+    {"force_left_N", GRIPS},
+    {"force_right_N", GRIPS},
+    {"extension_m", GAUGE},
+    {"grip_extension_m", GRIPS},
+    {"kinetic_energy_J", NOTHING},
+    {"stored_energy_J", NOTHING},
+    {"plastic_energy_J", NOTHING},
+    {"stabilisation_energy_J", NOTHING},
+    {"damping_energy_J", NOTHING},
+    {"external_work_J", NOTHING},
+    {"energy_drift", NOTHING},
+    {"kinetic_to_internal", NOTHING},
+    {"minimum_section_ratio", GAUGE},
+    {"minimum_section_x_m", GAUGE},
+    {"gauge_left_displacement_m", GAUGE},
+    {"gauge_right_displacement_m", GAUGE},
+    {"unsteady_to_internal", NOTHING},
+    {"fracture_energy_J", NOTHING},
+    {"broken_bonds", NOTHING},
+    {"nodes_without_gradient", NOTHING},
+};
 static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
 enum { COMMON = sizeof common / sizeof *common, PER_PHASE = sizeof per_phase / sizeof *per_phase };
 
@@ -40,17 +48,38 @@ static void copy_attributes(struct attributes *to, const struct attributes *from
     }
 }
 
-struct recorder recorder_new(const struct domain *domain, int n_phases, char *const phase_names[])
+static bool has(const struct recorder *recorder, enum need need)
 {
-    struct recorder recorder = {.n_phases = n_phases};
+    return need == NOTHING || (need == GRIPS ? recorder->grips : recorder->gauge);
+}
+
+static void add_column(struct history *history, char *name)
+{
+    history->columns[history->n_columns++] = name;
+}
+
+static void add_quantity(struct history *history, const struct scene_quantity *quantity)
+{
+    for (int i = 0; i < history->n_columns; i++)
+        if (strcmp(history->columns[i], quantity->name) == 0)
+            deck_error(deck_get(quantity->where, "name"), "the history has a column '%s' already",
+                       quantity->name);
+    add_column(history, memory_text(quantity->name));
+}
+
+struct recorder recorder_new(const struct domain *domain, int n_phases, char *const phase_names[],
+                             const struct scene *scene, bool grips, bool gauge)
+{
+    struct recorder recorder = {.grips = grips, .gauge = gauge, .n_phases = n_phases};
     struct history *history = &recorder.history;
-    history->n_columns = COMMON + PER_PHASE * n_phases;
-    history->columns = memory_new((size_t)history->n_columns, sizeof *history->columns);
-    for (int i = 0; i < COMMON; i++) history->columns[i] = memory_text(common[i]);
-    for (int p = 0; p < n_phases; p++)
+    const int most = COMMON + PER_PHASE * n_phases + scene->n_quantities;
+    history->columns = memory_new((size_t)most, sizeof *history->columns);
+    for (int i = 0; i < COMMON; i++)
+        if (has(&recorder, common[i].need)) add_column(history, memory_text(common[i].name));
+    for (int p = 0; gauge && p < n_phases; p++)
         for (int k = 0; k < PER_PHASE; k++)
-            history->columns[COMMON + p * PER_PHASE + k] =
-                memory_print("%s_%s", phase_names[p], per_phase[k]);
+            add_column(history, memory_print("%s_%s", phase_names[p], per_phase[k]));
+    for (int q = 0; q < scene->n_quantities; q++) add_quantity(history, &scene->quantities[q]);
     if (domain) copy_attributes(&history->attributes, &domain->attributes);
     return recorder;
 }
@@ -88,22 +117,49 @@ static double body_unsupported(const struct body *body)
     return (double)body->unsupported + (body->broken ? body->broken->n_lost : 0);
 }
 
-double recorder_take(struct recorder *recorder, const struct gauge *gauge,
-                     const struct verlet *verlet, const struct boundary *boundary,
-                     struct model *model, struct body *body, double *axial)
+/* The columns that are there whatever the phases; those that are not measured are passed over. */
+static double *put_common(const struct recorder *recorder, const double values[COMMON],
+                          double *record)
 {
-    struct gauge_section section;
+    for (int i = 0; i < COMMON; i++)
+        if (has(recorder, common[i].need)) *record++ = values[i];
+    return record;
+}
+
+static double *put_phases(const struct recorder *recorder, const struct gauge_phase *phases,
+                          double *record)
+{
+    for (int p = 0; recorder->gauge && p < recorder->n_phases; p++) {
+        *record++ = phases[p].stress;
+        *record++ = phases[p].true_stress;
+        *record++ = phases[p].strain;
+        *record++ = phases[p].plastic_strain;
+    }
+    return record;
+}
+
+double recorder_take(struct recorder *recorder, const struct gauge *gauge,
+                     struct quantities *quantities, const struct verlet *verlet,
+                     const struct boundary *boundary, struct model *model, struct body *body,
+                     double *axial)
+{
+    static const struct boundary_set nothing;
+    const bool grips = boundary_has_grips(boundary);
+    const struct boundary_set *left = grips ? &boundary->sets[boundary->left] : &nothing,
+                              *right = grips ? &boundary->sets[boundary->right] : &nothing;
+    struct gauge_section section = {0};
+    struct gauge_planes planes = {0};
     struct gauge_phase *phases = memory_new((size_t)recorder->n_phases, sizeof *phases);
-    const struct gauge_planes planes = gauge_displacements(gauge, body);
-    const double extension = planes.right - planes.left;
+    double *wanted = memory_new((size_t)quantities_count(quantities), sizeof *wanted);
+    if (gauge) planes = gauge_displacements(gauge, body);
     model_prepare(model, body, axial);
-    gauge_measure(gauge, model, body, axial, phases, &section);
-    const double unsteady = verlet_unsteady_energy(verlet, body, boundary);
+    if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
+    quantities_measure(quantities, model, body, wanted);
+    const double unsteady = damping_unsteady_energy(verlet, body, boundary);
+    const double extension = planes.right - planes.left;
     if (body->ranks.rank == 0) {
         const struct energy_balance *b = &verlet->balance;
         const double internal = energy_internal(b), per_internal = internal > 0 ? 1 / internal : 0;
-        const struct boundary_set *left = &boundary->sets[boundary->left],
-                                  *right = &boundary->sets[boundary->right];
         const double values[COMMON] = {left->total_force,
                                        right->total_force,
                                        extension,
@@ -124,16 +180,11 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                                        b->fracture,
                                        verlet->damage ? damage_broken_bonds(verlet->damage) : 0,
                                        body_unsupported(body)};
-        double *record = new_record(recorder, verlet->time);
-        memcpy(record, values, sizeof values);
-        for (int p = 0; p < recorder->n_phases; p++) {
-            double *phase = record + COMMON + p * PER_PHASE;
-            phase[0] = phases[p].stress;
-            phase[1] = phases[p].true_stress;
-            phase[2] = phases[p].strain;
-            phase[3] = phases[p].plastic_strain;
-        }
+        double *record = put_common(recorder, values, new_record(recorder, verlet->time));
+        record = put_phases(recorder, phases, record);
+        for (int q = 0; q < quantities_count(quantities); q++) *record++ = wanted[q];
     }
     free(phases);
-    return extension / gauge_length(gauge);
+    free(wanted);
+    return gauge ? extension / gauge_length(gauge) : 0;
 }

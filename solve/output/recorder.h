@@ -5,21 +5,27 @@
 #include "boundary.h"
 #include "exodus.h"
 #include "gauge.h"
+#include "quantities.h"
 #include "verlet.h"
 
 struct recorder {
+    bool grips, gauge; /* there are columns of theirs */
     int n_phases;
     struct history history; /* filled on rank 0 only */
     int64_t room;
 };
 
-/* Columns for the phases; the attributes of the domain go along (rank 0; domain NULL elsewhere). */
-struct recorder recorder_new(const struct domain *domain, int n_phases, char *const phase_names[]);
+/* Columns for grips and gauge, where there are such, and for the scene's quantities; the attributes of the
+ * domain go along (rank 0; domain NULL elsewhere). */
+struct recorder recorder_new(const struct domain *domain, int n_phases, char *const phase_names[],
+                             const struct scene *scene, bool grips, bool gauge);
 void recorder_free(struct recorder *recorder);
 
-/* Adds a record; axial as in gauge_measure.  Returns the gauge's nominal strain.  Collective. */
+/* Adds a record; axial as in gauge_measure.  Returns the gauge's nominal strain, 0 without gauge (NULL).
+ * Collective. */
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
-                     const struct verlet *verlet, const struct boundary *boundary,
-                     struct model *model, struct body *body, double *axial);
+                     struct quantities *quantities, const struct verlet *verlet,
+                     const struct boundary *boundary, struct model *model, struct body *body,
+                     double *axial);
 
 #endif

@@ -39,7 +39,7 @@ solver:
   end_strain: 0.005
 output:
   history: 20
-  fields: {frames: 3, variables: [displacement, velocity, force, stress, von_mises,
+  fields: {frames: 3, variables: [displacement, velocity, force, external_force, stress, von_mises,
                                   equivalent_plastic_strain, phase, damage]}
 DECK
     hsgen -q study.yaml -o domain.g --peridigm domain
@@ -87,19 +87,19 @@ wrong() {
 }
 
 @test "a wrong key, type, unit or range is refused with its place and what is known" {
-    wrong 29:37 "unknown key 'velocty' (did you mean velocity? known: set, direction, velocity)" \
+    wrong 29:37 "unknown key 'velocty' (did you mean velocity? known: set, block, box, where, direction, velocity, displacement, force, body_force)" \
         's/velocity: 10/velocty: 10/'
     wrong 31:3 "key 'horizon' is missing here" '/horizon: 1/d'
     wrong 31:9 "'implicit' is not known here" 's/explicit/implicit/'
     wrong 32:12 "'mm' is a length, expected a pure number" 's/horizon: 1/horizon: 1 mm/'
-    wrong 32:12 "0.5 is out of range, expected 1 to 3.5" 's/horizon: 1/horizon: 0.5/'
+    wrong 32:12 "0.5 is out of range, expected 1 to 8" 's/horizon: 1/horizon: 0.5/'
     wrong 32:12 "expected a single value" 's/horizon: 1/horizon: [1]/'
     wrong 33:18 "expected a mapping" 's/stabilisation: .*/stabilisation: mix/'
     wrong 33:24 "did you mean mix? expected one of: mix, capped" 's/law: mix/law: mixx/'
     wrong 33:36 "7 is out of range, expected 0.01 to 1" 's/share: 0.1/share: 7/'
     wrong 34:15 "'nan' is not a number" 's/end_strain: 0.005/end_strain: nan/'
-    wrong 31:3 "give one of end_strain and end_time" '/end_strain/d'
-    wrong 31:3 "give one of end_strain and end_time" 's/  horizon: 1/&\n  end_time: 1 us/'
+    wrong 31:3 "give one of end_strain, end_time and end_steps" '/end_strain/d'
+    wrong 31:3 "give one of end_strain, end_time and end_steps" 's/  horizon: 1/&\n  end_time: 1 us/'
     wrong 33:9 "a ramp goes with 'start: ramp'" 's/  horizon: 1/&\n  ramp: 1 us/'
     wrong 29:34 "expected one of: x, y, z" 's/direction: x, velocity: 10/direction: w, velocity: 10/'
     wrong 29:47 "expected a velocity in m/s" 's/velocity: 10 m.s/velocity: 10 s/'
@@ -125,20 +125,21 @@ wrong() {
 @test "a wrong boundary is refused: sets that are not there, grips that do not pull" {
     wrong 29:11 "no node set 'grip_rihgt' in the domain, which has: grip_left, grip_right, gauge_left" \
         's/set: grip_right/set: grip_rihgt/'
-    wrong 28:3 "a tension test needs two sets with a velocity along x" \
+    wrong 34:15 "end_strain needs grips that move apart" \
         's/direction: x, velocity: 10/direction: y, velocity: 10/'
-    wrong 28:3 "end_strain needs grips that move apart" 's/velocity: 10/velocity: -30/'
+    wrong 34:15 "end_strain needs grips that move apart" 's/velocity: 10/velocity: -30/'
+    wrong 34:15 "with velocities along x that are numbers" 's/velocity: 10 m.s/velocity: "10*t"/'
     wrong 31:3 "are over 1e12 steps" 's/end_strain: 0.005/end_time: 1e6 s/'
 }
 
 @test "sets that hold a node along one direction twice are refused, along two they are not" {
-    wrong 30:5 "node 1 is held along one direction twice, by 'grip_left' and by 'grip_left'" \
+    wrong 30:5 "node 1 is held along one direction twice, by set grip_left and by set grip_left" \
         '29a\  - {set: grip_left, direction: x, velocity: -10 m/s}'
     # A box around the innermost layer of the left grip, x = -237.5 um, and the next.
     change 's/^  gauge:.*/&\n  sets: [{name: edge, box: [[-250 um, -1 mm, -1 mm], [-200 um, 1 mm, 1 mm]]}]/
         29a\  - {set: edge, direction: x, velocity: -10 m/s}'
     hsgen -q changed.yaml -o edge.g
-    refused 2 "changed.yaml:31:5: node 3 is held along one direction twice, by 'grip_left' and by 'edge'" -i edge.g
+    refused 2 "changed.yaml:31:5: node 3 is held along one direction twice, by set grip_left and by set edge" -i edge.g
     change '29a\  - {set: grip_left, direction: y, velocity: 0}'
     hssolve -q -i domain.g -d changed.yaml -H out.e
     [ -s out.e ]
@@ -150,7 +151,7 @@ wrong() {
     change 's/share: 0.1/share: 7/'
     refused 2 "changed.yaml:33:36: 7 is out of range" -j 2 -i domain.g -d changed.yaml
     change 's/velocity: 10/velocity: -30/' # found by all ranks, late
-    refused 2 "changed.yaml:28:3: end_strain needs grips" -j 2 -i domain.g -d changed.yaml
+    refused 2 "changed.yaml:34:15: end_strain needs grips" -j 2 -i domain.g -d changed.yaml
     head -c 20000 domain.g >cut.g
     refused 2 "truncated" -j 2 -i cut.g
 }
@@ -286,7 +287,7 @@ wrong() {
 @test "fields have ParaView's names, their own rising time axis, and the last state" {
     hssolve -q -i domain.g -H out.e -o fields.e
     ncdump -v name_nod_var fields.e | sed -n '/name_nod_var =/,$s/^ *"\([A-Za-z]*\)".*/\1/p' >names
-    diff names <(printf '%s\n' Displacement{X,Y,Z} Velocity{X,Y,Z} Force{X,Y,Z} \
+    diff names <(printf '%s\n' Displacement{X,Y,Z} Velocity{X,Y,Z} Force{X,Y,Z} ExternalForce{X,Y,Z} \
         Stress{XX,YY,ZZ,XY,YZ,ZX} VonMises EquivalentPlasticStrain Phase Damage)
     times() { ncdump -p 9,17 -v time_whole "$1" | sed -n '/time_whole =/,$p' | grep -o '[0-9][0-9.e+-]*'; }
     [ "$(times fields.e | wc -l)" -ge 4 ]

@@ -245,7 +245,7 @@ double small_body_largest(const struct small_body *small, double *const a[3])
 struct boundary small_free_boundary(void)
 {
     struct boundary boundary = {
-        .count = 2, .sets = memory_new(2, sizeof(struct boundary_set)), .left = 0, .right = 1};
+        .count = 2, .sets = memory_new(2, sizeof(struct boundary_set)), .left = -1, .right = -1};
     for (int i = 0; i < 2; i++) boundary.sets[i].zero = exact_sum_new(1);
     return boundary;
 }

@@ -118,6 +118,31 @@ static void test_list_gives_the_force_of_the_lattice(void **state)
         (struct small_case){{12, 9, 1}, 3.015, .materials = spring, .plane = PLANE_STRESS}, 1e-13);
 }
 
+/* The same of state-based materials, in plastic flow; a shape tensor's inverse costs another digit. */
+static void test_list_gives_the_force_of_any_material(void **state)
+{
+    (void)state;
+    static const char linear[] = "{A: {model: ordinary, density: 8900, youngs_modulus: 210 GPa, "
+                                 "poissons_ratio: 0.31}}",
+                      flowing[] =
+                          "{A: {model: ordinary_plastic, density: 8900, youngs_modulus: 210 GPa, "
+                          "poissons_ratio: 0.31, hardening: {law: linear, yield: 185 MPa, "
+                          "modulus: 898 MPa}}}";
+    compare_paths((struct small_case){{9, 8, 7}, 3.015, .influence = 3, .materials = linear},
+                  1e-12);
+    compare_paths(
+        (struct small_case){{12, 9, 1}, 3.015, .materials = linear, .plane = PLANE_STRAIN}, 1e-12);
+    compare_paths((struct small_case){{9, 8, 7}, 3.015, .materials = flowing}, 1e-12);
+    for (int horizon = 1; horizon <= 2; horizon++)
+        compare_paths((struct small_case){{9, 8, 7},
+                                          horizon,
+                                          .stabilisation = small_capped,
+                                          .materials = small_two_phases,
+                                          .n_phases = 2,
+                                          .phase = chequers},
+                      1e-12);
+}
+
 /* Forces of a jittered set add up to nothing, and turn with the body. */
 static void test_scattered_forces_balance(void **state)
 {
@@ -152,6 +177,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_number),
         cmocka_unit_test(test_list_gives_the_force_of_the_lattice),
+        cmocka_unit_test(test_list_gives_the_force_of_any_material),
         cmocka_unit_test(test_scattered_forces_balance),
     };
     return cmocka_run_group_tests_name("bonds", tests, small_ranks_start, small_ranks_stop);

@@ -42,7 +42,7 @@ static void tear(struct small_body *small, double share)
                 broken_add(&small->body, small->bonds, strip, k);
         }
     random_free(stream);
-    broken_shapes(&small->body);
+    broken_shapes(&small->body, true);
 }
 
 /* An affine motion gives its exact gradient in whatever family is left, as long as it spans space; the others
@@ -176,7 +176,7 @@ static void test_far_nodes_keep_their_bits(void **state)
         int from[3];
         small_body_position(&torn, bond_lower(&view, 0), from);
         broken_add(&torn.body, torn.bonds, strip, 0);
-        broken_shapes(&torn.body);
+        broken_shapes(&torn.body, true);
         small_body_shake(&whole, 1e-3, 9);
         small_body_shake(&torn, 1e-3, 9);
         small_body_force(&whole, true, false);

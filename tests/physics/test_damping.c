@@ -18,7 +18,8 @@ static uint8_t chequered(const int size[3], const int at[3])
 static struct boundary_set grip(const struct small_body *small, int first, int inner,
                                 double velocity)
 {
-    struct boundary_set set = {.velocity = velocity, .inner = inner * SMALL_SPACING};
+    struct boundary_set set = {.value = {.kind = VALUE_RAMP, .ramp = ramp, .number = velocity},
+                               .inner = inner * SMALL_SPACING};
     set.members.sites = memory_new(GRIP * WIDE * WIDE, sizeof *set.members.sites);
     set.members.n_all = GRIP * WIDE * WIDE;
     for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
@@ -34,13 +35,11 @@ static struct boundary_set grip(const struct small_body *small, int first, int i
 
 static struct boundary grips_of(const struct small_body *small)
 {
-    struct boundary boundary = {.count = 2,
-                                .sets = memory_new(2, sizeof *boundary.sets),
-                                .ramp = ramp,
-                                .left = 0,
-                                .right = 1};
+    struct boundary boundary = {
+        .count = 2, .sets = memory_new(2, sizeof *boundary.sets), .left = 0, .right = 1};
     boundary.sets[0] = grip(small, 0, GRIP - 1, -speed);
     boundary.sets[1] = grip(small, LONG - GRIP, LONG - GRIP, speed);
+    boundary_mark(&boundary, &small->body);
     return boundary;
 }
 
@@ -65,7 +64,7 @@ static struct pull pull(const char *stabilisation, double damping, double dt)
         verlet_new(dt, damping, &small.materials, &small.body, &boundary, small.model);
     struct pull pull = {0, 0};
     while (verlet.time < 1e-6) {
-        verlet_step(&verlet, &small.body, &boundary, small.model, NULL);
+        verlet_step(&verlet, &small.body, &boundary, small.model, true, NULL);
         pull.drift = fmax(pull.drift, fabs(energy_drift(&verlet.balance)));
     }
     pull.damped = verlet.balance.damping / verlet.balance.work;

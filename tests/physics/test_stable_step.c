@@ -43,7 +43,7 @@ static double growth(const struct trial *trial, double share, int steps)
     struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
     double largest = 0;
     for (int n = 0; n < steps && largest < 1e6; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
         const struct energy_balance *b = &verlet.balance;
         largest = fmax(largest, b->kinetic + b->stored + b->stabilisation);
     }

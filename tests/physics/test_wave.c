@@ -46,9 +46,11 @@ static double speed_error(const char *stabilisation, double horizon, int width)
                  second = 8 * width * SMALL_SPACING / exact;
     strike(&small, width);
     struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
-    while (verlet.time < first) verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+    while (verlet.time < first)
+        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
     const double start = verlet.time, from = centre_of(&small);
-    while (verlet.time < second) verlet_step(&verlet, &small.body, &nothing, small.model, NULL);
+    while (verlet.time < second)
+        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
     double speed = (centre_of(&small) - from) / (verlet.time - start);
     verlet_free(&verlet);
     boundary_free(&nothing);

@@ -1,0 +1,77 @@
+#include "damping.h"
+
+#include <math.h>
+
+/* The affine motion between the grips at a node: what damping leaves alone. */
+struct affine {
+    double left_velocity, rate, left, right, contraction, centre[3];
+};
+
+static struct affine affine_motion(const struct boundary *boundary, const struct body *body,
+                                   double time, double dt)
+{
+    struct affine affine = {.contraction = 0.5}; /* of plastic flow, which lasts longest */
+    if (!boundary_has_grips(boundary)) return affine;
+    const struct boundary_set *left = &boundary->sets[boundary->left];
+    affine.left_velocity = boundary_speed(left, time, dt);
+    affine.rate = boundary_strain_rate(boundary, time, dt);
+    affine.left = left->inner;
+    affine.right = boundary->sets[boundary->right].inner;
+    for (int a = 0; a < 3; a++) affine.centre[a] = lattice_middle(body->lattice, a);
+    return affine;
+}
+
+/* The affine velocity of the node at a site. */
+static void affine_velocity(const struct affine *affine, const struct body *body, int64_t site,
+                            double velocity[3])
+{
+    double x[3];
+    body_position(body, site, x);
+    double along = fmin(fmax(x[0], affine->left), affine->right) - affine->left;
+    velocity[0] = affine->left_velocity + affine->rate * along;
+    for (int a = 1; a < 3; a++) {
+        velocity[a] = -affine->contraction * affine->rate * (x[a] - affine->centre[a]);
+    }
+}
+
+void damping_apply(const struct verlet *verlet, struct body *body, const struct boundary *boundary,
+                   double time, struct exact_sum *lost)
+{
+    const struct affine affine = affine_motion(boundary, body, time, verlet->dt);
+    const double keep = exp(-0.5 * verlet->damping * verlet->dt);
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            const int64_t site = body->owned.items[s].site + i;
+            double target[3];
+            affine_velocity(&affine, body, site, target);
+            for (int a = 0; a < 3; a++) {
+                if (boundary->held && (boundary->held[site] >> a & 1)) continue;
+                double before = body->v[a][site];
+                double after = target[a] + keep * (before - target[a]);
+                body->v[a][site] = after;
+                exact_sum_add(lost, 0.5 * verlet_node_mass(verlet, body, site) *
+                                        (before * before - after * after));
+            }
+        }
+}
+
+double damping_unsteady_energy(const struct verlet *verlet, const struct body *body,
+                               const struct boundary *boundary)
+{
+    const struct affine affine = affine_motion(boundary, body, verlet->time, verlet->dt);
+    struct exact_sum sum = verlet->kinetic_zero;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            const int64_t site = body->owned.items[s].site + i;
+            double steady[3], square = 0;
+            affine_velocity(&affine, body, site, steady);
+            for (int a = 0; a < 3; a++) {
+                double beyond = body->v[a][site] - steady[a];
+                square += beyond * beyond;
+            }
+            exact_sum_add(&sum, 0.5 * verlet_node_mass(verlet, body, site) * square);
+        }
+    double energy;
+    exact_sum_finish(&sum, 1, &energy);
+    return energy;
+}

@@ -1,0 +1,136 @@
+#include "quantities.h"
+
+#include "members.h"
+#include "memory.h"
+#include "node_values.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct quantity {
+    int value; /* enum node_value */
+    enum scene_reduction reduction;
+    struct members members;
+};
+
+struct quantities {
+    int count;
+    struct quantity *items;
+    struct node_values *nodes;
+};
+
+struct quantities *quantities_new(const struct scene *scene, const struct body *body,
+                                  const struct damage *damage)
+{
+    struct quantities *quantities = memory_new(1, sizeof *quantities);
+    quantities->count = scene->n_quantities;
+    quantities->items = memory_new((size_t)scene->n_quantities, sizeof *quantities->items);
+    for (int k = 0; k < scene->n_quantities; k++) {
+        const struct scene_quantity *wanted = &scene->quantities[k];
+        quantities->items[k] = (struct quantity){
+            .value = wanted->value,
+            .reduction = wanted->reduction,
+            .members = members_of_nodes(body, wanted->nodes.numbers, wanted->nodes.count)};
+    }
+    if (quantities->count > 0) quantities->nodes = node_values_new(body, damage);
+    return quantities;
+}
+
+void quantities_free(struct quantities *quantities)
+{
+    if (!quantities) return;
+    for (int k = 0; k < quantities->count; k++) members_free(&quantities->items[k].members);
+    free(quantities->items);
+    node_values_free(quantities->nodes);
+    free(quantities);
+}
+
+int quantities_count(const struct quantities *quantities)
+{
+    return quantities->count;
+}
+
+/* Of this rank's members: smallest value, minus the largest, and both of what is summed up. */
+struct range {
+    double low, minus_high, low_term, minus_high_term;
+};
+enum { RANGE = sizeof(struct range) / sizeof(double) };
+
+static bool is_force(int value)
+{
+    return value >= FORCE_X && value < STRESS_XX;
+}
+
+/* Sums: of the values; means: of values times volumes. */
+static double term(const struct quantity *quantity, double value, double volume)
+{
+    return quantity->reduction == REDUCE_MEAN ? value * volume : value;
+}
+
+static double value_of(const struct quantity *quantity, const struct body *body,
+                       const double *field, int64_t i)
+{
+    const int64_t site = quantity->members.sites[i];
+    return is_force(quantity->value) ? field[site] * body_volume(body, site) : field[site];
+}
+
+static struct range find_range(const struct quantity *quantity, const struct body *body,
+                               const double *field)
+{
+    struct range range = {INFINITY, INFINITY, INFINITY, INFINITY};
+    for (int64_t i = 0; i < quantity->members.count; i++) {
+        const double value = value_of(quantity, body, field, i),
+                     t = term(quantity, value, body_volume(body, quantity->members.sites[i]));
+        range.low = fmin(range.low, value);
+        range.minus_high = fmin(range.minus_high, -value);
+        range.low_term = fmin(range.low_term, t);
+        range.minus_high_term = fmin(range.minus_high_term, -t);
+    }
+    return range;
+}
+
+/* Sum of the terms, and of the volumes. */
+static void add_up(const struct quantity *quantity, const struct body *body, const double *field,
+                   struct exact_sum sums[2])
+{
+    for (int64_t i = 0; i < quantity->members.count; i++) {
+        const double volume = body_volume(body, quantity->members.sites[i]);
+        exact_sum_add(&sums[0], term(quantity, value_of(quantity, body, field, i), volume));
+        exact_sum_add(&sums[1], volume);
+    }
+}
+
+/* Two messages for all quantities: their ranges, which bound their sums, and the sums. */
+void quantities_measure(struct quantities *quantities, struct model *model, struct body *body,
+                        double *values)
+{
+    const int count = quantities->count;
+    if (count == 0) return;
+    struct range *ranges = memory_new((size_t)count, sizeof *ranges);
+    struct exact_sum *sums = memory_new(2 * (size_t)count, sizeof *sums);
+    double *totals = memory_new(2 * (size_t)count, sizeof *totals);
+    node_values_find(quantities->nodes, model, body);
+    for (int k = 0; k < count; k++)
+        ranges[k] =
+            find_range(&quantities->items[k], body,
+                       node_values_field(quantities->nodes, quantities->items[k].value, body));
+    ranks_minimum((double *)ranges, RANGE * count);
+    for (int k = 0; k < count; k++) {
+        const struct quantity *item = &quantities->items[k];
+        const double largest = fmax(fabs(ranges[k].low_term), fabs(ranges[k].minus_high_term));
+        sums[2 * k] = exact_sum_new((double)item->members.n_all * largest);
+        sums[2 * k + 1] = exact_sum_new(1.001 * body->volume * (double)body->n_nodes);
+        add_up(item, body, node_values_field(quantities->nodes, item->value, body), sums + 2 * k);
+    }
+    exact_sum_finish(sums, 2 * count, totals);
+    for (int k = 0; k < count; k++) {
+        const double reduced[] = {[REDUCE_SUM] = totals[2 * k],
+                                  [REDUCE_MEAN] = totals[2 * k] / totals[2 * k + 1],
+                                  [REDUCE_MINIMUM] = ranges[k].low,
+                                  [REDUCE_MAXIMUM] = -ranges[k].minus_high};
+        values[k] = reduced[quantities->items[k].reduction];
+    }
+    free(ranges);
+    free(sums);
+    free(totals);
+}

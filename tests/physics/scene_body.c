@@ -1,0 +1,68 @@
+#include "scene_body.h"
+
+#include "check.h"
+
+#include "initial.h"
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static struct domain domain_of(const struct lattice *lattice)
+{
+    const size_t n = (size_t)lattice->n_nodes;
+    struct domain domain = {.n_nodes = lattice->n_nodes,
+                            .x = memory_new(n, sizeof(double)),
+                            .y = memory_new(n, sizeof(double)),
+                            .z = memory_new(n, sizeof(double)),
+                            .volume = memory_new(n, sizeof(double)),
+                            .phase = memory_new(n, 1),
+                            .n_phases = 1,
+                            .phase_names = memory_new(1, sizeof(char *))};
+    domain.phase_names[0] = memory_text("A");
+    int64_t node = 0;
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        int at[3];
+        double x[3];
+        if (lattice->phase[site] == ABSENT) continue;
+        lattice_position(lattice, site, at);
+        lattice_coordinates(lattice, at, x);
+        domain.x[node] = x[0];
+        domain.y[node] = x[1];
+        domain.z[node++] = x[2];
+    }
+    return domain;
+}
+
+void scene_body_new(struct scene_body *it, const struct small_case *wanted, const char *sections,
+                    double damping, double dt)
+{
+    char *text = memory_print("{%s, solver: {type: explicit, horizon: 1, end_time: 1}}", sections);
+    small_body_new(&it->small, wanted);
+    it->deck = deck_parse(text, strlen(text), "test");
+    it->scene = scene_read(it->deck);
+    it->domain = domain_of(&it->small.lattice);
+    scene_resolve(&it->scene, &it->domain, SMALL_SPACING);
+    it->boundary = boundary_new(&it->scene, &it->small.body, 1e12);
+    initial_set(&it->scene, &it->small.body, SCENE_DISPLACEMENT);
+    initial_set(&it->scene, &it->small.body, SCENE_VELOCITY);
+    it->verlet = verlet_new(dt, damping, &it->small.materials, &it->small.body, &it->boundary,
+                            it->small.model);
+    free(text);
+}
+
+void scene_body_free(struct scene_body *it)
+{
+    verlet_free(&it->verlet);
+    boundary_free(&it->boundary);
+    scene_free(&it->scene);
+    domain_free(&it->domain);
+    deck_free(it->deck);
+    small_body_free(&it->small);
+}
+
+void scene_body_step(struct scene_body *it)
+{
+    verlet_step(&it->verlet, &it->small.body, &it->boundary, it->small.model, true, NULL);
+    verlet_raise_loads(&it->verlet, &it->small.body, &it->boundary, false);
+}
