@@ -16,8 +16,8 @@ static const char *const axes[3] = {"X", "Y", "Z"};
 static const struct {
     const char *beginning, *unit;
 } units[] = {
-    {"Displacement", "m"}, {"Velocity", "m/s"}, {"Force", "N/m3"},
-    {"Stress", "Pa"},      {"VonMises", "Pa"},
+    {"Displacement", "m"},     {"Velocity", "m/s"}, {"Force", "N/m3"},
+    {"ExternalForce", "N/m3"}, {"Stress", "Pa"},    {"VonMises", "Pa"},
 };
 
 static const char *unit_of(const char *variable)
