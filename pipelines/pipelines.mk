@@ -11,6 +11,7 @@
 #   make study                 CG, UFG, HS40 and R40 at two spacings: one figure, one table
 #   make study SPACINGS=25um   the same at the coarse spacing alone
 #   make bond-plate            E of a bond-based sheet against horizon, spacing and corrections
+#   make load-steps            a plate under forces that grow in steps; the plate at rest against plane stress
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
@@ -20,7 +21,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis bond-plate
+.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 flagship: $(RESULTS)/ni-hs40/curve.csv
@@ -123,3 +124,39 @@ $(RESULTS)/bond-plate/table.csv: $(BOND_PLATES:%=%/row.csv) pipelines/bond-plate
 	awk -f pipelines/bond-plate/check.awk $@
 $(RESULTS)/bond-plate/figure.svg: $(RESULTS)/bond-plate/table.csv pipelines/bond-plate/figure.gp
 	gnuplot -c pipelines/bond-plate/figure.gp $< $@
+
+# The plate loaded in steps: the study, the same with 30 MPa a step, and as the report computed it (README);
+# the plate at rest for two models and spacings.  These have no grips, hence no curve.
+define FRAMES
+@mkdir -p $(@D)
+hsgen $< --statistics $(@D)/statistics.csv | hssolve -j $(RANKS) -o $@ -H $(@D)/history.e 2> >(tee $(@D)/hssolve.log >&2)
+endef
+LOADS := study strong report
+HELD := $(foreach m,madenci_oterkus ordinary,$(m)-2mm $(m)-1mm)
+load-steps: $(LOADS:%=$(RESULTS)/load-steps/%/frames.png) $(RESULTS)/load-steps/table.csv
+
+$(RESULTS)/load-steps/study/study.yaml: pipelines/load-steps/study.yaml
+	@mkdir -p $(@D) && cp $< $@
+$(RESULTS)/load-steps/strong/study.yaml: pipelines/load-steps/study.yaml
+	$(call VARY,-e 's/-150 N/-4500 N/g' -e 's/ 150 N/ 4500 N/g')
+# 12 times the load, time steps shorter by sqrt(1000) than the report's 0.4 us.
+$(RESULTS)/load-steps/report/study.yaml: pipelines/load-steps/study.yaml
+	$(call VARY,-e 's/-150 N/-1800 N/g' -e 's/ 150 N/ 1800 N/g' -e 's/safety: 0.7/safety: 0.0166/')
+$(HELD:%=$(RESULTS)/load-steps/%/study.yaml): $(RESULTS)/load-steps/%/study.yaml: pipelines/load-steps/held.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' -e 's/model: .*/model: $(word 1,$(subst -, ,$*))/' -e 's/spacing: 2 mm/spacing: $(patsubst %mm,% mm,$(word 2,$(subst -, ,$*)))/')
+$(RESULTS)/load-steps/%/fields.e: $(RESULTS)/load-steps/%/study.yaml | all
+	$(FRAMES)
+$(RESULTS)/load-steps/%/frames.png: $(RESULTS)/load-steps/%/fields.e
+	for frame in 2 3 4 5 6 7; do hspost --frames $< --frame $$frame --picture $(@D)/step-$$(((frame - 1) * 250)).png \
+	--variables Displacement,ExternalForceX,ForceX,Damage; done
+	touch $@
+$(RESULTS)/load-steps/%/displacement.csv: $(RESULTS)/load-steps/%/fields.e
+	hspost --frames $< --csv --variables DisplacementX,DisplacementY > $@
+$(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/%/displacement.csv) $(LOADS:%=$(RESULTS)/load-steps/%/fields.e) $(wildcard pipelines/load-steps/*.awk)
+	{ echo model,spacing,strain,poissons_ratio,end_displacement_mm,strain_error_percent,poissons_ratio_error_percent,end_displacement_error_percent; \
+	for name in $(HELD); do awk -v name=$$name -f pipelines/load-steps/measure.awk $(@D)/$$name/displacement.csv; done; } > $@
+	{ echo deck,frame,load_N,most_damage,damage_left,damage_right; for name in $(LOADS); do for frame in 2 3 4 5 6 7; do \
+	hspost --frames $(@D)/$$name/fields.e --frame $$frame --csv --variables ExternalForceX,Damage \
+	| awk -F, -v name=$$name,$$frame '/^[#x]/ {next} $$5 > most {most = $$5} $$1 > 0 {load += $$4*12e-9; right += $$5} $$1 < 0 {left += $$5} \
+	END {printf "%s,%.9g,%.4f,%.12g,%.12g\n", name, load, most, left, right}'; done; done; } > $(@D)/loads.csv
+	awk -f pipelines/load-steps/check.awk $@ $(@D)/loads.csv
