@@ -12,6 +12,9 @@
 #   make study SPACINGS=25um   the same at the coarse spacing alone
 #   make bond-plate            E of a bond-based sheet against horizon, spacing and corrections
 #   make load-steps            a plate under forces that grow in steps; the plate at rest against plane stress
+#   make crack                 a crack in glass that runs and branches: its speed
+#   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
+#   make thesis-boundary       four ways to hold a plate: which are asymmetric
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
@@ -21,7 +24,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps
+.PHONY: plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 flagship: $(RESULTS)/ni-hs40/curve.csv
@@ -160,3 +163,62 @@ $(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/%/displacement.c
 	| awk -F, -v name=$$name,$$frame '/^[#x]/ {next} $$5 > most {most = $$5} $$1 > 0 {load += $$4*12e-9; right += $$5} $$1 < 0 {left += $$5} \
 	END {printf "%s,%.9g,%.4f,%.12g,%.12g\n", name, load, most, left, right}'; done; done; } > $(@D)/loads.csv
 	awk -f pipelines/load-steps/check.awk $@ $(@D)/loads.csv
+
+# The crack in a glass plate at two spacings: its tip through the frames, pictures.
+CRACKS := 1mm 0.5mm
+crack: $(RESULTS)/crack/figure.svg $(RESULTS)/crack/table.csv $(CRACKS:%=$(RESULTS)/crack/%/pictures)
+$(RESULTS)/crack/0.5mm/study.yaml: pipelines/crack/study.yaml
+	@mkdir -p $(@D) && cp $< $@
+$(RESULTS)/crack/1mm/study.yaml: pipelines/crack/study.yaml
+	$(call VARY,-e 's/spacing: 0.5 mm/spacing: 1 mm/')
+$(CRACKS:%=$(RESULTS)/crack/%/fields.e): %/fields.e: %/study.yaml | all
+	$(FRAMES)
+$(RESULTS)/crack/track-%.csv: $(RESULTS)/crack/%/fields.e pipelines/crack/track.awk
+	for frame in $$(hspost --frames $< | awk -F, '/^[0-9]/ {print $$1}'); do \
+	hspost --frames $< --frame $$frame --csv --variables Damage --slice z; done \
+	| awk -v spacing=$(*:mm=) -f pipelines/crack/track.awk > $@
+$(RESULTS)/crack/table.csv: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/crack/check.awk
+	awk -f pipelines/crack/check.awk $(filter %.csv,$^) > $@ || { cat $@ >&2; exit 1; }
+$(RESULTS)/crack/figure.svg: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/crack/figure.gp
+	gnuplot -c pipelines/crack/figure.gp $(@D) $@
+$(RESULTS)/crack/%/pictures: $(RESULTS)/crack/%/fields.e
+	for time in 15 25 35 45; do hspost --frames $< --time "$$time us" --picture $(@D)/damage-$$time-us.png --variables Damage --slice z --range 0:0.6; done
+	touch $@
+
+# The thesis' explicit runs at both velocities, with its plasticity and without.
+IMPACTS := plastic-450 plastic-45 elastic-450 elastic-45
+thesis-impact: $(RESULTS)/thesis-impact/table.csv $(IMPACTS:%=$(RESULTS)/thesis-impact/%/pictures)
+impact_elastic = $(if $(filter elastic,$(1)),-e 's/ordinary_plastic/ordinary/' -e '/hardening:/d' -e 's/end_time: .*/end_time: 1.2 us/')
+impact_slow = $(if $(filter 45,$(1)),-e 's/450 m.s/45 m\/s/' -e 's/end_time: 2.277/end_time: 2.776/')
+$(IMPACTS:%=$(RESULTS)/thesis-impact/%/study.yaml): $(RESULTS)/thesis-impact/%/study.yaml: pipelines/thesis-impact/study.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' $(call impact_slow,$(subst -, ,$*)) $(call impact_elastic,$(subst -, ,$*)))
+$(IMPACTS:%=$(RESULTS)/thesis-impact/%/curve.csv): FIELDS := yes
+$(RESULTS)/thesis-impact/%/broken.csv: $(RESULTS)/thesis-impact/%/curve.csv
+	for frame in $$(hspost --frames $(@D)/fields.e | awk -F, '/^[0-9]/ {print $$1}'); do \
+	hspost --frames $(@D)/fields.e --frame $$frame --csv --variables Damage --slice z; done \
+	| awk -F, '/^# time_s: / {time = 1e9*substr($$0, 11)} /^[#x]/ {next} $$4 > 0.35 {printf "%.0f,%.4f\n", time, 1e3*$$1}' > $@
+$(RESULTS)/thesis-impact/table.csv: $(IMPACTS:%=$(RESULTS)/thesis-impact/%/broken.csv) $(wildcard pipelines/thesis-impact/*.awk)
+	{ echo material,velocity_m_per_s,step_s,steps,passes_1.81mm_ns,passes_0.31mm_ns,wave_m_per_s,middle_stress_MPa,middle_broken_ns,ends_broken_ns; \
+	for name in $(IMPACTS); do awk -v name=$$name -f pipelines/thesis-impact/measure.awk $(@D)/$$name/curve.csv $(@D)/$$name/broken.csv; done; } > $@
+	awk -f pipelines/thesis-impact/check.awk $@
+$(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
+	for time in 400 550 700 1100; do hspost --frames $(@D)/fields.e --time "$$time ns" --picture $(@D)/at-$$time-ns.png \
+	--variables VelocityX,Damage --slice z --deformed 1; done
+	touch $@
+
+# The thesis' boundary conditions: one plate, four sections `boundary`.
+HOLDS := 1 2 3 4
+thesis-boundary: $(RESULTS)/thesis-boundary/table.csv $(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png)
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml): $(RESULTS)/thesis-boundary/%/study.yaml: pipelines/thesis-boundary/plate.yaml pipelines/thesis-boundary/boundary-%.yaml
+	@mkdir -p $(@D)
+	cat $^ > $@
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/fields.e): %/fields.e: %/study.yaml | all
+	$(FRAMES)
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/nodes.csv): %/nodes.csv: %/fields.e
+	hspost --frames $< --csv --variables EquivalentPlasticStrain,VonMises > $@
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png): %/strain.png: %/fields.e
+	hspost --frames $< --picture $@ --variables EquivalentPlasticStrain --deformed 3 --range 0:0.08
+$(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nodes.csv) $(wildcard pipelines/thesis-boundary/*.awk)
+	{ echo variant,mean_percent,most_percent,mean_von_mises_MPa,asymmetry_x_percent,asymmetry_y_percent,asymmetry_turned_percent; \
+	for name in $(HOLDS); do awk -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
+	awk -f pipelines/thesis-boundary/check.awk $@
