@@ -2,8 +2,8 @@
 # other on standard input, a row for each on standard output.
 #   awk -v spacing=0.5 -f track.awk       # lengths in mm
 #
-# A node is cracked where more than 0.35 of its bonds are broken; beside a plane crack it is about 0.4.
-# The bonds of the pre-crack were never made and do not count.  tip: the foremost cracked node.
+# A node is cracked where more than 0.35 of its bonds are broken or were never made; beside a plane crack
+# it is about 0.4.  What happens within 5 mm of the loaded edges is left out.  tip: the foremost cracked node.
 # branching: the rearmost column of nodes whose cracked nodes are in two groups, three or more rows apart.
 # asymmetry: root mean square of the difference of damage at mirrored nodes, over that of damage.
 
@@ -25,7 +25,7 @@ function finish(   x, y, apart, branching, k, sum, difference, other) {
         difference += (damage[k] - damage[other[1], -1 - other[2]]) ^ 2   # rows -1 and 0 are the middle ones
     }
     printf "%.4f,%s,%s,%d,%.3g\n", 1e6 * time, tip == "" ? "" : (tip + 0.5) * spacing,
-           branching == "" ? "" : (branching + 0.5) * spacing, count, sum > 0 ? sqrt(difference / sum) : 0
+           branching == "" ? "" : (branching + 0.5) * spacing, count, (sum > 0 ? sqrt(difference / sum) : 0)
 }
 
 BEGIN {
@@ -48,6 +48,7 @@ $4 > 0 {
     x = number($1)
     y = number($2)
     damage[x, y] = $4
+    if ($2 * $2 > 0.015 ^ 2) next
     if ($4 <= 0.35) next
     cracked[x, y]
     count++
