@@ -193,13 +193,14 @@ impact_slow = $(if $(filter 45,$(1)),-e 's/450 m.s/45 m\/s/' -e 's/end_time: 2.2
 $(IMPACTS:%=$(RESULTS)/thesis-impact/%/study.yaml): $(RESULTS)/thesis-impact/%/study.yaml: pipelines/thesis-impact/study.yaml
 	$(call VARY,-e 's/^title: .*/title: $*/' $(call impact_slow,$(subst -, ,$*)) $(call impact_elastic,$(subst -, ,$*)))
 $(IMPACTS:%=$(RESULTS)/thesis-impact/%/curve.csv): FIELDS := yes
-$(RESULTS)/thesis-impact/%/broken.csv: $(RESULTS)/thesis-impact/%/curve.csv
+# The wave is where half the velocity of the grips is; the front of the plastic one at 2 m/s.
+$(RESULTS)/thesis-impact/%/frames.csv: $(RESULTS)/thesis-impact/%/curve.csv pipelines/thesis-impact/frames.awk
 	for frame in $$(hspost --frames $(@D)/fields.e | awk -F, '/^[0-9]/ {print $$1}'); do \
-	hspost --frames $(@D)/fields.e --frame $$frame --csv --variables Damage --slice z; done \
-	| awk -F, '/^# time_s: / {time = 1e9*substr($$0, 11)} /^[#x]/ {next} $$4 > 0.35 {printf "%.0f,%.4f\n", time, 1e3*$$1}' > $@
-$(RESULTS)/thesis-impact/table.csv: $(IMPACTS:%=$(RESULTS)/thesis-impact/%/broken.csv) $(wildcard pipelines/thesis-impact/*.awk)
-	{ echo material,velocity_m_per_s,step_s,steps,passes_1.81mm_ns,passes_0.31mm_ns,wave_m_per_s,middle_stress_MPa,middle_broken_ns,ends_broken_ns; \
-	for name in $(IMPACTS); do awk -v name=$$name -f pipelines/thesis-impact/measure.awk $(@D)/$$name/curve.csv $(@D)/$$name/broken.csv; done; } > $@
+	hspost --frames $(@D)/fields.e --frame $$frame --csv --variables Damage,VelocityX --slice z; done \
+	| awk -v level=$(if $(filter elastic,$(subst -, ,$*)),$(if $(filter 45,$(subst -, ,$*)),22.5,225),2) -f pipelines/thesis-impact/frames.awk > $@
+$(RESULTS)/thesis-impact/table.csv: $(IMPACTS:%=$(RESULTS)/thesis-impact/%/frames.csv) $(wildcard pipelines/thesis-impact/*.awk)
+	{ echo material,velocity_m_per_s,step_s,steps,wave_m_per_s,at_the_middle_ns,middle_broken_ns,ends_broken_ns; \
+	for name in $(IMPACTS); do awk -v name=$$name -f pipelines/thesis-impact/measure.awk $(@D)/$$name/curve.csv $(@D)/$$name/frames.csv; done; } > $@
 	awk -f pipelines/thesis-impact/check.awk $@
 $(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
 	for time in 400 550 700 1100; do hspost --frames $(@D)/fields.e --time "$$time ns" --picture $(@D)/at-$$time-ns.png \
