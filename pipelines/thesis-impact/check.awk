@@ -37,6 +37,7 @@ END {
            right, wrong, wrong / 100, step["plastic", 450], step["plastic", 450] / 1.78e-13
     must(wrong / 100 > 0.85 * 1.78e-13 && wrong / 100 < 1.15 * 1.78e-13, "the thesis' step is not explained")
     must(middle["elastic", 450] != "" && middle["elastic", 450] > 400 && middle["elastic", 450] < 700, "elastic, 450 m/s: the middle must break as the waves meet")
+    must(ends["elastic", 450] > middle["elastic", 450], "elastic, 450 m/s: the ends must break later")
     must(middle["elastic", 45] == "" && ends["elastic", 45] == "", "elastic, 45 m/s must not break")
     must(middle["plastic", 450] == "" && ends["plastic", 450] != "" && ends["plastic", 450] < 400, "plastic, 450 m/s: the grips must tear off")
     must(middle["plastic", 45] == "" && ends["plastic", 45] == "", "plastic, 45 m/s must not break")
