@@ -11,6 +11,11 @@
 #   make r40 thesis            its random counterpart; the spheres that 25 um cannot resolve
 #   make study                 CG, UFG, HS40 and R40 at two spacings: one figure, one table
 #   make study SPACINGS=25um   the same at the coarse spacing alone
+#   make bond-plate            E of a bond-based sheet against horizon, spacing and corrections
+#   make load-steps            a plate under forces that grow in steps; the plate at rest against plane stress
+#   make crack                 a crack in glass that runs and branches: its speed
+#   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
+#   make thesis-boundary       four ways to hold a plate: which are asymmetric
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
@@ -20,7 +25,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: errors plate-cg flagship-horizons flagship-rate r40 thesis
+.PHONY: errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -113,3 +118,123 @@ $(RESULTS)/errors-finite/study.yaml: pipelines/errors/plate.yaml
 	$(call VARY,-e 's/end_strain: .*/end_strain: 0.16/' -e 's/1 m.s/4 m\/s/g')
 $(RESULTS)/errors/finite.csv: pipelines/errors/finite.awk $(RESULTS)/errors-finite/curve.csv
 	awk -F, -f $^ > $@
+
+# The bond-based sheet: a test for each plane, horizon, spacing, kind of volumes and of surface
+# correction; its folder has that name.  Plane strain differs by a factor, so one spacing and horizon do.
+BOND_HORIZONS := 2.015 3.015 4.015 5.015
+BOND_KINDS := whole-none whole-energy partial-none partial-energy
+BOND_NAMES := $(foreach k,$(BOND_KINDS),$(foreach h,$(BOND_HORIZONS),$(foreach s,4mm 2mm 1mm,stress-$(h)-$(s)-$(k))) strain-3.015-2mm-$(k))
+BOND_PLATES := $(BOND_NAMES:%=$(RESULTS)/bond-plate/%)
+bond-plate: $(RESULTS)/bond-plate/figure.svg
+
+bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(1))/' -e 's/^  horizon: .*/  horizon: $(word 2,$(1))/' \
+	-e 's/^  spacing: .*/  spacing: $(patsubst %mm,% mm,$(word 3,$(1)))/' -e 's/^  volumes: .*/  volumes: $(word 4,$(1))/' \
+	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/'
+$(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
+	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
+$(BOND_PLATES:%=%/curve.csv): FIELDS := yes
+$(BOND_PLATES:%=%/row.csv): %/row.csv: %/curve.csv pipelines/bond-plate/measure.awk
+	hspost --frames $(@D)/fields.e --csv --variables DisplacementX,DisplacementY > $(@D)/displacement.csv
+	awk -v name=$(notdir $(@D)) -f pipelines/bond-plate/measure.awk $< $(@D)/displacement.csv > $@
+$(RESULTS)/bond-plate/table.csv: $(BOND_PLATES:%=%/row.csv) pipelines/bond-plate/check.awk
+	{ echo plane,horizon,spacing_mm,volumes,surface_correction,exact_GPa,measured_GPa,error_percent,lattice_error_percent,poissons_ratio,lattice_poissons_ratio; \
+	cat $(filter %.csv,$^); } > $@
+	awk -f pipelines/bond-plate/check.awk $@
+$(RESULTS)/bond-plate/figure.svg: $(RESULTS)/bond-plate/table.csv pipelines/bond-plate/figure.gp
+	gnuplot -c pipelines/bond-plate/figure.gp $< $@
+
+# The plate loaded in steps: the study, the same with 30 MPa a step, and as the report computed it (README);
+# the plate at rest for two models and spacings.  These have no grips, hence no curve.
+define FRAMES
+@mkdir -p $(@D)
+hsgen $< --statistics $(@D)/statistics.csv | hssolve -j $(RANKS) -o $@ -H $(@D)/history.e 2> >(tee $(@D)/hssolve.log >&2)
+endef
+LOADS := study strong report
+HELD := $(foreach m,madenci_oterkus ordinary,$(m)-2mm $(m)-1mm)
+load-steps: $(LOADS:%=$(RESULTS)/load-steps/%/frames.png) $(RESULTS)/load-steps/table.csv
+
+$(RESULTS)/load-steps/study/study.yaml: pipelines/load-steps/study.yaml
+	@mkdir -p $(@D) && cp $< $@
+$(RESULTS)/load-steps/strong/study.yaml: pipelines/load-steps/study.yaml
+	$(call VARY,-e 's/-150 N/-4500 N/g' -e 's/ 150 N/ 4500 N/g')
+# 12 times the load, time steps shorter by sqrt(1000) than the report's 0.4 us.
+$(RESULTS)/load-steps/report/study.yaml: pipelines/load-steps/study.yaml
+	$(call VARY,-e 's/-150 N/-1800 N/g' -e 's/ 150 N/ 1800 N/g' -e 's/safety: 0.7/safety: 0.0166/')
+$(HELD:%=$(RESULTS)/load-steps/%/study.yaml): $(RESULTS)/load-steps/%/study.yaml: pipelines/load-steps/held.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' -e 's/model: .*/model: $(word 1,$(subst -, ,$*))/' -e 's/spacing: 2 mm/spacing: $(patsubst %mm,% mm,$(word 2,$(subst -, ,$*)))/')
+$(RESULTS)/load-steps/%/fields.e: $(RESULTS)/load-steps/%/study.yaml | all
+	$(FRAMES)
+$(RESULTS)/load-steps/%/frames.png: $(RESULTS)/load-steps/%/fields.e
+	for frame in 2 3 4 5 6 7; do hspost --frames $< --frame $$frame --picture $(@D)/step-$$(((frame - 1) * 250)).png \
+	--variables Displacement,ExternalForceX,ForceX,Damage; done
+	touch $@
+$(RESULTS)/load-steps/%/displacement.csv: $(RESULTS)/load-steps/%/fields.e
+	hspost --frames $< --csv --variables DisplacementX,DisplacementY > $@
+$(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/%/displacement.csv) $(LOADS:%=$(RESULTS)/load-steps/%/fields.e) $(wildcard pipelines/load-steps/*.awk)
+	{ echo model,spacing,strain,poissons_ratio,end_displacement_mm,strain_error_percent,poissons_ratio_error_percent,end_displacement_error_percent; \
+	for name in $(HELD); do awk -v name=$$name -f pipelines/load-steps/measure.awk $(@D)/$$name/displacement.csv; done; } > $@
+	{ echo deck,frame,load_N,most_damage,damage_left,damage_right; for name in $(LOADS); do for frame in 2 3 4 5 6 7; do \
+	hspost --frames $(@D)/$$name/fields.e --frame $$frame --csv --variables ExternalForceX,Damage \
+	| awk -F, -v name=$$name,$$frame '/^[#x]/ {next} $$5 > most {most = $$5} $$1 > 0 {load += $$4*12e-9; right += $$5} $$1 < 0 {left += $$5} \
+	END {printf "%s,%.9g,%.4f,%.12g,%.12g\n", name, load, most, left, right}'; done; done; } > $(@D)/loads.csv
+	awk -f pipelines/load-steps/check.awk $@ $(@D)/loads.csv
+
+# The crack in a glass plate at two spacings: its tip through the frames, pictures.
+CRACKS := 1mm 0.5mm
+crack: $(RESULTS)/crack/figure.svg $(RESULTS)/crack/table.csv $(CRACKS:%=$(RESULTS)/crack/%/pictures)
+$(RESULTS)/crack/0.5mm/study.yaml: pipelines/crack/study.yaml
+	@mkdir -p $(@D) && cp $< $@
+$(RESULTS)/crack/1mm/study.yaml: pipelines/crack/study.yaml
+	$(call VARY,-e 's/spacing: 0.5 mm/spacing: 1 mm/')
+$(CRACKS:%=$(RESULTS)/crack/%/fields.e): %/fields.e: %/study.yaml | all
+	$(FRAMES)
+$(RESULTS)/crack/track-%.csv: $(RESULTS)/crack/%/fields.e pipelines/crack/track.awk
+	for frame in $$(hspost --frames $< | awk -F, '/^[0-9]/ {print $$1}'); do \
+	hspost --frames $< --frame $$frame --csv --variables Damage --slice z; done \
+	| awk -v spacing=$(*:mm=) -f pipelines/crack/track.awk > $@
+$(RESULTS)/crack/table.csv: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/crack/check.awk
+	awk -f pipelines/crack/check.awk $(filter %.csv,$^) > $@ || { cat $@ >&2; exit 1; }
+$(RESULTS)/crack/figure.svg: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/crack/figure.gp
+	gnuplot -c pipelines/crack/figure.gp $(@D) $@
+$(RESULTS)/crack/%/pictures: $(RESULTS)/crack/%/fields.e
+	for time in 15 25 35 45; do hspost --frames $< --time "$$time us" --picture $(@D)/damage-$$time-us.png --variables Damage --slice z --range 0:0.6; done
+	touch $@
+
+# The thesis' explicit runs at both velocities, with its plasticity and without.
+IMPACTS := plastic-450 plastic-45 elastic-450 elastic-45
+thesis-impact: $(RESULTS)/thesis-impact/table.csv $(IMPACTS:%=$(RESULTS)/thesis-impact/%/pictures)
+impact_elastic = $(if $(filter elastic,$(1)),-e 's/ordinary_plastic/ordinary/' -e '/hardening:/d' -e 's/end_time: .*/end_time: 1.2 us/')
+impact_slow = $(if $(filter 45,$(1)),-e 's/450 m.s/45 m\/s/' -e 's/end_time: 2.277/end_time: 2.776/')
+$(IMPACTS:%=$(RESULTS)/thesis-impact/%/study.yaml): $(RESULTS)/thesis-impact/%/study.yaml: pipelines/thesis-impact/study.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' $(call impact_slow,$(subst -, ,$*)) $(call impact_elastic,$(subst -, ,$*)))
+$(IMPACTS:%=$(RESULTS)/thesis-impact/%/curve.csv): FIELDS := yes
+# The wave is where half the velocity of the grips is; the front of the plastic one at 2 m/s.
+$(RESULTS)/thesis-impact/%/frames.csv: $(RESULTS)/thesis-impact/%/curve.csv pipelines/thesis-impact/frames.awk
+	for frame in $$(hspost --frames $(@D)/fields.e | awk -F, '/^[0-9]/ {print $$1}'); do \
+	hspost --frames $(@D)/fields.e --frame $$frame --csv --variables Damage,VelocityX --slice z; done \
+	| awk -v level=$(if $(filter elastic,$(subst -, ,$*)),$(if $(filter 45,$(subst -, ,$*)),22.5,225),2) -f pipelines/thesis-impact/frames.awk > $@
+$(RESULTS)/thesis-impact/table.csv: $(IMPACTS:%=$(RESULTS)/thesis-impact/%/frames.csv) $(wildcard pipelines/thesis-impact/*.awk)
+	{ echo material,velocity_m_per_s,step_s,steps,wave_m_per_s,at_the_middle_ns,middle_broken_ns,ends_broken_ns; \
+	for name in $(IMPACTS); do awk -v name=$$name -f pipelines/thesis-impact/measure.awk $(@D)/$$name/curve.csv $(@D)/$$name/frames.csv; done; } > $@
+	awk -f pipelines/thesis-impact/check.awk $@
+$(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
+	for time in 400 550 700 1100; do hspost --frames $(@D)/fields.e --time "$$time ns" --picture $(@D)/at-$$time-ns.png \
+	--variables VelocityX,Damage --slice z --deformed 1; done
+	touch $@
+
+# The thesis' boundary conditions: one plate, four sections `boundary`.
+HOLDS := 1 2 3 4
+thesis-boundary: $(RESULTS)/thesis-boundary/table.csv $(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png)
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml): $(RESULTS)/thesis-boundary/%/study.yaml: pipelines/thesis-boundary/plate.yaml pipelines/thesis-boundary/boundary-%.yaml
+	@mkdir -p $(@D)
+	cat $^ > $@
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/fields.e): %/fields.e: %/study.yaml | all
+	$(FRAMES)
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/nodes.csv): %/nodes.csv: %/fields.e
+	hspost --frames $< --csv --variables EquivalentPlasticStrain,VonMises > $@
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png): %/strain.png: %/fields.e
+	hspost --frames $< --picture $@ --variables EquivalentPlasticStrain --deformed 3 --range 0:0.08
+$(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nodes.csv) $(wildcard pipelines/thesis-boundary/*.awk)
+	{ echo variant,mean_percent,most_percent,mean_von_mises_MPa,asymmetry_x_percent,asymmetry_y_percent,asymmetry_turned_percent; \
+	for name in $(HOLDS); do awk -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
+	awk -f pipelines/thesis-boundary/check.awk $@
