@@ -225,7 +225,7 @@ $(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
 # The thesis' boundary conditions: one plate, four sections `boundary`.
 HOLDS := 1 2 3 4
 thesis-boundary: $(RESULTS)/thesis-boundary/table.csv $(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png)
-$(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml): $(RESULTS)/thesis-boundary/%/study.yaml: pipelines/thesis-boundary/plate.yaml pipelines/thesis-boundary/boundary-%.yaml
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml): $(RESULTS)/thesis-boundary/%/study.yaml: pipelines/thesis-boundary/plate.yaml pipelines/thesis-boundary/boundary-%.part
 	@mkdir -p $(@D)
 	cat $^ > $@
 $(HOLDS:%=$(RESULTS)/thesis-boundary/%/fields.e): %/fields.e: %/study.yaml | all
