@@ -40,7 +40,8 @@ static const double *demand(const struct input *input, const char *column)
 {
     const double *values = table_find(&input->table, column);
     if (!values)
-        die_user("%s: the history has no column %s; expected a history written by hssolve",
+        die_user("%s: the history has no column %s, which a tension test has; --columns prints "
+                 "what there is",
                  input->name, column);
     for (long i = 0; i < input->table.n_rows; i++)
         if (isnan(values[i]))

@@ -1,5 +1,6 @@
 /* hspost - tensile curves, properties and figures from histories and tables, pictures of fields. */
 #include "bounds.h"
+#include "columns.h"
 #include "deck.h"
 #include "die.h"
 #include "difference.h"
@@ -165,6 +166,8 @@ int main(int argc, char **argv)
     char *maker = describe_maker(argc, argv);
     if (request.view.frames)
         view_write(&request.view, request.output, maker);
+    else if (request.columns)
+        columns_write(request.files[0], request.output, maker);
     else
         treat_curves(&request, maker);
     free(maker);

@@ -48,6 +48,8 @@ static void check(const struct request *request)
     if (request->plot) figure_check_name(request->plot);
     if (request->true_curve && !request->plot)
         die_user("--true chooses the figure of --plot; give --plot FILE");
+    if (request->columns && (anything || bounds || request->n_files > 1))
+        die_user("--columns prints one history and makes nothing else");
     if (request->n_files > 1 && request->output)
         die_user("-o writes one curve, here are %d files; give --plot, --properties or --json",
                  request->n_files);
@@ -74,6 +76,7 @@ static void check_view(const struct request *request, bool files)
         request->voigt || request->reuss)
         die_user("--properties, --json, --plot, --difference, --voigt and --reuss are about "
                  "curves; do without --frames");
+    if (request->columns) die_user("--columns is about a history; do without --frames");
     if (request->output && request->view.picture && !request->view.csv)
         die_user("-o is the file of --csv; the picture has its own name");
 }
@@ -91,6 +94,7 @@ struct request request_read(int argc, char **argv)
         {0, "true", NULL, "figure of the true curve", &r.true_curve, NULL},
         {0, "difference", NULL, "stress of the first FILE relative to the second", &r.difference,
          NULL},
+        {0, "columns", NULL, "a history's columns as they are, of whatever test", &r.columns, NULL},
         {0, "voigt", "FILE", "iso-strain mixture of two FILEs, a curve", NULL, &r.voigt},
         {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r.reuss},
         {0, "fraction", "SHARE", "of the second FILE in the mixture", NULL, &texts.fraction},

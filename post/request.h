@@ -11,7 +11,7 @@
 struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss;
     const char *deck;
-    bool true_curve, difference, quiet;
+    bool true_curve, difference, columns, quiet;
     double fraction;        /* of the second curve; NAN where not given */
     double strain_range[2]; /* NAN where not given */
     const struct law *law;  /* of the constituents */
