@@ -374,7 +374,7 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
                              struct node_state *node)
 {
     const struct ordinary *model = self;
-    node_state_from_nominal(body, strip, node);
+    node_state_from_nominal(body, strip, model->materials, node);
     memset(node->plastic, 0, sizeof node->plastic);
     if (model->plastic)
         memcpy(node->plastic, ordinary_plastic_strain(model) + strip->site,
