@@ -116,6 +116,33 @@ static void test_hardening_and_perfect_plasticity(void **state)
     }
 }
 
+/* What bonds hold after a step of flow is what the same state, found again, says: only rounding is between
+ * them. */
+static void test_energy_of_bonds_after_flow(void **state)
+{
+    (void)state;
+    struct small_body small;
+    double flowing[LANES], again[LANES];
+    int64_t compared = 0;
+    body_of(&small, hard, "constant");
+    shear(&small, 3 * yield / shear_stress(1));
+    const struct formulation *formulation = small.model->formulation;
+    for (int64_t s = 0; s < small.bonds->count; s += 7) {
+        const struct bond_strip *strip = &small.bonds->strips[s];
+        /* Each strip is seen after a flow of its own. */
+        shear(&small, (3 + 0.01 * (double)s) * yield / shear_stress(1));
+        small_body_force(&small, true, false);
+        formulation->bond_energy(small.model->self, &small.body, strip, flowing);
+        small_body_force(&small, false, false);
+        formulation->bond_energy(small.model->self, &small.body, strip, again);
+        for (int k = 0; k < strip->count; k++, compared++)
+            assert_relative(flowing[k], again[k], 1e-9);
+        if (s > 70) break;
+    }
+    assert_true(compared > 20);
+    small_body_free(&small);
+}
+
 /* Flow has no change of volume: after shear and stretch into plastic flow, a hydrostatic strain added to it
  * changes the mean stress of the node by 3 K times it, as in the elastic body: to second order of the strains. */
 static void test_flow_keeps_the_volume(void **state)
@@ -268,6 +295,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_yields_at_the_yield_stress),
         cmocka_unit_test(test_hardening_and_perfect_plasticity),
+        cmocka_unit_test(test_energy_of_bonds_after_flow),
         cmocka_unit_test(test_flow_keeps_the_volume),
         cmocka_unit_test(test_energy_of_plastic_vibration),
         cmocka_unit_test(test_limits_at_finite_strain),
