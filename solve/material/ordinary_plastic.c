@@ -104,14 +104,15 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
 HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
                                 const double *restrict volumetric,
                                 const double *restrict distortion, const double *restrict extension,
+                                const double *restrict plastic,
                                 const struct strip_state *restrict s, double *restrict pull,
                                 double *restrict spring, double *restrict flow,
                                 double *restrict centre)
 {
     for (int i = 0; i < count; i++) {
         double flowed = 1 - s->scale[i];
-        pull[i] =
-            volumetric[i] * (dilatation[i] * extension[i]) + distortion[i] * flowed * s->centre[i];
+        pull[i] = volumetric[i] * (dilatation[i] * (extension[i] - plastic[i])) +
+                  distortion[i] * flowed * s->centre[i];
         spring[i] = distortion[i] * s->scale[i];
         flow[i] = flowed;
         centre[i] = s->centre[i];
@@ -126,10 +127,9 @@ static void add_energy(const struct ordinary *model, const struct body *body,
     double stored[LANES], plastic[LANES];
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
-        const double extension = model->sum[SUM_EXTENSION][i],
-                     along = extension - model->sum[SUM_PLASTIC][i],
+        const double along = model->sum[SUM_EXTENSION][i] - model->sum[SUM_PLASTIC][i],
                      p = model->plastic->strain[i] + s->grown[k];
-        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * extension * extension +
+        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * along * along +
                            model->distortion[i] *
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
         plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
@@ -160,8 +160,8 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
     write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
-                sum[SUM_EXTENSION] + i, &s, node[NODE_PULL] + i, node[NODE_SPRING] + i,
-                node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
+                sum[SUM_EXTENSION] + i, sum[SUM_PLASTIC] + i, &s, node[NODE_PULL] + i,
+                node[NODE_SPRING] + i, node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
     if (energy) add_energy(model, body, strip, &s, energy);
     if (mode.commit && !mode.frozen)
         for (int k = 0; k < strip->count; k++) p[k] += s.grown[k];
