@@ -7,7 +7,8 @@
  *
  * Mitchell, A nonlocal, ordinary, state-based plasticity model for peridynamics, SAND2011-3166, with the yield
  * function scaled by the shear modulus, so that q is von Mises' stress in uniform strain of a continuum, and
- * with hardening.  In an unbroken family c = theta/3: e^p changes no volume, and stays so.  The return
+ * with hardening.  In an unbroken family c = theta/3: e^p changes no volume, and stays so; theta is that of
+ * e - e^p, which keeps the flow of the bonds left out of it once others have broken.  The return
  * minimises (b/2) sum w (e - e^p)^2 V + integral of sigma_y over e^p without change of volume, the
  * incremental potential, of which the force is the gradient in a broken family, too.
  *
