@@ -116,7 +116,7 @@ static void start_damage(struct simulation *s)
     s->damage = damage_new(root, s->model, &s->materials, &s->body, s->bonds);
     struct cracks cracks = cracks_read(section, s->lattice.spacing, s->lattice.dimensions);
     const int64_t cut = cracks_cut(&cracks, &s->body, s->bonds);
-    if (cracks.count > 0 && cut == 0) warn("the cracks cut no bond");
+    if (cracks.count > 0 && cut == 0 && s->ranks.rank == 0) warn("the cracks cut no bond");
     if (cut > 0) note("cracks cut %lld bonds", (long long)cut);
     cracks_free(&cracks);
 }

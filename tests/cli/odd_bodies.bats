@@ -105,3 +105,13 @@ column() {
     ulimit -v 4000000
     hssolve -q -H out.e -i far.txt -d far.yaml
 }
+
+@test "what cracks and damage give a warning for is told once, on two ranks, too" {
+    change 's/model: ordinary/model: correspondence_elastic/; s/end_steps: 40/stabilisation: {law: capped}\n  end_steps: 2/
+            s/^materials:/damage: [{pair: [A, A], law: critical_stretch, value: 9}]\n&/
+            s/^solver:/cracks: [{disc: {centre: [1 m, 0, 0], normal: [1, 0, 0], radius: 1 mm}}]\n&/'
+    run hssolve -q -H out.e -j 2 -i changed.g
+    [ "$status" -eq 0 ]
+    [ "$(grep -c 'hardly unload' <<<"$output")" -eq 1 ]
+    [ "$(grep -c 'cut no bond' <<<"$output")" -eq 1 ]
+}
