@@ -116,7 +116,7 @@ static void start_damage(struct simulation *s)
     s->damage = damage_new(root, s->model, &s->materials, &s->body, s->bonds);
     struct cracks cracks = cracks_read(section, s->lattice.spacing, s->lattice.dimensions);
     const int64_t cut = cracks_cut(&cracks, &s->body, s->bonds);
-    if (cracks.count > 0 && cut == 0) warn("the cracks cut no bond");
+    if (cracks.count > 0 && cut == 0 && s->ranks.rank == 0) warn("the cracks cut no bond");
     if (cut > 0) note("cracks cut %lld bonds", (long long)cut);
     cracks_free(&cracks);
 }
@@ -185,6 +185,11 @@ static void plan_time(struct simulation *s)
     initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
     boundary_set_displacements(&s->boundary, &s->body);
     s->critical_step = stable_step(s->model, &s->body, &s->materials);
+    if (!isfinite(s->critical_step))
+        die_user(
+            "no node acts on another: no bond within the horizon of %g spacings has a weight, or "
+            "cracks cut all",
+            s->scene.horizon);
     const double dt = s->scene.safety * s->critical_step;
     s->end_time = s->scene.end_strain > 0  ? time_to_strain(s)
                   : s->scene.end_steps > 0 ? (double)s->scene.end_steps * dt

@@ -77,7 +77,9 @@ static void check_step(struct simulation *s)
         return;
     s->checked_deformation = s->deformation;
     s->checked_broken = broken;
-    s->critical_step = stable_step(s->model, &s->body, &s->materials);
+    const double critical = stable_step(s->model, &s->body, &s->materials);
+    if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
+    s->critical_step = critical;
     s->verlet.dt = s->scene.safety * s->critical_step;
 }
 

@@ -117,9 +117,10 @@ void family_free(struct family *family)
 
 bool family_invert_shape(const double members[6], int dimensions, double inverse[6])
 {
-    /* In a plane nothing moves across it. */
-    const double K[6] = {members[0], members[1], dimensions == 2 ? 1 : members[2],
-                         members[3], members[4], members[5]};
+    /* In a plane nothing moves across it: any K_zz will do, and this leaves the measure of the family to
+     * the plane. */
+    const double across = dimensions == 2 ? 0.5 * (members[0] + members[1]) : members[2];
+    const double K[6] = {members[0], members[1], across, members[3], members[4], members[5]};
     double xx = K[1] * K[2] - K[4] * K[4], xy = K[4] * K[5] - K[3] * K[2],
            zx = K[3] * K[4] - K[1] * K[5];
     double determinant = K[0] * xx + K[3] * xy + K[5] * zx, mean = (K[0] + K[1] + K[2]) / 3;

@@ -47,8 +47,8 @@ double family_moment(const struct family *family, int power);
 /* Influence function times partial volume at a length in spacings. */
 double family_weight(const struct family *family, double length);
 
-/* K^-1 of a symmetric K (xx yy zz xy yz zx), in a plane of its part there; zero, and false, where det K <
- * 1e-4 (tr K/3)^3. */
+/* K^-1 of a symmetric K (xx yy zz xy yz zx), in a plane of its part there with (xx + yy)/2 for zz; zero, and
+ * false, where det K < 1e-4 (tr K/3)^3. */
 bool family_invert_shape(const double members[6], int dimensions, double inverse[6]);
 
 /* Inverse shape tensor (xx yy zz xy yz zx) and s_i of the site at (x, y, z).  Where the members

@@ -121,15 +121,26 @@ static void cut(struct partition *p, const struct lattice *lattice, int size)
     graph_free(&graph);
 }
 
+/* The spacing, or so much more that the bins of a loose set take no more room than its particles. */
+static double bin_width(const struct lattice *lattice)
+{
+    for (double width = lattice->spacing;; width *= 2) {
+        double bins = 1;
+        for (int a = 0; a < 3; a++) bins *= lattice->extent[a] / width + 1;
+        if (bins <= 64 * (double)lattice->n_sites + 4096) return width;
+    }
+}
+
 /* The owner of each scattered particle: that of the cell, as wide as on a lattice, where it lies. */
 static struct partition partition_scattered(const struct lattice *lattice, int reach, int rank,
                                             int size)
 {
     struct lattice bins = {.n_sites = 1};
     const int64_t n = lattice->n_sites;
+    const double width = bin_width(lattice);
     int64_t *bin = memory_new((size_t)n, sizeof *bin);
     for (int a = 0; a < 3; a++) {
-        bins.size[a] = (int)(lattice->extent[a] / lattice->spacing) + 1;
+        bins.size[a] = (int)(lattice->extent[a] / width) + 1;
         bins.n_sites *= bins.size[a];
     }
     bins.phase = memory_new((size_t)bins.n_sites, 1);
@@ -139,7 +150,7 @@ static struct partition partition_scattered(const struct lattice *lattice, int r
     for (int64_t i = 0; i < n; i++) {
         int at[3];
         for (int a = 0; a < 3; a++) {
-            at[a] = (int)((lattice->point[a][i] - lattice->origin[a]) / lattice->spacing);
+            at[a] = (int)((lattice->point[a][i] - lattice->origin[a]) / width);
             at[a] = at[a] < bins.size[a] ? at[a] : bins.size[a] - 1;
         }
         bin[i] = lattice_site(&bins, at[0], at[1], at[2]);

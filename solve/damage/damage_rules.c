@@ -171,7 +171,7 @@ struct damage_rules damage_rules_read(struct deck_node section, const struct dam
     }
     for (int i = 0; i < deck_count(section); i++)
         if (deck_has(deck_item(section, i), "rule")) read_rule(&rules, deck_item(section, i), see);
-    if (rules.bonds) {
+    if (rules.bonds && see->body->ranks.rank == 0) {
         tell_unbroken(&rules, see->materials);
         tell_weak(&rules, see->materials);
     }

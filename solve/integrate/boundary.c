@@ -22,15 +22,17 @@ static void find_grips(struct boundary *boundary)
 static struct boundary_set set_new(const struct scene_entry *entry, const struct body *body,
                                    double largest_stress)
 {
-    const double spacing = body->lattice->spacing, middle = lattice_middle(body->lattice, 0);
+    const struct lattice *lattice = body->lattice;
+    const double spacing = lattice->spacing, middle = lattice_middle(lattice, 0);
+    const double area = spacing * fmax(spacing, lattice->thickness); /* of a node's largest face */
     struct members members = members_of_nodes(body, entry->nodes.numbers, entry->nodes.count);
-    struct boundary_set set = {
-        .direction = entry->direction,
-        .kind = entry->kind,
-        .value = entry->value,
-        .members = members,
-        .inner = members.mean_x < middle ? members.high_x : members.low_x,
-        .zero = exact_sum_new((double)members.n_all * largest_stress * spacing * spacing)};
+    struct boundary_set set = {.direction = entry->direction,
+                               .kind = entry->kind,
+                               .value = entry->value,
+                               .members = members,
+                               .inner = members.mean_x < middle ? members.high_x : members.low_x,
+                               .zero =
+                                   exact_sum_new((double)members.n_all * largest_stress * area)};
     if (value_depends_on_place(&entry->value)) members_places(&set.members, body, set.place);
     return set;
 }

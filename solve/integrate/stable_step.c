@@ -149,7 +149,8 @@ static double largest_eigenvalue(struct lanczos *l)
         if (n > 0) combine(l->body, -off[n - 1], &l->before, 1, &l->image);
         off[n] = sqrt(product(l, &l->image, &l->image, scale * scale));
         n++;
-        if (off[n - 1] < 1e-9 * fabs(diagonal[n - 1])) break; /* an invariant space: small bodies */
+        if (off[n - 1] <= 1e-9 * fabs(diagonal[n - 1]))
+            break; /* an invariant space: small bodies */
         struct vector spare = l->before;
         l->before = l->current;
         l->current = l->image;

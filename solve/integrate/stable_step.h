@@ -11,7 +11,7 @@
 
 #include "model.h"
 
-/* [s].  Costs about 60 force evaluations; leaves u, f and H as they were.  Collective, the same on every
+/* [s]; infinite where no force resists any motion.  Costs about 60 force evaluations; leaves u, f and H as they were.  Collective, the same on every
  * rank. */
 double stable_step(struct model *model, struct body *body, const struct materials *materials);
 

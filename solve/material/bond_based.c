@@ -218,8 +218,8 @@ static void bond_based_prepare(void *self, struct body *body, double *axial)
 static void bond_based_observe(void *self, const struct body *body, const struct strip *strip,
                                struct node_state *node)
 {
-    (void)self;
-    node_state_from_nominal(body, strip, node);
+    const struct bond_based *model = self;
+    node_state_from_nominal(body, strip, model->materials, node);
     memset(node->plastic, 0, sizeof node->plastic);
 }
 

@@ -25,7 +25,6 @@ enum { STATE = 4 };
 struct capped {
     double stiffness, cap; /* G, C */
     const struct materials *materials;
-    const struct family *family;
     double shape;  /* kappa_0 in lattice units */
     double *state; /* strip by strip: zeta [m], then the energy lost so far [J/m^3] */
 };
@@ -42,9 +41,7 @@ static void *capped_read(struct deck_node map, const struct family *family,
         deck_has(map, "stiffness") ? deck_number(deck_get(map, "stiffness"), "1", 1e-3, 10) : 0.3;
     c->cap = deck_has(map, "cap") ? deck_number(deck_get(map, "cap"), "1", 1e-4, 1e3) : 0.05;
     c->materials = materials;
-    c->family = family;
-    for (int o = 0; o < family->n_half; o++)
-        c->shape += 2 * family->half[o].weight * family->half[o].step[0] * family->half[o].step[0];
+    (void)family;
     return c;
 }
 
@@ -59,7 +56,13 @@ static int capped_bonds(const void *self, const struct family *family,
 static void capped_start(void *self, const struct body *body, const struct strips bonds[])
 {
     struct capped *c = self;
+    const struct family *family = body->family;
     (void)bonds;
+    for (int o = 0; o < family->n_half; o++) {
+        const struct offset *offset = &family->half[o];
+        if (body->lattice->dimensions == 2 && offset->step[2] != 0) continue;
+        c->shape += 2 * offset->weight * offset->step[0] * offset->step[0];
+    }
     c->state = memory_new((size_t)body->bonds->points * STATE, sizeof *c->state);
 }
 

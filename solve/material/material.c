@@ -15,14 +15,18 @@ static const struct kind {
     bool hardened; /* has a key "hardening" */
     bool central;  /* central forces alone, which fix Poisson's ratio */
     bool spatial;  /* not in a plane */
+    bool strained; /* not in plane stress: its strain across the plane is zero */
 } kinds[] = {
-    {"correspondence", &formulation_correspondence, true, false,
-     false}, /* J2, logarithmic strain */
-    {"correspondence_elastic", &formulation_correspondence, false, false, false}, /* no yield */
-    {"bond_based", &formulation_bond_based, false, true, false},    /* prototype microelastic */
-    {"ordinary", &formulation_ordinary, false, false, false},       /* linear peridynamic solid */
-    {"ordinary_plastic", &formulation_ordinary, true, false, true}, /* Mitchell's */
-    {"madenci_oterkus", &formulation_madenci_oterkus, false, false, false}, /* a, b and d */
+    /* J2, logarithmic strain; without yield */
+    {"correspondence", &formulation_correspondence, .hardened = true, .strained = true},
+    {"correspondence_elastic", &formulation_correspondence, .strained = true},
+    /* prototype microelastic */
+    {"bond_based", &formulation_bond_based, .central = true},
+    /* linear peridynamic solid; Mitchell's plasticity */
+    {"ordinary", &formulation_ordinary, .hardened = false},
+    {"ordinary_plastic", &formulation_ordinary, .hardened = true, .spatial = true},
+    /* a, b and d */
+    {"madenci_oterkus", &formulation_madenci_oterkus, .hardened = false},
 };
 enum { KIND_COUNT = sizeof kinds / sizeof *kinds };
 
@@ -102,6 +106,11 @@ static struct material read_material(struct deck_node map, const char *name, enu
         deck_error(deck_get(map, "model"),
                    "%s is for bodies of three dimensions: in a plane its flow would keep the area, "
                    "which a metal's does not",
+                   kind->name);
+    if (kind->strained && plane == PLANE_STRESS)
+        deck_error(deck_get(map, "model"),
+                   "%s has no plane stress, since nothing moves across its plane: take 'plane: "
+                   "strain', or an ordinary material",
                    kind->name);
     struct material m = {.name = name, .yields = kind->hardened};
     m.density = deck_number(deck_get(map, "density"), "kg/m3", 1e-3, 1e6);

@@ -68,8 +68,17 @@ void model_observe(struct model *model, const struct body *body, const struct st
     model->formulation->observe(model->self, body, strip, state);
 }
 
+/* Bonds of one layer have no force across it; the strain that is held at zero there has a stress. */
+static void hold_across(const struct body *body, const struct strip *strip,
+                        const struct materials *materials, struct node_state *state)
+{
+    for (int i = 0; i < strip->count; i++)
+        state->cauchy[2][i] = materials->items[body->grid.phase[strip->site + i]].poissons_ratio *
+                              (state->cauchy[0][i] + state->cauchy[1][i]);
+}
+
 void node_state_from_nominal(const struct body *body, const struct strip *strip,
-                             struct node_state *state)
+                             const struct materials *materials, struct node_state *state)
 {
     static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
     state->count = strip->count;
@@ -87,4 +96,5 @@ void node_state_from_nominal(const struct body *body, const struct strip *strip,
             state->cauchy[k][i] = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / J;
         }
     }
+    if (materials->plane == PLANE_STRAIN) hold_across(body, strip, materials, state);
 }

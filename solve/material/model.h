@@ -93,8 +93,9 @@ const struct strips *model_strips(const struct model *model, const struct body *
 void model_observe(struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
 
-/* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S. */
+/* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S; of elastic materials in plane
+ * strain zz is nu (xx + yy), which no bond carries. */
 void node_state_from_nominal(const struct body *body, const struct strip *strip,
-                             struct node_state *state);
+                             const struct materials *materials, struct node_state *state);
 
 #endif

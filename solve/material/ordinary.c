@@ -299,6 +299,18 @@ static bool any_flow(const struct ordinary *model, const struct body *body)
     return most > 0;
 }
 
+/* What find_nodes would find now that e^p has moved on: the return is done, the forces stay. */
+static void settle_flow(struct ordinary *model, const struct body *body)
+{
+    double *const *node = model->node;
+    for (int64_t i = 0; i < body->grid.n_sites; i++) {
+        if (!(node[NODE_FLOW][i] > 0)) continue;
+        node[NODE_PULL][i] -= model->distortion[i] * node[NODE_FLOW][i] * node[NODE_CENTRE][i];
+        node[NODE_SPRING][i] = model->distortion[i];
+        node[NODE_FLOW][i] = 0;
+    }
+}
+
 static void ordinary_force(void *self, struct body *body, struct force_mode mode,
                            struct force_energy *energy)
 {
@@ -307,6 +319,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     bond_ends_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
+    if (flows) settle_flow(model, body);
 }
 
 /* (ordinary.3) of both ends of the bonds of a strip. */
@@ -374,7 +387,7 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
                              struct node_state *node)
 {
     const struct ordinary *model = self;
-    node_state_from_nominal(body, strip, node);
+    node_state_from_nominal(body, strip, model->materials, node);
     memset(node->plastic, 0, sizeof node->plastic);
     if (model->plastic)
         memcpy(node->plastic, ordinary_plastic_strain(model) + strip->site,
@@ -432,8 +445,8 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = memory_new(n, sizeof(double));
     for (int k = 0; k < NODE_COUNT; k++) model->node[k] = memory_new(n, sizeof(double));
     find_moduli(model, body);
+    halo_exchange(body->stress_halo, &model->distortion, 1);
     memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
-    halo_exchange(body->stress_halo, &model->node[NODE_SPRING], 1);
     for (int p = 0; p < model->materials->count && !model->plastic; p++)
         if (model->materials->items[p].yields) model->plastic = ordinary_plastic_new(model);
 }

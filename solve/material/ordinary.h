@@ -1,6 +1,6 @@
 /* ordinary.h - ordinary state-based materials: the force along a bond depends on all bonds of its ends.
  *
- *   theta_i = D_i sum_j a_ij e_ij V_j,  e = |y| - |xi|                              (ordinary.1)
+ *   theta_i = D_i sum_j a_ij (e_ij - e^p_ij) V_j,  e = |y| - |xi|                   (ordinary.1)
  *   psi_i = k_i theta_i^2/2 + (b_i/2) sum_j w_ij (e_ij - e^p_ij)^2 V_j               (ordinary.2)
  *   t_ij = k_i D_i theta_i a_ij + b_i w_ij (e_ij - e^p_ij)                          (ordinary.3)
  *   f_i = sum_j (t_ij + t_ji) V_j y/|y|                                             (ordinary.4)

@@ -7,7 +7,8 @@
  *
  * Mitchell, A nonlocal, ordinary, state-based plasticity model for peridynamics, SAND2011-3166, with the yield
  * function scaled by the shear modulus, so that q is von Mises' stress in uniform strain of a continuum, and
- * with hardening.  In an unbroken family c = theta/3: e^p changes no volume, and stays so.  The return
+ * with hardening.  In an unbroken family c = theta/3: e^p changes no volume, and stays so; theta is that of
+ * e - e^p, which keeps the flow of the bonds left out of it once others have broken.  The return
  * minimises (b/2) sum w (e - e^p)^2 V + integral of sigma_y over e^p without change of volume, the
  * incremental potential, of which the force is the gradient in a broken family, too.
  *
@@ -104,14 +105,15 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
 HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
                                 const double *restrict volumetric,
                                 const double *restrict distortion, const double *restrict extension,
+                                const double *restrict plastic,
                                 const struct strip_state *restrict s, double *restrict pull,
                                 double *restrict spring, double *restrict flow,
                                 double *restrict centre)
 {
     for (int i = 0; i < count; i++) {
         double flowed = 1 - s->scale[i];
-        pull[i] =
-            volumetric[i] * (dilatation[i] * extension[i]) + distortion[i] * flowed * s->centre[i];
+        pull[i] = volumetric[i] * (dilatation[i] * (extension[i] - plastic[i])) +
+                  distortion[i] * flowed * s->centre[i];
         spring[i] = distortion[i] * s->scale[i];
         flow[i] = flowed;
         centre[i] = s->centre[i];
@@ -126,10 +128,9 @@ static void add_energy(const struct ordinary *model, const struct body *body,
     double stored[LANES], plastic[LANES];
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
-        const double extension = model->sum[SUM_EXTENSION][i],
-                     along = extension - model->sum[SUM_PLASTIC][i],
+        const double along = model->sum[SUM_EXTENSION][i] - model->sum[SUM_PLASTIC][i],
                      p = model->plastic->strain[i] + s->grown[k];
-        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * extension * extension +
+        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * along * along +
                            model->distortion[i] *
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
         plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
@@ -160,8 +161,8 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
     write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
-                sum[SUM_EXTENSION] + i, &s, node[NODE_PULL] + i, node[NODE_SPRING] + i,
-                node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
+                sum[SUM_EXTENSION] + i, sum[SUM_PLASTIC] + i, &s, node[NODE_PULL] + i,
+                node[NODE_SPRING] + i, node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
     if (energy) add_energy(model, body, strip, &s, energy);
     if (mode.commit && !mode.frozen)
         for (int k = 0; k < strip->count; k++) p[k] += s.grown[k];

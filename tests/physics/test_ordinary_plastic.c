@@ -120,6 +120,70 @@ static void test_hardening_and_perfect_plasticity(void **state)
     }
 }
 
+/* What bonds hold after a step of flow is what the same state, found again, says: only rounding is between
+ * them. */
+static void test_energy_of_bonds_after_flow(void **state)
+{
+    (void)state;
+    struct small_body small;
+    double flowing[LANES], again[LANES];
+    int64_t compared = 0;
+    body_of(&small, hard, "constant");
+    shear(&small, 3 * yield / shear_stress(1));
+    const struct formulation *formulation = small.model->formulation;
+    for (int64_t s = 0; s < small.bonds->count; s += 7) {
+        const struct bond_strip *strip = &small.bonds->strips[s];
+        /* Each strip is seen after a flow of its own. */
+        shear(&small, (3 + 0.01 * (double)s) * yield / shear_stress(1));
+        small_body_force(&small, true, false);
+        formulation->bond_energy(small.model->self, &small.body, strip, flowing);
+        small_body_force(&small, false, false);
+        formulation->bond_energy(small.model->self, &small.body, strip, again);
+        for (int k = 0; k < strip->count; k++, compared++)
+            assert_relative(flowing[k], again[k], 1e-9);
+        if (s > 70) break;
+    }
+    assert_true(compared > 20);
+    small_body_free(&small);
+}
+
+/* A node that has flowed, unloaded, then loses its most stretched bonds: what is left of its family has flowed,
+ * but holds nothing, so that no pressure comes of it.  What finite strain leaves is of the order of 4 gamma, the
+ * stress of a dilatation by flow would be a tenth of (K - 5 mu/3) gamma or more. */
+static void test_lost_bonds_of_what_has_flowed(void **state)
+{
+    (void)state;
+    struct small_body small;
+    const double gamma = 5 * yield / shear_stress(1);
+    double low = 0, high = gamma, P[9];
+    char *breaking = memory_print("damage: [{pair: [A, A], law: critical_stretch, value: %g}]",
+                                  0.6 * (gamma - yield / shear_stress(1)));
+    small_body_new(&small, &(struct small_case){{7, 7, 7},
+                                                3.015,
+                                                family_influence("constant"),
+                                                NULL,
+                                                hard,
+                                                .n_phases = 1,
+                                                .breaking = breaking});
+    for (int n = 1; n <= 20; n++) {
+        shear(&small, gamma * n / 20);
+        small_body_force(&small, true, false);
+    }
+    for (int n = 0; n < 45; n++) {
+        shear(&small, 0.5 * (low + high));
+        small_body_stress(&small, small_body_middle(&small), P);
+        *(P[1] < 0 ? &low : &high) = 0.5 * (low + high);
+    }
+    small_body_force(&small, false, false);
+    assert_true(damage_find(small.damage));
+    damage_break(small.damage);
+    assert_true(damage_broken_bonds(small.damage) > 100);
+    small_body_stress(&small, small_body_middle(&small), P);
+    for (int k = 0; k < 9; k++) assert_near(P[k], 0, 8 * gamma * mu * gamma);
+    small_body_free(&small);
+    free(breaking);
+}
+
 /* Flow has no change of volume: after shear and stretch into plastic flow, a hydrostatic strain added to it
  * changes the mean stress of the node by 3 K times it, as in the elastic body: to second order of the strains. */
 static void test_flow_keeps_the_volume(void **state)
@@ -306,6 +370,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_yields_at_the_yield_stress),
         cmocka_unit_test(test_hardening_and_perfect_plasticity),
+        cmocka_unit_test(test_energy_of_bonds_after_flow),
+        cmocka_unit_test(test_lost_bonds_of_what_has_flowed),
         cmocka_unit_test(test_flow_keeps_the_volume),
         cmocka_unit_test(test_held_body_settles),
         cmocka_unit_test(test_energy_of_plastic_vibration),

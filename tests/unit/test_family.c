@@ -125,12 +125,31 @@ static void test_no_gradient(void **state)
     }
 }
 
+/* In a plane the family is judged, and measured, by its part there: whole, and nearly a line, in any units. */
+static void test_plane(void **state)
+{
+    (void)state;
+    static const double scales[] = {1e-3, 1, 1e3};
+    for (int k = 0; k < 3; k++) {
+        const double whole[6] = {2 * scales[k], scales[k], 0, 0.5 * scales[k], 0, 0},
+                     line[6] = {scales[k], 1e-6 * scales[k], 0, 0, 0, 0}, none[6] = {0};
+        double inverse[6];
+        assert_true(family_invert_shape(whole, 2, inverse));
+        /* det = 7/4: by hand, to round-off */
+        assert_relative(inverse[0], 4.0 / 7 / scales[k], 1e-15);
+        assert_relative(inverse[1], 8.0 / 7 / scales[k], 1e-15);
+        assert_relative(inverse[3], -2.0 / 7 / scales[k], 1e-15);
+        assert_false(family_invert_shape(line, 2, inverse));
+        assert_false(family_invert_shape(none, 2, inverse));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sizes),       cmocka_unit_test(test_steep_weights),
         cmocka_unit_test(test_inside),      cmocka_unit_test(test_inverse_everywhere),
-        cmocka_unit_test(test_no_gradient),
+        cmocka_unit_test(test_no_gradient), cmocka_unit_test(test_plane),
     };
     return cmocka_run_group_tests_name("family", tests, NULL, NULL);
 }
