@@ -232,7 +232,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
 void simulation_announce(struct simulation *s)
 {
     double start = ranks_clock();
-    model_force(s->model, &s->body, (struct force_mode){.frozen = true}, NULL);
+    model_force(s->model, &s->body, (struct force_mode){0}, NULL);
     double force = ranks_clock() - start;
     double memory = ranks_memory();
     if (s->ranks.rank != 0) return;

@@ -98,8 +98,11 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;
     if (damage_broken_bonds(s->damage) > 0)
-        note("%.0f bonds broken, %.3g J; %.0f nodes have no deformation gradient left",
-             damage_broken_bonds(s->damage), s->verlet.balance.fracture, s->body.broken->n_lost);
+        note("%.0f bonds broken, %.3g J", damage_broken_bonds(s->damage),
+             s->verlet.balance.fracture);
+    if (s->materials.formulation == &formulation_correspondence && s->body.broken &&
+        s->body.broken->n_lost > 0)
+        note("%.0f nodes have no deformation gradient left", s->body.broken->n_lost);
     double node_steps = (double)s->verlet.step * (double)s->lattice.n_nodes;
     char *strain = s->gauge ? memory_print("gauge strain %.4f, ", s->strain) : memory_text("");
     note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; %senergy drift %.1e",

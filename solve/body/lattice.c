@@ -68,8 +68,8 @@ static void choose_scale(const struct domain *domain, const double span[3], stru
     lattice->node_volume = spacing * spacing * lattice->thickness;
 }
 
-/* Size and origin; what is wrong with them as words, else NULL. */
-static char *fit_box(const struct domain *domain, struct lattice *lattice)
+/* Size and origin; false where they are none of a lattice. */
+static bool fit_box(const struct domain *domain, struct lattice *lattice)
 {
     const double *const position[3] = {domain->x, domain->y, domain->z};
     double span[3];
@@ -81,22 +81,12 @@ static char *fit_box(const struct domain *domain, struct lattice *lattice)
     lattice->n_sites = 1;
     for (int a = 0; a < 3; a++) {
         double steps = span[a] / lattice->spacing;
-        if (!(steps < 1e6))
-            return memory_print("the particles span %g m, over a million spacings", span[a]);
+        if (!(steps < 1e6)) return false;
         lattice->size[a] = (int)lround(steps) + 1;
         lattice->n_sites *= lattice->size[a];
     }
-    if (lattice->dimensions == 2 && lattice->size[2] > 1)
-        return memory_print(
-            "the domain says that it has two dimensions, but its particles span %g m "
-            "along z",
-            span[2]);
-    if (lattice->n_sites > 64 * lattice->n_nodes + 1000000)
-        return memory_print(
-            "the particles fill less than 1/64 of their box: not a lattice with the spacing of "
-            "%g m that their volume gives (scattered particles are not supported)",
-            lattice->spacing);
-    return NULL;
+    if (lattice->dimensions == 2 && lattice->size[2] > 1) return false;
+    return lattice->n_sites <= 64 * lattice->n_nodes + 1000000;
 }
 
 /* Place of a node in spacings from the origin; false where it is off the lattice. */
@@ -118,71 +108,30 @@ int64_t lattice_nearest(const struct lattice *lattice, const double x[3])
     return lattice_site(lattice, at[0], at[1], at[2]);
 }
 
-/* The site of one node; what is wrong with it as words, else NULL. */
-static char *fit_node(const struct domain *domain, const struct lattice *lattice, int64_t node,
-                      int64_t *site)
+/* Whether a node lies on a site of its own, with the volume of a site; it takes the site. */
+static bool fit_node(const struct domain *domain, struct lattice *lattice, int64_t node)
 {
     const double x[3] = {domain->x[node], domain->y[node], domain->z[node]};
-    const long long number = (long long)node + 1;
     int at[3];
-    if (!place(lattice, x, at))
-        return memory_print("node %lld at (%g, %g, %g) m lies off the lattice of spacing %g m "
-                            "(scattered particles are not supported)",
-                            number, x[0], x[1], x[2], lattice->spacing);
-    if (!(fabs(domain->volume[node] / lattice->node_volume - 1) <= 1e-6))
-        return memory_print("node %lld has the volume %g m3, but spacing%s is %g m3: particles of "
-                            "unequal volume are "
-                            "not supported",
-                            number, domain->volume[node],
-                            lattice->dimensions == 2 ? "^2 thickness" : "^3", lattice->node_volume);
-    *site = lattice_site(lattice, at[0], at[1], at[2]);
-    if (lattice->phase[*site] != ABSENT)
-        return memory_print("node %lld at (%g, %g, %g) m lies on another node", number, x[0], x[1],
-                            x[2]);
-    return NULL;
-}
-
-/* What keeps the domain from being a lattice as words that the caller frees; NULL where it is one.
- * unordered: the first node that is not in lattice order, -1 where all are. */
-static char *fit(const struct domain *domain, int64_t *unordered, struct lattice *lattice)
-{
-    *lattice = (struct lattice){.n_nodes = domain->n_nodes};
-    char *fault = fit_box(domain, lattice);
-    if (fault != NULL) return fault;
-    lattice->phase = memory_new((size_t)lattice->n_sites, 1);
-    memset(lattice->phase, ABSENT, (size_t)lattice->n_sites);
-    int64_t before = -1, site = 0;
-    *unordered = -1;
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        fault = fit_node(domain, lattice, i, &site);
-        if (fault != NULL) return fault;
-        if (site < before && *unordered < 0) *unordered = i;
-        lattice->phase[site] = domain->phase[i];
-        before = site;
-    }
-    return NULL;
+    if (!place(lattice, x, at)) return false;
+    if (!(fabs(domain->volume[node] / lattice->node_volume - 1) <= 1e-6)) return false;
+    uint8_t *phase = &lattice->phase[lattice_site(lattice, at[0], at[1], at[2])];
+    if (*phase != ABSENT) return false;
+    *phase = domain->phase[node];
+    return true;
 }
 
 bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
 {
-    int64_t unordered;
-    char *fault = fit(domain, &unordered, lattice);
-    if (fault == NULL) return true;
-    free(fault);
-    lattice_free(lattice);
-    return false;
-}
-
-struct lattice lattice_find(const struct domain *domain)
-{
-    struct lattice lattice;
-    int64_t unordered;
-    const char *fault = fit(domain, &unordered, &lattice);
-    if (fault != NULL) die_user("%s", fault);
-    if (unordered >= 0)
-        die_user("node %lld: the nodes are not in lattice order (x fastest, then y, then z)",
-                 (long long)unordered + 1);
-    return lattice;
+    *lattice = (struct lattice){.n_nodes = domain->n_nodes};
+    bool fits = fit_box(domain, lattice);
+    if (fits) {
+        lattice->phase = memory_new((size_t)lattice->n_sites, 1);
+        memset(lattice->phase, ABSENT, (size_t)lattice->n_sites);
+    }
+    for (int64_t i = 0; fits && i < domain->n_nodes; i++) fits = fit_node(domain, lattice, i);
+    if (!fits) lattice_free(lattice);
+    return fits;
 }
 
 struct lattice lattice_scattered(const struct domain *domain, double thickness)

@@ -40,10 +40,6 @@ struct lattice {
  * only after domain_sort. */
 bool lattice_recognise(const struct domain *domain, struct lattice *lattice);
 
-/* The same for a domain in lattice order (every rank may call it with rank 0's domain only); dies,
- * naming the first node that does not fit. */
-struct lattice lattice_find(const struct domain *domain);
-
 /* Site nearest to a position (m) within the lattice. */
 int64_t lattice_nearest(const struct lattice *lattice, const double x[3]);
 

@@ -221,8 +221,8 @@ static double break_spent(struct damage *damage)
     halo_exchange(damage->body->displacement_halo, &damage->spent, 1);
     for (int64_t s = 0; s < damage->bonds->count; s++) {
         struct bond_strip *strip = &damage->bonds->strips[s];
+        const struct bond_view view = bonds_view(damage->bonds, strip);
         for (int k = 0; k < strip->count; k++) {
-            const struct bond_view view = bonds_view(damage->bonds, strip);
             if (!(damage->spent[bond_lower(&view, k)] + damage->spent[bond_upper(&view, k)] > 0) ||
                 !(view.weight[k * view.weight_step] > 0))
                 continue;

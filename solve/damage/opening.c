@@ -2,13 +2,6 @@
 
 #include <math.h>
 
-/* Bulk modulus of the plane. */
-static double plane_bulk(const struct material *m, enum plane plane)
-{
-    const double E = m->youngs_modulus, nu = m->poissons_ratio;
-    return plane == PLANE_STRESS ? E / (2 * (1 - nu)) : E / (2 * (1 + nu) * (1 - 2 * nu));
-}
-
 /* M_n/M_(n-1) [m] */
 static double ratio(const struct family *family, const struct lattice *lattice, int n)
 {
@@ -20,7 +13,7 @@ double opening_bond_based(const struct material *m, enum plane plane, const stru
 {
     const double pi = acos(-1);
     if (plane == SPACE) return 2.25 * m->bulk_modulus * ratio(family, lattice, 4);
-    return 4 / pi * plane_bulk(m, plane) * ratio(family, lattice, 3);
+    return 4 / pi * material_bulk_modulus(m, plane) * ratio(family, lattice, 3);
 }
 
 double opening_ordinary(const struct material *m, enum plane plane, const struct family *family,
@@ -32,7 +25,7 @@ double opening_ordinary(const struct material *m, enum plane plane, const struct
         return 3.75 * mu * length + (m->bulk_modulus - 5 * mu / 3) * delta * t * t;
     }
     const double length = ratio(family, lattice, 4), t = 2 / pi * length / delta;
-    return 8 / pi * mu * length + (plane_bulk(m, plane) - 2 * mu) * delta * t * t;
+    return 8 / pi * mu * length + (material_bulk_modulus(m, plane) - 2 * mu) * delta * t * t;
 }
 
 double opening_madenci_oterkus(const struct material *m, enum plane plane,
@@ -40,7 +33,7 @@ double opening_madenci_oterkus(const struct material *m, enum plane plane,
 {
     const double pi = acos(-1), delta = family->horizon * lattice->spacing, mu = m->shear_modulus;
     if (plane == SPACE) return (3 * mu + (m->bulk_modulus - 5 * mu / 3) * 81 / 256) * delta;
-    return (6 * mu / pi + (plane_bulk(m, plane) - 2 * mu) * 16 / (9 * pi * pi)) * delta;
+    return (6 * mu / pi + (material_bulk_modulus(m, plane) - 2 * mu) * 16 / (9 * pi * pi)) * delta;
 }
 
 double opening_energy_density(const struct family *family, const struct lattice *lattice)

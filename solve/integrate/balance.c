@@ -45,11 +45,11 @@ static void sum_held(const struct verlet *verlet, const struct body *body,
     }
 }
 
-/* Kinetic energy that the loads would give to nodes at rest, if nothing else pulled, in some steps. */
+/* Kinetic energy that the loads would give to nodes at rest, if nothing else pulled, in so many steps. */
 static void sum_loaded(const struct verlet *verlet, const struct body *body,
                        struct exact_sum *loaded)
 {
-    enum { STEPS = 8 };
+    enum { STEPS = 32 };
     const double time = STEPS * verlet->dt;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {

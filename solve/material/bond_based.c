@@ -52,11 +52,8 @@ static int bond_based_near(const void *self, const struct family *family,
 static double micromodulus(const struct material *m, enum plane plane, const struct family *family,
                            const struct lattice *lattice)
 {
-    const double pi = acos(-1), dx = lattice->spacing, E = m->youngs_modulus,
-                 nu = m->poissons_ratio;
-    if (plane == SPACE)
-        return 18 * m->bulk_modulus / (4 * pi * family_moment(family, 3) * pow(dx, 4));
-    double K = plane == PLANE_STRESS ? E / (2 * (1 - nu)) : E / (2 * (1 + nu) * (1 - 2 * nu));
+    const double pi = acos(-1), dx = lattice->spacing, K = material_bulk_modulus(m, plane);
+    if (plane == SPACE) return 18 * K / (4 * pi * family_moment(family, 3) * pow(dx, 4));
     return 8 * K / (2 * pi * lattice->thickness * family_moment(family, 2) * pow(dx, 3));
 }
 

@@ -178,6 +178,14 @@ void materials_free(struct materials *all)
     *all = (struct materials){0};
 }
 
+double material_bulk_modulus(const struct material *m, enum plane plane)
+{
+    const double nu = m->poissons_ratio;
+    if (plane == PLANE_STRESS) return m->youngs_modulus / (2 * (1 - nu));
+    if (plane == PLANE_STRAIN) return m->youngs_modulus / (2 * (1 + nu) * (1 - 2 * nu));
+    return m->bulk_modulus;
+}
+
 double materials_wave_speed(const struct materials *all)
 {
     double fastest = 0;

@@ -41,6 +41,9 @@ struct materials materials_read(struct deck_node section, int n_phases, char *co
                                 enum plane plane);
 void materials_free(struct materials *materials);
 
+/* K, or in a plane K_2: E/(2(1 - nu)) in plane stress, E/(2(1 + nu)(1 - 2 nu)) in plane strain [Pa]. */
+double material_bulk_modulus(const struct material *material, enum plane plane);
+
 /* Fastest longitudinal wave [m/s] and largest Young's modulus [Pa]. */
 double materials_wave_speed(const struct materials *materials);
 double materials_stiffest(const struct materials *materials);

@@ -36,8 +36,7 @@ struct ordinary_law {
 };
 extern const struct ordinary_law ordinary_linear, ordinary_madenci_oterkus;
 
-/* Bulk modulus against changes of volume, in a plane of area, and k of (ordinary.2) [Pa]. */
-double ordinary_bulk_modulus(const struct material *material, enum plane plane);
+/* k of (ordinary.2) [Pa]. */
 double ordinary_volumetric(const struct material *material, enum plane plane);
 
 /* What the first pass sums up of each node, over its bonds, times V_j. */

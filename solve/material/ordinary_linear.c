@@ -9,18 +9,10 @@
  * the bonds that exist at the start. */
 #include "ordinary.h"
 
-double ordinary_bulk_modulus(const struct material *m, enum plane plane)
-{
-    const double nu = m->poissons_ratio;
-    if (plane == PLANE_STRESS) return m->youngs_modulus / (2 * (1 - nu));
-    if (plane == PLANE_STRAIN) return m->youngs_modulus / (2 * (1 + nu) * (1 - 2 * nu));
-    return m->bulk_modulus;
-}
-
 double ordinary_volumetric(const struct material *m, enum plane plane)
 {
     const double of_springs = plane == SPACE ? 5 * m->shear_modulus / 3 : 2 * m->shear_modulus;
-    return ordinary_bulk_modulus(m, plane) - of_springs;
+    return material_bulk_modulus(m, plane) - of_springs;
 }
 
 static struct ordinary_moduli moduli(const struct material *m, enum plane plane,
