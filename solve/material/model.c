@@ -77,6 +77,13 @@ static void hold_across(const struct body *body, const struct strip *strip,
                               (state->cauchy[0][i] + state->cauchy[1][i]);
 }
 
+/* A layer that is free across grows thinner, by linear elasticity. */
+static double strain_across(const struct material *material, double xx, double yy)
+{
+    const double nu = material->poissons_ratio;
+    return -nu / (1 - nu) * (xx + yy);
+}
+
 void node_state_from_nominal(const struct body *body, const struct strip *strip,
                              const struct materials *materials, struct node_state *state)
 {
@@ -84,8 +91,11 @@ void node_state_from_nominal(const struct body *body, const struct strip *strip,
     state->count = strip->count;
     for (int i = 0; i < strip->count; i++) {
         double F[9], P[9];
+        for (int k = 0; k < 9; k++) state->H[k][i] = body->H[k][strip->site + i];
+        if (materials->plane == PLANE_STRESS)
+            state->H[8][i] = strain_across(&materials->items[body->grid.phase[strip->site + i]],
+                                           state->H[0][i], state->H[4][i]);
         for (int k = 0; k < 9; k++) {
-            state->H[k][i] = body->H[k][strip->site + i];
             F[k] = state->H[k][i] + (k % 4 == 0);
             P[k] = body->S[k][strip->site + i];
         }

@@ -94,7 +94,7 @@ void model_observe(struct model *model, const struct body *body, const struct st
                    struct node_state *state);
 
 /* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S; of elastic materials in plane
- * strain zz is nu (xx + yy), which no bond carries. */
+ * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */
 void node_state_from_nominal(const struct body *body, const struct strip *strip,
                              const struct materials *materials, struct node_state *state);
 

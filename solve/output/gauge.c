@@ -12,7 +12,7 @@ struct gauge {
     struct members left, right;
     double from, to;  /* x of the planes, m */
     double *fraction; /* [n_phases] */
-    int64_t *nodes;   /* [n_phases] between the planes */
+    double *volume;   /* [n_phases] of the nodes between the planes, in mean volumes */
     int64_t *layer;   /* [layers] nodes of the body in each layer */
 };
 
@@ -35,10 +35,16 @@ static int layer(const struct lattice *lattice, double x)
     return (int)lround((x - lattice->origin[0]) / lattice->spacing);
 }
 
+/* Volume of a node over the mean one. */
+static double relative_volume(const struct lattice *lattice, int64_t site)
+{
+    return lattice->volume ? lattice->volume[site] / lattice->node_volume : 1;
+}
+
 static void count_phases(struct gauge *gauge, const struct body *body)
 {
     const struct lattice *lattice = body->lattice;
-    int64_t all = 0;
+    double all = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
         int at[3];
         double x[3];
@@ -47,11 +53,11 @@ static void count_phases(struct gauge *gauge, const struct body *body)
         lattice_coordinates(lattice, at, x);
         gauge->layer[layer(lattice, x[0])]++;
         if (!between(gauge, lattice, x[0])) continue;
-        gauge->nodes[lattice->phase[site]]++;
-        all++;
+        const double volume = relative_volume(lattice, site);
+        gauge->volume[lattice->phase[site]] += volume;
+        all += volume;
     }
-    for (int p = 0; p < gauge->n_phases; p++)
-        gauge->fraction[p] = (double)gauge->nodes[p] / (double)all;
+    for (int p = 0; p < gauge->n_phases; p++) gauge->fraction[p] = gauge->volume[p] / all;
 }
 
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
@@ -69,7 +75,7 @@ struct gauge *gauge_new(const struct body *body, const struct domain *domain, in
         die_user("the gauge planes are not apart: gauge_left at x = %g m, gauge_right at %g m",
                  gauge->from, gauge->to);
     gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
-    gauge->nodes = memory_new((size_t)n_phases, sizeof *gauge->nodes);
+    gauge->volume = memory_new((size_t)n_phases, sizeof *gauge->volume);
     gauge->layer = memory_new((size_t)layers(body->lattice), sizeof *gauge->layer);
     count_phases(gauge, body);
     return gauge;
@@ -81,7 +87,7 @@ void gauge_free(struct gauge *gauge)
     members_free(&gauge->left);
     members_free(&gauge->right);
     free(gauge->fraction);
-    free(gauge->nodes);
+    free(gauge->volume);
     free(gauge->layer);
     free(gauge);
 }
@@ -125,10 +131,11 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         exact_sum_add(&sections[layer(body->lattice, x[0])], section);
         if (!between(gauge, body->lattice, x[0])) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * QUANTITIES;
-        exact_sum_add(&phase[STRESS], axial[site]);
-        exact_sum_add(&phase[TRUE_STRESS], node->cauchy[0][i]);
-        exact_sum_add(&phase[STRAIN], node->H[0][i]);
-        exact_sum_add(&phase[PLASTIC], node->plastic[i]);
+        const double volume = body_volume(body, site) / body->volume;
+        exact_sum_add(&phase[STRESS], volume * axial[site]);
+        exact_sum_add(&phase[TRUE_STRESS], volume * node->cauchy[0][i]);
+        exact_sum_add(&phase[STRAIN], volume * node->H[0][i]);
+        exact_sum_add(&phase[PLASTIC], volume * node->plastic[i]);
     }
 }
 
@@ -168,9 +175,9 @@ void gauge_measure(const struct gauge *gauge, struct model *model, const struct 
     exact_sum_finish(sums, n_sums + n_layers, values);
     for (int p = 0; p < gauge->n_phases; p++) {
         const double *v = values + p * QUANTITIES;
-        double count = gauge->nodes[p] > 0 ? (double)gauge->nodes[p] : 1;
-        phases[p] = (struct gauge_phase){v[STRESS] / count, v[TRUE_STRESS] / count,
-                                         v[STRAIN] / count, v[PLASTIC] / count};
+        double volume = gauge->volume[p] > 0 ? gauge->volume[p] : 1;
+        phases[p] = (struct gauge_phase){v[STRESS] / volume, v[TRUE_STRESS] / volume,
+                                         v[STRAIN] / volume, v[PLASTIC] / volume};
     }
     *section = smallest_section(gauge, body, values + n_sums);
     free(sums);

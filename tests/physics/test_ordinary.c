@@ -407,6 +407,37 @@ static void test_plane_moduli_are_those_of_the_material(void **state)
     assert_relative(stress.c44, mu, 5e-3);
 }
 
+/* A sheet in plane stress, stretched by e along x and -nu e along y, grows thinner by nu e, and its true stress is
+ * the nominal one over the section that this leaves: P_xx/(1 - nu e)^2. */
+static void test_sheets_grow_thinner(void **state)
+{
+    (void)state;
+    const double e = 0.01, nu = (3 * 130e9 - 2 * 78e9) / (2 * (3 * 130e9 + 78e9));
+    struct small_body small;
+    struct node_state node;
+    small_body_new(&small, &(struct small_case){{25, 25, 1},
+                                                3.015,
+                                                family_influence("linear"),
+                                                .materials = ordinary_alone,
+                                                .plane = PLANE_STRESS});
+    small_body_deform(&small, (double[9]){e, 0, 0, 0, -nu * e});
+    small_body_force(&small, false, false);
+    model_prepare(small.model, &small.body, NULL);
+    const int64_t middle = small_body_middle(&small);
+    const struct strips *strips = model_strips(small.model, &small.body);
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
+        if (middle < strip->site || middle >= strip->site + strip->count) continue;
+        model_observe(small.model, &small.body, strip, &node);
+        const int64_t i = middle - strip->site;
+        const double section = (1 - nu * e) * (1 - nu * e);
+        /* rounding of strains of a per cent from displacements of tenths of a spacing */
+        assert_relative(node.H[8][i], -nu * e, 1e-12);
+        assert_relative(node.cauchy[0][i], small.body.S[0][middle] / section, 1e-12);
+    }
+    small_body_free(&small);
+}
+
 /* Young's modulus along a lattice axis over its nominal value, at nu = 0.3: sums of an independent program over
  * the same families, to the last digit given; partial volumes of the nodes within the horizon alone. */
 static void test_youngs_modulus_on_the_lattice(void **state)
@@ -667,6 +698,7 @@ int main(void)
         cmocka_unit_test(test_madenci_oterkus_and_linear_solid_part_in_short_waves),
         cmocka_unit_test(test_surface_corrections),
         cmocka_unit_test(test_correction_leaves_the_inside),
+        cmocka_unit_test(test_sheets_grow_thinner),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests_name("ordinary", tests, small_ranks_start, small_ranks_stop);
