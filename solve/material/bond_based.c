@@ -41,13 +41,6 @@ static void *bond_based_read(struct deck_node solver, const struct family *famil
     return model;
 }
 
-static int bond_based_near(const void *self, const struct family *family,
-                           const struct offset **offsets)
-{
-    (void)self, (void)family, (void)offsets;
-    return 0;
-}
-
 /* (bond_based.3) */
 static double micromodulus(const struct material *m, enum plane plane, const struct family *family,
                            const struct lattice *lattice)
@@ -220,12 +213,6 @@ static void bond_based_observe(void *self, const struct body *body, const struct
     memset(node->plastic, 0, sizeof node->plastic);
 }
 
-static const struct strips *bond_based_strips(const void *self, const struct body *body)
-{
-    (void)self;
-    return &body->owned;
-}
-
 static void bond_based_free(void *self)
 {
     struct bond_based *model = self;
@@ -238,12 +225,10 @@ const struct formulation formulation_bond_based = {
     .influence = "constant",
     .keys = (const char *const[]){"surface_correction", NULL},
     .read = bond_based_read,
-    .near = bond_based_near,
     .start = bond_based_start,
     .force = bond_based_force,
     .prepare = bond_based_prepare,
     .observe = bond_based_observe,
-    .strips = bond_based_strips,
     .bond_energy = bond_based_bond_energy,
     .opening = opening_bond_based,
     .free = bond_based_free,

@@ -38,6 +38,8 @@ void model_free(struct model *model)
 int model_near(const struct model *model, const struct family *family,
                const struct offset **offsets)
 {
+    *offsets = NULL;
+    if (!model->formulation->near) return 0;
     return model->formulation->near(model->self, family, offsets);
 }
 
@@ -59,6 +61,7 @@ void model_prepare(struct model *model, struct body *body, double *axial)
 
 const struct strips *model_strips(const struct model *model, const struct body *body)
 {
+    if (!model->formulation->strips) return &body->owned;
     return model->formulation->strips(model->self, body);
 }
 

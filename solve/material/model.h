@@ -42,7 +42,7 @@ struct formulation {
     /* Reads what the deck's solver section says to it. */
     void *(*read)(struct deck_node solver, const struct family *family,
                   const struct materials *materials);
-    /* The half offsets of bonds whose both ends need a deformation gradient: how many. */
+    /* The half offsets of bonds whose both ends need a deformation gradient: how many.  NULL: none. */
     int (*near)(const void *self, const struct family *family, const struct offset **offsets);
     /* bonds: of the body, with their weights as they stand at any time. */
     void (*start)(void *self, const struct body *body, struct bonds *bonds);
@@ -55,7 +55,8 @@ struct formulation {
     void (*prepare)(void *self, struct body *body, double *axial);
     void (*observe)(void *self, const struct body *body, const struct strip *strip,
                     struct node_state *state);
-    /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip. */
+    /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip.  NULL: owned
+     * nodes alone. */
     const struct strips *(*strips)(const void *self, const struct body *body);
     /* Equivalent plastic strain of the nodes of such a strip, [strip->count]; NULL: it has none. */
     const double *(*plastic_strain)(const void *self, const struct strip *strip);

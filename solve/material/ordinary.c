@@ -42,13 +42,6 @@ static void *madenci_oterkus_read(struct deck_node solver, const struct family *
     return read_any(solver, materials, &ordinary_madenci_oterkus);
 }
 
-static int ordinary_near(const void *self, const struct family *family,
-                         const struct offset **offsets)
-{
-    (void)self, (void)family, (void)offsets;
-    return 0;
-}
-
 /* The strip with the fields of its ends. */
 struct pass {
     int count;
@@ -451,12 +444,6 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
         if (model->materials->items[p].yields) model->plastic = ordinary_plastic_new(model);
 }
 
-static const struct strips *ordinary_strips(const void *self, const struct body *body)
-{
-    (void)self;
-    return &body->owned;
-}
-
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
@@ -470,10 +457,9 @@ static void ordinary_free(void *self)
 }
 
 #define PASSES                                                                                     \
-    .keys = (const char *const[]){"surface_correction", NULL}, .near = ordinary_near,              \
-    .start = ordinary_start, .force = ordinary_force, .prepare = ordinary_prepare,                 \
-    .observe = ordinary_observe, .strips = ordinary_strips, .free = ordinary_free,                 \
-    .bond_energy = ordinary_bond_energy, .plastic_strain = ordinary_plastic
+    .keys = (const char *const[]){"surface_correction", NULL}, .start = ordinary_start,            \
+    .force = ordinary_force, .prepare = ordinary_prepare, .observe = ordinary_observe,             \
+    .free = ordinary_free, .bond_energy = ordinary_bond_energy, .plastic_strain = ordinary_plastic
 
 const struct formulation formulation_ordinary = {
     .name = "ordinary state-based",
