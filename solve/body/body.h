@@ -10,6 +10,8 @@
 #include "partition.h"
 #include "ranks.h"
 
+#include <string.h>
+
 struct bonds;
 struct broken;
 
@@ -76,6 +78,13 @@ static inline void body_times_volume(const struct body *body, int64_t site, int 
 {
     for (int i = 0; i < count; i++)
         terms[i] *= body->volumes ? body->volumes[site + i] : body->volume;
+}
+
+/* Box fields set to zero. */
+static inline void body_clear(const struct body *body, double *const fields[], int count)
+{
+    for (int k = 0; k < count; k++)
+        memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
 }
 
 /* terms[i] becomes 0 where site + i is not owned: another rank counts it. */

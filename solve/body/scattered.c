@@ -99,12 +99,6 @@ static void add_to_ends(const struct bond_view *view, double mean_volume, const 
     }
 }
 
-static void clear(const struct body *body, double *const fields[], int count)
-{
-    for (int k = 0; k < count; k++)
-        memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
-}
-
 static void invert_shapes(struct body *body)
 {
     struct exact_sum unsupported = exact_sum_new((double)body->n_nodes);
@@ -126,7 +120,7 @@ void scattered_shapes(struct body *body)
 {
     static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
     const double spacing = body->lattice->spacing;
-    clear(body, body->inverse, 6);
+    body_clear(body, body->inverse, 6);
     for (int64_t s = 0; s < body->bonds->count; s++) {
         const struct bond_view view = bonds_view(body->bonds, &body->bonds->strips[s]);
         double term[LANES];
@@ -145,7 +139,7 @@ void scattered_gradient(struct body *body)
     const double spacing = body->lattice->spacing;
     double *const *K = body->inverse;
     if (body->bonds->changed) scattered_shapes(body);
-    clear(body, body->H, 9);
+    body_clear(body, body->H, 9);
     for (int64_t s = 0; s < body->bonds->count; s++) {
         const struct bond_view view = bonds_view(body->bonds, &body->bonds->strips[s]);
         double term[LANES];

@@ -51,6 +51,7 @@ static void sum_loaded(const struct verlet *verlet, const struct body *body,
 {
     enum { STEPS = 32 };
     const double time = STEPS * verlet->dt;
+    if (!body->b[0] && !body->b[1] && !body->b[2]) return;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;

@@ -175,7 +175,7 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
 {
     const struct bond_based *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
-    bond_ends_clear(body, body->f, 3);
+    body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++)
         pull_strip(model, body, &model->bonds->strips[s], mode.energy ? &energy->stored : NULL);
 }
@@ -199,7 +199,7 @@ static void bond_based_prepare(void *self, struct body *body, double *axial)
 {
     const struct bond_based *model = self;
     displacement_gradient(body);
-    bond_ends_clear(body, body->S, 9);
+    body_clear(body, body->S, 9);
     for (int64_t s = 0; s < model->bonds->count; s++)
         add_stress(model, body, &model->bonds->strips[s]);
     if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));

@@ -1,7 +1,6 @@
 #include "bond_ends.h"
 
 #include <math.h>
-#include <string.h>
 
 struct bond_ends bond_ends_find(const struct bond_view *view, const struct body *body,
                                 double buffer[6][LANES])
@@ -45,10 +44,4 @@ void bond_ends_add_stress(const struct bond_view *view, const struct bond_ends *
                 body->S[3 * a + b][j] += tj * term;
             }
     }
-}
-
-void bond_ends_clear(const struct body *body, double *const fields[], int count)
-{
-    for (int k = 0; k < count; k++)
-        memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
 }

@@ -22,7 +22,4 @@ double bond_ends_extension(const struct bond_view *view, const struct bond_ends 
 void bond_ends_add_stress(const struct bond_view *view, const struct bond_ends *u,
                           const double *lower, const double *upper, struct body *body);
 
-/* Fields over the box of the grid set to zero. */
-void bond_ends_clear(const struct body *body, double *const fields[], int count);
-
 #endif

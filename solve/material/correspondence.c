@@ -7,7 +7,6 @@
  * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
  * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
  * deformation gradient carries no stress and keeps its plastic state. */
-#include "bond_ends.h"
 #include "broken.h"
 #include "die.h"
 #include "gradient.h"
@@ -229,8 +228,8 @@ static void node_law(struct correspondence *model, struct body *body, const stru
 static void clear_ghosts(struct body *body)
 {
     if (body->lattice->point[0]) { /* whose bonds reach beyond near sites */
-        bond_ends_clear(body, body->S, 9);
-        bond_ends_clear(body, body->f, 3);
+        body_clear(body, body->S, 9);
+        body_clear(body, body->f, 3);
         return;
     }
     for (int64_t s = 0; s < body->ghosts.count; s++) {

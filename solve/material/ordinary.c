@@ -274,7 +274,7 @@ static void find_nodes(struct ordinary *model, struct body *body, struct force_m
 {
     const int depth = model->plastic ? NORM : energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
-    bond_ends_clear(body, model->sum, model->plastic ? SUM_COUNT : depth + 1);
+    body_clear(body, model->sum, model->plastic ? SUM_COUNT : depth + 1);
     for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, body, s, depth);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
@@ -310,7 +310,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     struct ordinary *model = self;
     find_nodes(model, body, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
-    bond_ends_clear(body, body->f, 3);
+    body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
     if (flows) settle_flow(model, body);
 }
@@ -371,7 +371,7 @@ static void ordinary_prepare(void *self, struct body *body, double *axial)
     struct ordinary *model = self;
     find_nodes(model, body, (struct force_mode){0}, NULL);
     displacement_gradient(body);
-    bond_ends_clear(body, body->S, 9);
+    body_clear(body, body->S, 9);
     for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s);
     if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
 }
