@@ -203,8 +203,9 @@ static void plan_time(struct simulation *s)
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);
     initial_set(&s->scene, &s->body, SCENE_VELOCITY);
-    s->verlet = verlet_new(dt, s->scene.damping, &s->materials, &s->body, &s->boundary, s->model);
-    s->verlet.damage = s->damage;
+    s->integration =
+        integration_new(dt, s->scene.damping, &s->materials, &s->body, &s->boundary, s->model);
+    s->integration.damage = s->damage;
 }
 
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks)
@@ -243,7 +244,7 @@ void simulation_announce(struct simulation *s)
     note("%lld nodes, %lld bonds, %d ranks; step %.3g s (%.2f of the critical %.3g s), about %lld "
          "steps "
          "to %.3g s; %sfastest wave %.0f m/s; %.0f MB; about %.0f s",
-         (long long)s->lattice.n_nodes, (long long)s->n_bonds, s->ranks.size, s->verlet.dt,
+         (long long)s->lattice.n_nodes, (long long)s->n_bonds, s->ranks.size, s->integration.dt,
          s->scene.safety, s->critical_step, (long long)s->n_steps, s->end_time, rate,
          materials_wave_speed(&s->materials), memory * 1e-6, 1.15 * force * (double)s->n_steps);
     free(rate);
@@ -255,7 +256,7 @@ void simulation_announce(struct simulation *s)
 void simulation_free(struct simulation *s)
 {
     recorder_free(&s->recorder);
-    verlet_free(&s->verlet);
+    integration_free(&s->integration);
     gauge_free(s->gauge);
     quantities_free(s->quantities);
     boundary_free(&s->boundary);

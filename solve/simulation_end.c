@@ -20,8 +20,8 @@ static void describe(struct simulation *s)
     if (boundary_has_grips(&s->boundary))
         attributes_set_number(a, "solver_strain_rate_per_s",
                               boundary_full_strain_rate(&s->boundary));
-    attributes_set_number(a, "solver_step_s", s->verlet.dt);
-    attributes_set_number(a, "solver_steps", (double)s->verlet.step);
+    attributes_set_number(a, "solver_step_s", s->integration.dt);
+    attributes_set_number(a, "solver_steps", (double)s->integration.step);
     if (s->gauge) attributes_set_number(a, "gauge_length_m", gauge_length(s->gauge));
     for (int p = 0; s->gauge && p < s->domain.n_phases; p++) {
         char *name = memory_print("phase_%s_fraction", s->domain.phase_names[p]);
@@ -99,14 +99,14 @@ void simulation_finish(struct simulation *s, const char *failure)
     endangered = NULL;
     if (damage_broken_bonds(s->damage) > 0)
         note("%.0f bonds broken, %.3g J", damage_broken_bonds(s->damage),
-             s->verlet.balance.fracture);
+             s->integration.balance.fracture);
     if (s->materials.formulation == &formulation_correspondence && s->body.broken &&
         s->body.broken->n_lost > 0)
         note("%.0f nodes have no deformation gradient left", s->body.broken->n_lost);
-    double node_steps = (double)s->verlet.step * (double)s->lattice.n_nodes;
+    double node_steps = (double)s->integration.step * (double)s->lattice.n_nodes;
     char *strain = s->gauge ? memory_print("gauge strain %.4f, ", s->strain) : memory_text("");
     note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; %senergy drift %.1e",
-         (long long)s->verlet.step, s->wall, node_steps / s->wall / s->ranks.size, s->ranks.size,
-         strain, s->drift);
+         (long long)s->integration.step, s->wall, node_steps / s->wall / s->ranks.size,
+         s->ranks.size, strain, s->drift);
     free(strain);
 }

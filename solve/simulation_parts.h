@@ -29,7 +29,7 @@ struct simulation {
     struct boundary boundary;
     struct gauge *gauge; /* NULL: none */
     struct quantities *quantities;
-    struct verlet verlet;
+    struct integration integration;
     struct recorder recorder;
     struct fields *fields;
     struct spool history_output, fields_output; /* rank 0 */

@@ -39,11 +39,11 @@ static char *find_failure(const struct simulation *s)
     if (isfinite(drift))
         return memory_print("the energy balance is off by %.2g (energy_tolerance %g) at step %lld, "
                             "t = %.4g s: reduce solver.safety",
-                            drift, s->scene.energy_tolerance, (long long)s->verlet.step,
-                            s->verlet.time);
+                            drift, s->scene.energy_tolerance, (long long)s->integration.step,
+                            s->integration.time);
     int64_t node = first_bad_node(s);
     return memory_print("not a number at node %lld, step %lld, t = %.4g s", (long long)node,
-                        (long long)s->verlet.step, s->verlet.time);
+                        (long long)s->integration.step, s->integration.time);
 }
 
 /* Root mean square displacement gradient, none of which counts more than 1. */
@@ -80,7 +80,7 @@ static void check_step(struct simulation *s)
     const double critical = stable_step(s->model, &s->body, &s->materials);
     if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
     s->critical_step = critical;
-    s->verlet.dt = s->scene.safety * s->critical_step;
+    s->integration.dt = s->scene.safety * s->critical_step;
 }
 
 /* Whether the next step ends at a frame. */
@@ -89,62 +89,63 @@ static bool frame_due(const struct simulation *s)
     if (!s->fields) return false;
     const struct scene_fields *wanted = &s->scene.fields;
     int64_t every = wanted->every > 0 ? wanted->every : s->n_steps / wanted->frames;
-    return (s->verlet.step + 1) % (every > 0 ? every : 1) == 0;
+    return (s->integration.step + 1) % (every > 0 ? every : 1) == 0;
 }
 
 /* Records lie denser at the start, t_n = t_end (n/N)^2, where the elastic slope is measured. */
 static bool record_due(const struct simulation *s)
 {
     const double records = s->scene.history, end = (double)s->n_steps;
-    double before = floor(records * sqrt((double)s->verlet.step / end));
-    double after = floor(records * sqrt((double)(s->verlet.step + 1) / end));
+    double before = floor(records * sqrt((double)s->integration.step / end));
+    double after = floor(records * sqrt((double)(s->integration.step + 1) / end));
     return after > before;
 }
 
 static void record(struct simulation *s)
 {
-    s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->verlet, &s->boundary,
+    s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
                               s->model, &s->body, s->axial);
     s->deformation = s->gauge ? s->strain : mean_deformation(s);
 }
 
 static void write_frame(struct simulation *s)
 {
-    fields_write(s->fields, s->verlet.time, s->model, &s->body);
+    fields_write(s->fields, s->integration.time, s->model, &s->body);
 }
 
 /* Whether a number of steps, or a time, is the end. */
 static bool is_end(const struct simulation *s, int64_t step, double time)
 {
     if (s->scene.end_steps > 0) return step >= s->scene.end_steps;
-    if (s->scene.end_time > 0) return time >= s->end_time - 1e-6 * s->verlet.dt;
+    if (s->scene.end_time > 0) return time >= s->end_time - 1e-6 * s->integration.dt;
     return step >= 4 * s->n_steps;
 }
 
 static bool at_end(const struct simulation *s)
 {
     return (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
-           is_end(s, s->verlet.step, s->verlet.time);
+           is_end(s, s->integration.step, s->integration.time);
 }
 
 /* Whether the next step is the last one that a given end leaves. */
 static bool near_end(const struct simulation *s)
 {
-    return is_end(s, s->verlet.step + 1, s->verlet.time + s->verlet.dt);
+    return is_end(s, s->integration.step + 1, s->integration.time + s->integration.dt);
 }
 
 /* Stepped loads grow after what there is to see of the step has been seen.  At equilibrium the kinetic energy
  * has stayed below a thousandth of the internal one while a wave would have run there and back. */
 static void raise_loads(struct simulation *s, bool looking)
 {
-    const struct energy_balance *balance = &s->verlet.balance;
-    const double time = s->verlet.time, speed = materials_wave_speed(&s->materials);
+    const struct energy_balance *balance = &s->integration.balance;
+    const double time = s->integration.time, speed = materials_wave_speed(&s->materials);
     double longest = 0;
     if (s->boundary.loads.count == 0) return;
     for (int a = 0; a < 3; a++) longest = fmax(longest, lattice_extent(&s->lattice, a));
     if (looking && balance->kinetic > 1e-3 * energy_internal(balance)) s->disturbed = time;
     const bool equilibrium = looking && time - s->disturbed >= 2 * longest / speed;
-    if (verlet_raise_loads(&s->verlet, &s->body, &s->boundary, equilibrium)) s->disturbed = time;
+    if (integration_raise_loads(&s->integration, &s->body, &s->boundary, equilibrium))
+        s->disturbed = time;
 }
 
 static double gauge_stress(const struct simulation *s)
@@ -159,7 +160,7 @@ static double gauge_stress(const struct simulation *s)
 static double share_done(const struct simulation *s)
 {
     double by_strain = s->scene.end_strain > 0 ? s->strain / s->scene.end_strain : 0;
-    double by_steps = (double)s->verlet.step / (double)s->n_steps;
+    double by_steps = (double)s->integration.step / (double)s->n_steps;
     return by_strain > 0 ? by_strain : fmin(by_steps, 1);
 }
 
@@ -168,11 +169,12 @@ static void advance(struct simulation *s)
 {
     enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
     const bool recording = record_due(s) || near_end(s), framing = frame_due(s),
-               looking = recording || framing || (s->verlet.step + 1) % LOOK_EVERY == 0;
+               looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
     if (recording) memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
-    verlet_step(&s->verlet, &s->body, &s->boundary, s->model, looking, recording ? s->axial : NULL);
+    verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking,
+                recording ? s->axial : NULL);
     if (looking) {
-        s->drift = energy_drift(&s->verlet.balance);
+        s->drift = energy_drift(&s->integration.balance);
         s->failure = find_failure(s);
         if (s->failure) return;
     }
@@ -193,7 +195,7 @@ const char *simulation_run(struct simulation *s)
     if (s->fields) write_frame(s);
     while (!s->failure && !at_end(s)) {
         advance(s);
-        progress_update(&progress, share_done(s), s->verlet.step, s->gauge ? s->strain : NAN,
+        progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
     }
     if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain)

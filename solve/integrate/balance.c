@@ -17,13 +17,13 @@ HS_SIMD static void speed_squared(int count, const double *restrict x, const dou
         out[i] = (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]) / inverse_density[i];
 }
 
-static void sum_kinetic(const struct verlet *verlet, const struct body *body,
+static void sum_kinetic(const struct integration *integration, const struct body *body,
                         struct exact_sum *kinetic)
 {
     for (int64_t s = 0; s < body->owned.count; s++) {
         const struct strip *strip = &body->owned.items[s];
         double inverse_density[LANES], terms[LANES];
-        verlet_strip_density(verlet, body, strip, inverse_density);
+        integration_strip_density(integration, body, strip, inverse_density);
         speed_squared(strip->count, body->v[0] + strip->site, body->v[1] + strip->site,
                       body->v[2] + strip->site, inverse_density, terms);
         body_times_volume(body, strip->site, strip->count, terms);
@@ -32,7 +32,7 @@ static void sum_kinetic(const struct verlet *verlet, const struct body *body,
 }
 
 /* Kinetic energy of the prescribed components of sets whose motion depends on place. */
-static void sum_held(const struct verlet *verlet, const struct body *body,
+static void sum_held(const struct integration *integration, const struct body *body,
                      const struct boundary *boundary, struct exact_sum *held)
 {
     for (int b = 0; b < boundary->count; b++) {
@@ -40,23 +40,24 @@ static void sum_held(const struct verlet *verlet, const struct body *body,
         const double *v = body->v[set->direction];
         for (int64_t i = 0; set->place[0] && i < set->members.count; i++) {
             const int64_t site = set->members.sites[i];
-            exact_sum_add(held, 0.5 * verlet_node_mass(verlet, body, site) * v[site] * v[site]);
+            exact_sum_add(held,
+                          0.5 * integration_node_mass(integration, body, site) * v[site] * v[site]);
         }
     }
 }
 
 /* Kinetic energy that the loads would give to nodes at rest, if nothing else pulled, in so many steps. */
-static void sum_loaded(const struct verlet *verlet, const struct body *body,
+static void sum_loaded(const struct integration *integration, const struct body *body,
                        struct exact_sum *loaded)
 {
     enum { STEPS = 32 };
-    const double time = STEPS * verlet->dt;
+    const double time = STEPS * integration->dt;
     if (!body->b[0] && !body->b[1] && !body->b[2]) return;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;
             const double volume = body_volume(body, site),
-                         mass = verlet_node_mass(verlet, body, site);
+                         mass = integration_node_mass(integration, body, site);
             for (int a = 0; a < 3; a++) {
                 if (!body->b[a]) continue;
                 const double impulse = body->b[a][site] * volume * time;
@@ -65,15 +66,17 @@ static void sum_loaded(const struct verlet *verlet, const struct body *body,
         }
 }
 
-void balance_masses(const struct verlet *verlet, const struct body *body, struct boundary *boundary)
+void balance_masses(const struct integration *integration, const struct body *body,
+                    struct boundary *boundary)
 {
     struct exact_sum *sums = memory_new((size_t)boundary->count, sizeof *sums);
     double *masses = memory_new((size_t)boundary->count, sizeof *masses);
     for (int b = 0; b < boundary->count; b++) {
         const struct boundary_set *set = &boundary->sets[b];
-        sums[b] = verlet->kinetic_zero;
+        sums[b] = integration->kinetic_zero;
         for (int64_t i = 0; i < set->members.count; i++)
-            exact_sum_add(&sums[b], verlet_node_mass(verlet, body, set->members.sites[i]));
+            exact_sum_add(&sums[b],
+                          integration_node_mass(integration, body, set->members.sites[i]));
     }
     exact_sum_finish(sums, boundary->count, masses);
     for (int b = 0; b < boundary->count; b++) boundary->sets[b].mass = masses[b];
@@ -81,52 +84,52 @@ void balance_masses(const struct verlet *verlet, const struct body *body, struct
     free(masses);
 }
 
-static double body_mass(const struct verlet *verlet, const struct body *body)
+static double body_mass(const struct integration *integration, const struct body *body)
 {
-    return body->volume * (double)body->n_nodes / verlet->inverse_density[0];
+    return body->volume * (double)body->n_nodes / integration->inverse_density[0];
 }
 
 /* m (v_right - v_left)^2/24: a bar stretched uniformly about its middle at the grips' full speed. */
-static double affine_energy(const struct verlet *verlet, const struct body *body,
+static double affine_energy(const struct integration *integration, const struct body *body,
                             const struct boundary *boundary)
 {
     if (!boundary_has_grips(boundary)) return 0;
     const double length =
         boundary->sets[boundary->right].inner - boundary->sets[boundary->left].inner;
     const double speed = boundary_full_strain_rate(boundary) * length;
-    return body_mass(verlet, body) * speed * speed / 24;
+    return body_mass(integration, body) * speed * speed / 24;
 }
 
 /* The same for a body that sets with these speeds stretch against its rest. */
-static double held_energy(const struct verlet *verlet, const struct body *body,
+static double held_energy(const struct integration *integration, const struct body *body,
                           const struct boundary *boundary)
 {
-    double kinetic = verlet->held, mass = 0;
+    double kinetic = integration->held, mass = 0;
     for (int b = 0; b < boundary->count; b++) {
         const struct boundary_set *set = &boundary->sets[b];
         mass += set->mass;
         if (!set->place[0]) kinetic += 0.5 * set->mass * set->speed * set->speed;
     }
-    return mass > 0 ? body_mass(verlet, body) * 2 * kinetic / mass / 24 : 0;
+    return mass > 0 ? body_mass(integration, body) * 2 * kinetic / mass / 24 : 0;
 }
 
-static void finish(struct verlet *verlet, const struct body *body, struct boundary *boundary,
-                   const struct force_energy *energy, const struct balance_sums *known,
-                   double values[SUMS])
+static void finish(struct integration *integration, const struct body *body,
+                   struct boundary *boundary, const struct force_energy *energy,
+                   const struct balance_sums *known, double values[SUMS])
 {
     const int count = SUMS + boundary->count;
     struct exact_sum *sums = memory_new((size_t)count, sizeof *sums);
     double *all = memory_new((size_t)count, sizeof *all);
-    for (int k = 0; k < SUMS; k++) sums[k] = verlet->kinetic_zero;
+    for (int k = 0; k < SUMS; k++) sums[k] = integration->kinetic_zero;
     sums[DAMPED] = known->damped;
     sums[WORK] = known->work;
-    sum_held(verlet, body, boundary, &sums[HELD]);
+    sum_held(integration, body, boundary, &sums[HELD]);
     if (energy) {
-        sum_kinetic(verlet, body, &sums[KINETIC]);
+        sum_kinetic(integration, body, &sums[KINETIC]);
         sums[STORED] = energy->stored;
         sums[PLASTIC] = energy->plastic;
         sums[STABILISATION] = energy->stabilisation;
-        sum_loaded(verlet, body, &sums[LOADED]);
+        sum_loaded(integration, body, &sums[LOADED]);
     }
     boundary_reactions(boundary, body, sums + SUMS);
     exact_sum_finish(sums, count, all);
@@ -140,29 +143,29 @@ static void finish(struct verlet *verlet, const struct body *body, struct bounda
 }
 
 /* Where there are grips they set the scale alone, as long as nothing else moves or loads the body. */
-static void take_energies(struct verlet *verlet, const struct body *body,
+static void take_energies(struct integration *integration, const struct body *body,
                           const struct boundary *boundary, const double values[SUMS])
 {
-    struct energy_balance *balance = &verlet->balance;
+    struct energy_balance *balance = &integration->balance;
     balance->kinetic = values[KINETIC];
     balance->stored = values[STORED];
     balance->plastic = values[PLASTIC];
     balance->stabilisation = values[STABILISATION];
     balance->reference = fmax(balance->reference, values[LOADED]);
-    if (!boundary_has_grips(boundary) || affine_energy(verlet, body, boundary) == 0)
-        balance->reference = fmax(balance->reference, held_energy(verlet, body, boundary));
+    if (!boundary_has_grips(boundary) || affine_energy(integration, body, boundary) == 0)
+        balance->reference = fmax(balance->reference, held_energy(integration, body, boundary));
 }
 
-void balance_start(struct verlet *verlet, const struct body *body, struct boundary *boundary,
-                   const struct force_energy *energy)
+void balance_start(struct integration *integration, const struct body *body,
+                   struct boundary *boundary, const struct force_energy *energy)
 {
-    const struct balance_sums none = {verlet->kinetic_zero, verlet->kinetic_zero};
+    const struct balance_sums none = {integration->kinetic_zero, integration->kinetic_zero};
     double values[SUMS];
-    finish(verlet, body, boundary, energy, &none, values);
-    verlet->held = values[HELD];
-    verlet->balance.reference = affine_energy(verlet, body, boundary);
-    take_energies(verlet, body, boundary, values);
-    verlet->balance.initial = energy_held(&verlet->balance);
+    finish(integration, body, boundary, energy, &none, values);
+    integration->held = values[HELD];
+    integration->balance.reference = affine_energy(integration, body, boundary);
+    take_energies(integration, body, boundary, values);
+    integration->balance.initial = energy_held(&integration->balance);
 }
 
 /* Work of the sets over a step: mean force times way, and what their own mass has gained. */
@@ -178,16 +181,17 @@ static void add_work_of_sets(struct boundary *boundary, double *work)
     }
 }
 
-void balance_step(struct verlet *verlet, const struct body *body, struct boundary *boundary,
-                  const struct force_energy *energy, const struct balance_sums *sums)
+void balance_step(struct integration *integration, const struct body *body,
+                  struct boundary *boundary, const struct force_energy *energy,
+                  const struct balance_sums *sums)
 {
     double values[SUMS];
-    finish(verlet, body, boundary, energy, sums, values);
-    verlet->balance.damping += values[DAMPED];
-    add_work_of_sets(boundary, &verlet->balance.work);
-    verlet->balance.work += values[WORK] + (values[HELD] - verlet->held);
-    verlet->held = values[HELD];
-    if (energy) take_energies(verlet, body, boundary, values);
+    finish(integration, body, boundary, energy, sums, values);
+    integration->balance.damping += values[DAMPED];
+    add_work_of_sets(boundary, &integration->balance.work);
+    integration->balance.work += values[WORK] + (values[HELD] - integration->held);
+    integration->held = values[HELD];
+    if (energy) take_energies(integration, body, boundary, values);
 }
 
 void balance_reactions(const struct body *body, struct boundary *boundary)

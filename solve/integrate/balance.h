@@ -2,7 +2,7 @@
 #ifndef HS_BALANCE_H
 #define HS_BALANCE_H
 
-#include "verlet.h"
+#include "integration.h"
 
 /* What a step sums up on the way, to be finished with the rest. */
 struct balance_sums {
@@ -10,17 +10,18 @@ struct balance_sums {
 };
 
 /* Mass of each set [kg].  Collective. */
-void balance_masses(const struct verlet *verlet, const struct body *body,
+void balance_masses(const struct integration *integration, const struct body *body,
                     struct boundary *boundary);
 
 /* The balance at the start, whose energies are those of force mode.energy.  Collective. */
-void balance_start(struct verlet *verlet, const struct body *body, struct boundary *boundary,
-                   const struct force_energy *energy);
+void balance_start(struct integration *integration, const struct body *body,
+                   struct boundary *boundary, const struct force_energy *energy);
 
 /* The end of a step, in one message: reactions, work and damping, and the energies where energy is not NULL
  * (from model_force).  Collective. */
-void balance_step(struct verlet *verlet, const struct body *body, struct boundary *boundary,
-                  const struct force_energy *energy, const struct balance_sums *sums);
+void balance_step(struct integration *integration, const struct body *body,
+                  struct boundary *boundary, const struct force_energy *energy,
+                  const struct balance_sums *sums);
 
 /* The reactions again, after the loads have jumped.  Collective. */
 void balance_reactions(const struct body *body, struct boundary *boundary);

@@ -34,11 +34,11 @@ static void affine_velocity(const struct affine *affine, const struct body *body
     }
 }
 
-void damping_apply(const struct verlet *verlet, struct body *body, const struct boundary *boundary,
-                   double time, struct exact_sum *lost)
+void damping_apply(const struct integration *integration, struct body *body,
+                   const struct boundary *boundary, double time, struct exact_sum *lost)
 {
-    const struct affine affine = affine_motion(boundary, body, time, verlet->dt);
-    const double keep = exp(-0.5 * verlet->damping * verlet->dt);
+    const struct affine affine = affine_motion(boundary, body, time, integration->dt);
+    const double keep = exp(-0.5 * integration->damping * integration->dt);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;
@@ -49,17 +49,17 @@ void damping_apply(const struct verlet *verlet, struct body *body, const struct 
                 double before = body->v[a][site];
                 double after = target[a] + keep * (before - target[a]);
                 body->v[a][site] = after;
-                exact_sum_add(lost, 0.5 * verlet_node_mass(verlet, body, site) *
+                exact_sum_add(lost, 0.5 * integration_node_mass(integration, body, site) *
                                         (before * before - after * after));
             }
         }
 }
 
-double damping_unsteady_energy(const struct verlet *verlet, const struct body *body,
+double damping_unsteady_energy(const struct integration *integration, const struct body *body,
                                const struct boundary *boundary)
 {
-    const struct affine affine = affine_motion(boundary, body, verlet->time, verlet->dt);
-    struct exact_sum sum = verlet->kinetic_zero;
+    const struct affine affine = affine_motion(boundary, body, integration->time, integration->dt);
+    struct exact_sum sum = integration->kinetic_zero;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;
@@ -69,7 +69,7 @@ double damping_unsteady_energy(const struct verlet *verlet, const struct body *b
                 double beyond = body->v[a][site] - steady[a];
                 square += beyond * beyond;
             }
-            exact_sum_add(&sum, 0.5 * verlet_node_mass(verlet, body, site) * square);
+            exact_sum_add(&sum, 0.5 * integration_node_mass(integration, body, site) * square);
         }
     double energy;
     exact_sum_finish(&sum, 1, &energy);

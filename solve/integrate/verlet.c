@@ -2,9 +2,8 @@
 
 #include "balance.h"
 #include "damping.h"
-#include "memory.h"
 
-#include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 /* v += half_step f/rho at the strip's nodes. */
@@ -26,89 +25,41 @@ HS_SIMD static void drift(int count, const double *restrict v, double dt, double
     for (int i = 0; i < count; i++) u[i] += dt * v[i];
 }
 
-static void half_kick(const struct verlet *verlet, struct body *body)
+static void half_kick(const struct integration *integration, struct body *body)
 {
     for (int64_t s = 0; s < body->owned.count; s++) {
         const struct strip *strip = &body->owned.items[s];
         const int64_t site = strip->site;
         double inverse_density[LANES];
-        verlet_strip_density(verlet, body, strip, inverse_density);
+        integration_strip_density(integration, body, strip, inverse_density);
         for (int a = 0; a < 3; a++)
             if (body->b[a])
                 kick_loaded(strip->count, body->f[a] + site, body->b[a] + site, inverse_density,
-                            0.5 * verlet->dt, body->v[a] + site);
+                            0.5 * integration->dt, body->v[a] + site);
             else
-                kick(strip->count, body->f[a] + site, inverse_density, 0.5 * verlet->dt,
+                kick(strip->count, body->f[a] + site, inverse_density, 0.5 * integration->dt,
                      body->v[a] + site);
     }
 }
 
-static void move(const struct verlet *verlet, struct body *body)
+static void move(const struct integration *integration, struct body *body)
 {
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int a = 0; a < 3; a++)
-            drift(body->owned.items[s].count, body->v[a] + body->owned.items[s].site, verlet->dt,
-                  body->u[a] + body->owned.items[s].site);
-}
-
-struct verlet verlet_new(double dt, double damping, const struct materials *materials,
-                         struct body *body, struct boundary *boundary, struct model *model)
-{
-    struct verlet verlet = {.dt = dt, .damping = damping};
-    verlet.inverse_density = memory_new((size_t)materials->count, sizeof(double));
-    for (int i = 0; i < materials->count; i++)
-        verlet.inverse_density[i] = 1 / materials->items[i].density;
-    /* No energy density of a metal exceeds its Young's modulus. */
-    const double bound = (double)body->n_nodes * body->volume * materials_stiffest(materials);
-    const struct exact_sum zero = exact_sum_new(4 * bound);
-    verlet.zero = (struct force_energy){zero, zero, zero};
-    verlet.kinetic_zero = zero;
-
-    balance_masses(&verlet, body, boundary);
-    boundary_set_displacements(boundary, body);
-    boundary_set_velocities(boundary, body, 0, dt);
-    loads_set(&boundary->loads, body, 0);
-    struct force_energy energy = verlet.zero;
-    model_force(model, body, (struct force_mode){.commit = true, .energy = true}, &energy);
-    balance_start(&verlet, body, boundary, &energy);
-    return verlet;
-}
-
-void verlet_free(struct verlet *verlet)
-{
-    free(verlet->inverse_density);
-    *verlet = (struct verlet){0};
-}
-
-bool verlet_raise_loads(struct verlet *verlet, struct body *body, struct boundary *boundary,
-                        bool equilibrium)
-{
-    if (!loads_raise(&boundary->loads, verlet->step, equilibrium)) return false;
-    loads_set(&boundary->loads, body, verlet->time);
-    balance_reactions(body, boundary);
-    return true;
-}
-
-/* stored + plastic + stabilisation [J] */
-static double held_energy(const struct force_energy *energy)
-{
-    double values[3];
-    exact_sum_finish(
-        (const struct exact_sum[]){energy->stored, energy->plastic, energy->stabilisation}, 3,
-        values);
-    return values[0] + values[1] + values[2];
+            drift(body->owned.items[s].count, body->v[a] + body->owned.items[s].site,
+                  integration->dt, body->u[a] + body->owned.items[s].site);
 }
 
 /* dt/2 sum V v . f at owned nodes, v in the middle of the step [J]. */
-static double half_step_power(const struct verlet *verlet, const struct body *body)
+static double half_step_power(const struct integration *integration, const struct body *body)
 {
-    struct exact_sum sum = verlet->kinetic_zero;
+    struct exact_sum sum = integration->kinetic_zero;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;
             double power = 0;
             for (int a = 0; a < 3; a++) power += body->v[a][site] * body->f[a][site];
-            exact_sum_add(&sum, 0.5 * verlet->dt * body_volume(body, site) * power);
+            exact_sum_add(&sum, 0.5 * integration->dt * body_volume(body, site) * power);
         }
     double value;
     exact_sum_finish(&sum, 1, &value);
@@ -119,45 +70,49 @@ static double half_step_power(const struct verlet *verlet, const struct body *bo
  * the bonds left.  The kick before had the old force, the kick to come has the new one: the bonds broke in
  * the middle of the step, and the energy of fracture is the difference of the energies there, dt v/2 back.
  * known: energy has been found with the force. */
-static void break_bonds(struct verlet *verlet, struct body *body, struct model *model,
+static void break_bonds(struct integration *integration, struct body *body, struct model *model,
                         double *axial, bool known, struct force_energy *energy)
 {
-    if (!verlet->damage || !damage_find(verlet->damage)) return;
+    if (!integration->damage || !damage_find(integration->damage)) return;
     if (!known) {
-        *energy = verlet->zero;
-        model_force(model, body, (struct force_mode){.energy = true}, energy);
+        *energy = integration->zero;
+        integration_force(integration, model, body, (struct force_mode){.energy = true}, energy);
     }
-    const double before = held_energy(energy) + half_step_power(verlet, body);
-    damage_break(verlet->damage);
+    const double before = integration_held_energy(energy) + half_step_power(integration, body);
+    damage_break(integration->damage);
     if (axial) memset(axial, 0, (size_t)body->grid.n_sites * sizeof *axial);
-    *energy = verlet->zero;
-    model_force(model, body, (struct force_mode){.commit = true, .energy = true, .axial = axial},
-                energy);
-    verlet->balance.fracture += before - held_energy(energy) - half_step_power(verlet, body);
+    *energy = integration->zero;
+    integration_force(integration, model, body,
+                      (struct force_mode){.commit = true, .energy = true, .axial = axial}, energy);
+    integration->balance.fracture +=
+        before - integration_held_energy(energy) - half_step_power(integration, body);
 }
 
-void verlet_step(struct verlet *verlet, struct body *body, struct boundary *boundary,
+void verlet_step(struct integration *integration, struct body *body, struct boundary *boundary,
                  struct model *model, bool energies, double *axial)
 {
-    struct balance_sums sums = {verlet->kinetic_zero, verlet->kinetic_zero};
-    struct force_energy energy = verlet->zero;
+    struct balance_sums sums = {integration->kinetic_zero, integration->kinetic_zero};
+    struct force_energy energy = integration->zero;
 
-    half_kick(verlet, body);
-    if (verlet->damping > 0) damping_apply(verlet, body, boundary, verlet->time, &sums.damped);
-    boundary_set_ways(boundary, body, verlet->time, verlet->dt);
-    boundary_add_work(boundary, body, 0.5 * verlet->dt, &sums.work);
-    move(verlet, body);
-    verlet->step++;
-    verlet->time += verlet->dt;
+    half_kick(integration, body);
+    if (integration->damping > 0)
+        damping_apply(integration, body, boundary, integration->time, &sums.damped);
+    boundary_set_ways(boundary, body, integration->time, integration->dt);
+    boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
+    move(integration, body);
+    integration->step++;
+    integration->time += integration->dt;
 
-    loads_set(&boundary->loads, body, verlet->time);
-    model_force(model, body,
-                (struct force_mode){.commit = true, .energy = energies, .axial = axial}, &energy);
-    break_bonds(verlet, body, model, axial, energies, &energy);
-    boundary_add_work(boundary, body, 0.5 * verlet->dt, &sums.work);
-    half_kick(verlet, body);
-    if (verlet->damping > 0) damping_apply(verlet, body, boundary, verlet->time, &sums.damped);
-    boundary_set_velocities(boundary, body, verlet->time, verlet->dt);
+    loads_set(&boundary->loads, body, integration->time);
+    integration_force(integration, model, body,
+                      (struct force_mode){.commit = true, .energy = energies, .axial = axial},
+                      &energy);
+    break_bonds(integration, body, model, axial, energies, &energy);
+    boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
+    half_kick(integration, body);
+    if (integration->damping > 0)
+        damping_apply(integration, body, boundary, integration->time, &sums.damped);
+    boundary_set_velocities(boundary, body, integration->time, integration->dt);
 
-    balance_step(verlet, body, boundary, energies ? &energy : NULL, &sums);
+    balance_step(integration, body, boundary, energies ? &energy : NULL, &sums);
 }

@@ -139,7 +139,7 @@ static double *put_phases(const struct recorder *recorder, const struct gauge_ph
 }
 
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
-                     struct quantities *quantities, const struct verlet *verlet,
+                     struct quantities *quantities, const struct integration *integration,
                      const struct boundary *boundary, struct model *model, struct body *body,
                      double *axial)
 {
@@ -155,32 +155,33 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     model_prepare(model, body, axial);
     if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
     quantities_measure(quantities, model, body, wanted);
-    const double unsteady = damping_unsteady_energy(verlet, body, boundary);
+    const double unsteady = damping_unsteady_energy(integration, body, boundary);
     const double extension = planes.right - planes.left;
     if (body->ranks.rank == 0) {
-        const struct energy_balance *b = &verlet->balance;
+        const struct energy_balance *b = &integration->balance;
         const double internal = energy_internal(b), per_internal = internal > 0 ? 1 / internal : 0;
-        const double values[COMMON] = {left->total_force,
-                                       right->total_force,
-                                       extension,
-                                       right->moved - left->moved,
-                                       b->kinetic,
-                                       b->stored,
-                                       b->plastic,
-                                       b->stabilisation,
-                                       b->damping,
-                                       b->work,
-                                       energy_drift(b),
-                                       b->kinetic * per_internal,
-                                       section.ratio,
-                                       section.x,
-                                       planes.left,
-                                       planes.right,
-                                       unsteady * per_internal,
-                                       b->fracture,
-                                       verlet->damage ? damage_broken_bonds(verlet->damage) : 0,
-                                       body_unsupported(body)};
-        double *record = put_common(recorder, values, new_record(recorder, verlet->time));
+        const double values[COMMON] = {
+            left->total_force,
+            right->total_force,
+            extension,
+            right->moved - left->moved,
+            b->kinetic,
+            b->stored,
+            b->plastic,
+            b->stabilisation,
+            b->damping,
+            b->work,
+            energy_drift(b),
+            b->kinetic * per_internal,
+            section.ratio,
+            section.x,
+            planes.left,
+            planes.right,
+            unsteady * per_internal,
+            b->fracture,
+            integration->damage ? damage_broken_bonds(integration->damage) : 0,
+            body_unsupported(body)};
+        double *record = put_common(recorder, values, new_record(recorder, integration->time));
         record = put_phases(recorder, phases, record);
         for (int q = 0; q < quantities_count(quantities); q++) *record++ = wanted[q];
     }

@@ -5,8 +5,8 @@
 #include "boundary.h"
 #include "exodus.h"
 #include "gauge.h"
+#include "integration.h"
 #include "quantities.h"
-#include "verlet.h"
 
 struct recorder {
     bool grips, gauge; /* there are columns of theirs */
@@ -24,7 +24,7 @@ void recorder_free(struct recorder *recorder);
 /* Adds a record; axial as in gauge_measure.  Returns the gauge's nominal strain, 0 without gauge (NULL).
  * Collective. */
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
-                     struct quantities *quantities, const struct verlet *verlet,
+                     struct quantities *quantities, const struct integration *integration,
                      const struct boundary *boundary, struct model *model, struct body *body,
                      double *axial);
 

@@ -46,14 +46,14 @@ void scene_body_new(struct scene_body *it, const struct small_case *wanted, cons
     it->boundary = boundary_new(&it->scene, &it->small.body, 1e12);
     initial_set(&it->scene, &it->small.body, SCENE_DISPLACEMENT);
     initial_set(&it->scene, &it->small.body, SCENE_VELOCITY);
-    it->verlet = verlet_new(dt, damping, &it->small.materials, &it->small.body, &it->boundary,
-                            it->small.model);
+    it->integration = integration_new(dt, damping, &it->small.materials, &it->small.body,
+                                      &it->boundary, it->small.model);
     free(text);
 }
 
 void scene_body_free(struct scene_body *it)
 {
-    verlet_free(&it->verlet);
+    integration_free(&it->integration);
     boundary_free(&it->boundary);
     scene_free(&it->scene);
     domain_free(&it->domain);
@@ -63,6 +63,6 @@ void scene_body_free(struct scene_body *it)
 
 void scene_body_step(struct scene_body *it)
 {
-    verlet_step(&it->verlet, &it->small.body, &it->boundary, it->small.model, true, NULL);
-    verlet_raise_loads(&it->verlet, &it->small.body, &it->boundary, false);
+    verlet_step(&it->integration, &it->small.body, &it->boundary, it->small.model, true, NULL);
+    integration_raise_loads(&it->integration, &it->small.body, &it->boundary, false);
 }

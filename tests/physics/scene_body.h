@@ -11,7 +11,7 @@ struct scene_body {
     struct domain domain;
     struct scene scene;
     struct boundary boundary;
-    struct verlet verlet;
+    struct integration integration;
 };
 
 /* sections: "boundary: [...], initial: [...]"; a body of phase A whose node sets are none.  Its address must

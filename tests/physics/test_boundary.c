@@ -39,7 +39,7 @@ static void check_fall(const struct small_case *wanted, const char *load,
         v += 0.5 * dt * force(n * dt) / density;
         u += dt * v;
         v += 0.5 * dt * force((n + 1) * dt) / density;
-        assert_near(energy_drift(&it.verlet.balance), 0, tolerance);
+        assert_near(energy_drift(&it.integration.balance), 0, tolerance);
     }
     assert_near(spread(&it, it.small.body.u[1], u), 0, 1e-12 * fabs(u));
     assert_near(spread(&it, it.small.body.v[1], v), 0, 1e-12 * fabs(v));
@@ -125,7 +125,7 @@ static void test_bar_under_a_force(void **state)
              " {where: 'x > 574e-6', direction: x, force: %.17g}]",
              force);
     scene_body_new(&it, &bar, sections, 4e6, dt);
-    while (it.verlet.time < 10e-6) scene_body_step(&it);
+    while (it.integration.time < 10e-6) scene_body_step(&it);
     assert_relative(it.boundary.sets[0].total_force, -force, 1e-6);
     assert_relative((layer(&it, 16) - layer(&it, 8)) / (8 * SMALL_SPACING), strain, 1e-3);
     assert_near(spread(&it, it.small.body.b[0], 0), force / (9 * pow(SMALL_SPACING, 3)),
@@ -147,7 +147,7 @@ static void test_load_on_held_nodes(void **state)
         scene_body_step(&it);
         assert_relative(it.boundary.sets[0].total_force, -3 - 2 * (n / 5), 1e-14);
     }
-    assert_true(it.verlet.balance.work == 0);
+    assert_true(it.integration.balance.work == 0);
     assert_true(spread(&it, it.small.body.u[0], 0) == 0);
     scene_body_free(&it);
 }
@@ -166,7 +166,7 @@ static void test_steps(void **state)
         scene_body_step(&it);
         assert_true(spread(&it, it.small.body.b[2], 1e13 + n / 7 * 2e13) == 0);
     }
-    assert_near(energy_drift(&it.verlet.balance), 0, 1e-12);
+    assert_near(energy_drift(&it.integration.balance), 0, 1e-12);
     scene_body_free(&it);
 }
 
@@ -194,7 +194,7 @@ static void test_displacement_is_velocity(void **state)
         for (int c = 0; c < 3; c++)
             assert_near(a.small.body.u[c][site], b.small.body.u[c][site], 1e-12 * most);
     assert_relative(a.boundary.sets[1].total_force, b.boundary.sets[1].total_force, 1e-10);
-    assert_relative(a.verlet.balance.work, b.verlet.balance.work, 1e-10);
+    assert_relative(a.integration.balance.work, b.integration.balance.work, 1e-10);
     scene_body_free(&a);
     scene_body_free(&b);
 }
@@ -216,8 +216,8 @@ static void test_displacement_is_kept(void **state)
             small_body_position(&it.small, site, at);
             const double x = at[0] * SMALL_SPACING;
             if (at[0] < 4)
-                assert_near(it.small.body.u[1][site], 1e-7 + 1e-3 * x * sin(1e7 * it.verlet.time),
-                            1e-21);
+                assert_near(it.small.body.u[1][site],
+                            1e-7 + 1e-3 * x * sin(1e7 * it.integration.time), 1e-21);
         }
     }
     scene_body_free(&it);
@@ -233,13 +233,13 @@ static void test_initial_displacement(void **state)
                  stiffness = modulus * (1 - ratio) / ((1 + ratio) * (1 - 2 * ratio));
     double kinetic = 0;
     scene_body_new(&it, &bar, "initial: [{block: A, direction: x, displacement: '1e-5*x'}]", 0, dt);
-    assert_relative(it.verlet.balance.initial, 0.5 * stiffness * strain * strain * volume,
+    assert_relative(it.integration.balance.initial, 0.5 * stiffness * strain * strain * volume,
                     3 * strain);
-    while (it.verlet.time < 0.3e-6) { /* a wave's way there and back */
+    while (it.integration.time < 0.3e-6) { /* a wave's way there and back */
         scene_body_step(&it);
-        kinetic = fmax(kinetic, it.verlet.balance.kinetic);
+        kinetic = fmax(kinetic, it.integration.balance.kinetic);
     }
-    assert_true(kinetic > 0.5 * it.verlet.balance.initial);
+    assert_true(kinetic > 0.5 * it.integration.balance.initial);
     scene_body_free(&it);
 }
 
@@ -251,9 +251,9 @@ static double imbalance_of(const char *sections, double step, double *drift)
     double most = 0, energy = 0;
     *drift = 0;
     scene_body_new(&it, &bar, sections, 0, step);
-    while (it.verlet.time < 0.2e-6) {
+    while (it.integration.time < 0.2e-6) {
         scene_body_step(&it);
-        const struct energy_balance *balance = &it.verlet.balance;
+        const struct energy_balance *balance = &it.integration.balance;
         most = fmax(most, fabs(energy_held(balance) - balance->initial - balance->work));
         energy = fmax(energy, energy_held(balance));
         *drift = fmax(*drift, fabs(energy_drift(balance)));

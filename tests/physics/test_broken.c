@@ -236,8 +236,8 @@ static void test_fragments_fly_on(void **state)
         }
         small.body.v[2][alone] = 100;
         const double gone_x = small.body.v[0][alone], gone_y = small.body.v[1][alone];
-        struct verlet verlet =
-            verlet_new(1e-9, 0, &small.materials, &small.body, &nothing, small.model);
+        struct integration integration =
+            integration_new(1e-9, 0, &small.materials, &small.body, &nothing, small.model);
         double before[2][3] = {{0}}, after[2][3] = {{0}}, all = 0;
         for (int n = 0; n <= 200; n++) {
             for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
@@ -251,7 +251,7 @@ static void test_fragments_fly_on(void **state)
                     all += fabs(momentum);
                 }
             }
-            if (n < 200) verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
+            if (n < 200) verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
         }
         assert_near(small.body.v[0][alone], gone_x, 0);
         assert_near(small.body.v[1][alone], gone_y, 0);
@@ -259,8 +259,8 @@ static void test_fragments_fly_on(void **state)
         /* rounding of 200 steps */
         for (int part = 0; part < 2; part++)
             for (int a = 0; a < 3; a++) assert_near(after[part][a], before[part][a], 1e-13 * all);
-        assert_near(energy_drift(&verlet.balance), 0, 2e-3);
-        verlet_free(&verlet);
+        assert_near(energy_drift(&integration.balance), 0, 2e-3);
+        integration_free(&integration);
         boundary_free(&nothing);
         small_body_free(&small);
     }

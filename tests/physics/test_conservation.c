@@ -119,17 +119,18 @@ static struct flight fly(const char *stabilisation, double speed, double dt, int
     struct flight flight = {0, 0};
     body_of(&small, stabilisation, 1);
     strike(&small, speed);
-    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
-    const double initial = total(&verlet.balance);
+    struct integration integration =
+        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    const double initial = total(&integration.balance);
     for (int n = 0; n < steps; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
-        double change = total(&verlet.balance) - initial;
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        double change = total(&integration.balance) - initial;
         flight.drift = fmax(flight.drift, fabs(change) / initial);
         /* the program's own measure divides by the larger side: the same to the drift's square */
-        assert_near(energy_drift(&verlet.balance), change / initial, 1e-4);
+        assert_near(energy_drift(&integration.balance), change / initial, 1e-4);
     }
-    flight.plastic = verlet.balance.plastic / initial;
-    verlet_free(&verlet);
+    flight.plastic = integration.balance.plastic / initial;
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
     return flight;

@@ -296,27 +296,28 @@ static struct flight fly(const struct bar *bar, double dt, int steps, bool test_
         small.body.v[0][site] = 40 * (at[0] - 6.5);
         small.body.v[1][site] = 3 * sin(at[0] + 0.3 * at[2]);
     }
-    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
-    verlet.damage = small.damage;
+    struct integration integration =
+        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    integration.damage = small.damage;
     if (test_all) damage_test_all(small.damage);
     /* The initial balance holds kinetic energy alone; what the noise has stored comes to it. */
-    const double initial = verlet.balance.kinetic + verlet.balance.stored;
+    const double initial = integration.balance.kinetic + integration.balance.stored;
     for (int n = 0; n < steps; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
-        const struct energy_balance *b = &verlet.balance;
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        const struct energy_balance *b = &integration.balance;
         double all = b->kinetic + b->stored + b->plastic + b->stabilisation + b->fracture;
         flight.drift = fmax(flight.drift, fabs(all / initial - 1));
     }
     flight.broken = damage_broken_bonds(small.damage);
-    flight.fracture = verlet.balance.fracture / initial;
-    flight.kinetic = verlet.balance.kinetic / initial;
+    flight.fracture = integration.balance.fracture / initial;
+    flight.kinetic = integration.balance.kinetic / initial;
     for (int64_t site = 0; site < small.body.grid.n_sites; site++)
         for (int a = 0; a < 3 && small_body_has(&small, site); a++) {
             uint64_t bits;
             memcpy(&bits, &small.body.u[a][site], sizeof bits);
             flight.bits = flight.bits * UINT64_C(0x9E3779B97F4A7C15) + bits;
         }
-    verlet_free(&verlet);
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
     return flight;

@@ -60,15 +60,15 @@ static struct pull pull(const char *stabilisation, double damping, double dt)
                                                 .n_phases = 2,
                                                 .phase = chequered});
     struct boundary boundary = grips_of(&small);
-    struct verlet verlet =
-        verlet_new(dt, damping, &small.materials, &small.body, &boundary, small.model);
+    struct integration integration =
+        integration_new(dt, damping, &small.materials, &small.body, &boundary, small.model);
     struct pull pull = {0, 0};
-    while (verlet.time < 1e-6) {
-        verlet_step(&verlet, &small.body, &boundary, small.model, true, NULL);
-        pull.drift = fmax(pull.drift, fabs(energy_drift(&verlet.balance)));
+    while (integration.time < 1e-6) {
+        verlet_step(&integration, &small.body, &boundary, small.model, true, NULL);
+        pull.drift = fmax(pull.drift, fabs(energy_drift(&integration.balance)));
     }
-    pull.damped = verlet.balance.damping / verlet.balance.work;
-    verlet_free(&verlet);
+    pull.damped = integration.balance.damping / integration.balance.work;
+    integration_free(&integration);
     boundary_free(&boundary);
     small_body_free(&small);
     return pull;

@@ -229,16 +229,16 @@ static void fly_together(int nodes, double spacing, double displacement, double 
                   last = grid_site(&small.body.grid, (const int[]){nodes - 1, 0, 0});
     small.body.v[0][first] = 1;
     small.body.v[0][last] = -1;
-    struct verlet verlet =
-        verlet_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
+    struct integration integration =
+        integration_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++)
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
     /* The figures have thirteen digits. */
     assert_relative(small.body.u[0][first], displacement * scale, 1e-10);
     assert_relative(small.body.v[0][first], velocity, 1e-10);
     assert_relative(small.body.u[0][last], -displacement * scale, 1e-10);
     if (nodes == 3) assert_near(small.body.u[0][first + 1], 0, 1e-15 * SMALL_SPACING);
-    verlet_free(&verlet);
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
 }

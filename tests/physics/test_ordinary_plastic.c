@@ -281,14 +281,15 @@ static struct flight fly(double dt, int steps)
                                                 .n_phases = 2,
                                                 .phase = rugged});
     strike(&small, 60);
-    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
-    const double initial = total(&verlet.balance);
+    struct integration integration =
+        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    const double initial = total(&integration.balance);
     for (int n = 0; n < steps; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
-        flight.drift = fmax(flight.drift, fabs(total(&verlet.balance) - initial) / initial);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        flight.drift = fmax(flight.drift, fabs(total(&integration.balance) - initial) / initial);
     }
-    flight.plastic = verlet.balance.plastic / initial;
-    verlet_free(&verlet);
+    flight.plastic = integration.balance.plastic / initial;
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
     return flight;

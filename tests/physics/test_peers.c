@@ -38,10 +38,10 @@ static void fly_together(int nodes, double spacing, double volume, const double 
     small_body_new(&small, &(struct small_case){{nodes, 1, 1}, 1.1, .materials = PERIDIGM});
     small.body.v[0][site_at(&small, 0, 0, 0)] = 1;
     small.body.v[0][site_at(&small, nodes - 1, 0, 0)] = -1;
-    struct verlet verlet =
-        verlet_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
+    struct integration integration =
+        integration_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
         if (force)
             assert_relative(small.body.f[0][site_at(&small, 0, 0, 0)] * scale, force[n], 1e-9);
         /* first step: dilatation -3e-5, so that the mean stress is K times it, 3e-5 K and no more */
@@ -51,8 +51,8 @@ static void fly_together(int nodes, double spacing, double volume, const double 
             assert_relative((P[0] + P[4] + P[8]) / 3, -3e-5 * 130e9, 1e-10);
         }
     }
-    assert_relative(verlet.balance.stored / nodes / small.body.volume * volume, energy, 2e-9);
-    verlet_free(&verlet);
+    assert_relative(integration.balance.stored / nodes / small.body.volume * volume, energy, 2e-9);
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
 }
@@ -330,14 +330,15 @@ static double speed_error(const char *materials, const char *stabilisation, cons
         body_position(&small.body, site, x);
         small.body.v[0][site] = 1e-3 * exp(-pow(x[0] / (width * SMALL_SPACING), 2));
     }
-    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    struct integration integration =
+        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
     double place[2];
     for (int n = 0; n < 2; n++) {
-        while (verlet.time < (n + 1) * way / exact)
-            verlet_step(&verlet, &small.body, &nothing, small.model, false, NULL);
-        place[n] = centre_of(&small) - exact * verlet.time;
+        while (integration.time < (n + 1) * way / exact)
+            verlet_step(&integration, &small.body, &nothing, small.model, false, NULL);
+        place[n] = centre_of(&small) - exact * integration.time;
     }
-    verlet_free(&verlet);
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
     return (place[1] - place[0]) / way;
@@ -460,15 +461,15 @@ static void test_torsion(void **state)
         const double G = 80e9, rho = 7850, pi = acos(-1),
                      omega = pi / (48 * SMALL_SPACING) * sqrt(G / rho * 0.1406 * 6);
         twist_rate(&small, true, 0.2 * omega);
-        struct verlet verlet =
-            verlet_new(1.5e-9, 0, &small.materials, &small.body, &nothing, small.model);
+        struct integration integration =
+            integration_new(1.5e-9, 0, &small.materials, &small.body, &nothing, small.model);
         double before = 0.2 * omega, crossing[3], least = 0;
         int crossings = 0;
-        while (crossings < 3 && verlet.time < 4 * 2 * pi / omega) {
-            verlet_step(&verlet, &small.body, &nothing, small.model, false, NULL);
+        while (crossings < 3 && integration.time < 4 * 2 * pi / omega) {
+            verlet_step(&integration, &small.body, &nothing, small.model, false, NULL);
             const double now = twist_rate(&small, false, 0);
             if (before * now <= 0)
-                crossing[crossings++] = verlet.time - verlet.dt * now / (now - before);
+                crossing[crossings++] = integration.time - integration.dt * now / (now - before);
             least = fmin(least, now);
             before = now;
         }
@@ -479,7 +480,7 @@ static void test_torsion(void **state)
         show("  second half", (crossing[2] - crossing[1]) / (crossing[1] - crossing[0]));
         assert_near(frequency, 1, bars[k].tolerance);
         assert_near(-least / (0.2 * omega), 1, 0.05);
-        verlet_free(&verlet);
+        integration_free(&integration);
         boundary_free(&nothing);
         small_body_free(&small);
     }

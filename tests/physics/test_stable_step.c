@@ -40,15 +40,16 @@ static double growth(const struct trial *trial, double share, int steps)
         for (int a = 0; a < 3 && small_body_has(&small, site); a++)
             small.body.v[a][site] = 1e-3 * random_gaussian(stream);
     random_free(stream);
-    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    struct integration integration =
+        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
     double largest = 0;
     for (int n = 0; n < steps && largest < 1e6; n++) {
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
-        const struct energy_balance *b = &verlet.balance;
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        const struct energy_balance *b = &integration.balance;
         largest = fmax(largest, b->kinetic + b->stored + b->stabilisation);
     }
-    largest /= verlet.balance.initial;
-    verlet_free(&verlet);
+    largest /= integration.balance.initial;
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
     return largest;

@@ -45,14 +45,15 @@ static double speed_error(const char *stabilisation, double horizon, int width)
     const double dt = 2.5e-9, first = 3 * width * SMALL_SPACING / exact,
                  second = 8 * width * SMALL_SPACING / exact;
     strike(&small, width);
-    struct verlet verlet = verlet_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
-    while (verlet.time < first)
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
-    const double start = verlet.time, from = centre_of(&small);
-    while (verlet.time < second)
-        verlet_step(&verlet, &small.body, &nothing, small.model, true, NULL);
-    double speed = (centre_of(&small) - from) / (verlet.time - start);
-    verlet_free(&verlet);
+    struct integration integration =
+        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+    while (integration.time < first)
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+    const double start = integration.time, from = centre_of(&small);
+    while (integration.time < second)
+        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+    double speed = (centre_of(&small) - from) / (integration.time - start);
+    integration_free(&integration);
     boundary_free(&nothing);
     small_body_free(&small);
     return speed / exact - 1;
