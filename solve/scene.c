@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "body/family.h"
+#include "integrate/equilibrium.h"
 
 static double number_or(struct deck_node map, const char *key, const char *unit, double low,
                         double high, double fallback)
@@ -19,39 +20,100 @@ static void read_start(struct scene *scene, struct deck_node solver)
         deck_error(deck_get(solver, "ramp"), "a ramp goes with 'start: ramp'");
 }
 
-static void read_solver(struct scene *scene, struct deck_node solver)
+/* Keys of every solver, and those that only some have. */
+#define COMMON_KEYS                                                                                \
+    "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
+        "end_strain", "end_time", "end_steps", "start", "energy_tolerance"
+static const char *const explicit_keys[] = {COMMON_KEYS, "safety", "ramp", "damping", NULL};
+static const char *const static_keys[] = {COMMON_KEYS, "method",        "first_step",       "step",
+                                          "tolerance", "smallest_step", "most_evaluations", NULL};
+
+static const struct {
+    const char *name;
+    const char *const *keys;
+} types[SOLVER_TYPES] = {{"explicit", explicit_keys}, {"quasi_static", static_keys}};
+
+static void read_type(struct scene *scene, struct deck_node solver)
 {
-    static const char *const types[] = {"explicit"};
-    deck_keys(solver, (const char *const[]){"type", "horizon", "influence", "stabilisation",
-                                            "plane", "volumes", "surface_correction", "end_strain",
-                                            "end_time", "end_steps", "safety", "start", "ramp",
-                                            "damping", "energy_tolerance", NULL});
-    deck_choice(deck_get(solver, "type"), types, 1);
+    const char *names[SOLVER_TYPES];
+    for (int k = 0; k < SOLVER_TYPES; k++) names[k] = types[k].name;
+    scene->type = (enum scene_type)deck_choice(deck_get(solver, "type"), names, SOLVER_TYPES);
+    deck_keys(solver, types[scene->type].keys);
+}
+
+static void read_body(struct scene *scene, struct deck_node solver)
+{
+    static const char *const volumes[] = {"whole", "partial"}, *const planes[] = {"stress",
+                                                                                  "strain"};
     scene->horizon = deck_number(deck_get(solver, "horizon"), "1", 1, 8);
     scene->influence = -1;
     if (deck_has(solver, "influence"))
         scene->influence =
             deck_choice(deck_get(solver, "influence"), family_influences, family_influence_count);
-    static const char *const volumes[] = {"whole", "partial"}, *const planes[] = {"stress",
-                                                                                  "strain"};
     scene->solver = solver;
     if (deck_has(solver, "volumes"))
         scene->partial_volumes = deck_choice(deck_get(solver, "volumes"), volumes, 2) == 1;
     if (deck_has(solver, "plane"))
         scene->plane =
             deck_choice(deck_get(solver, "plane"), planes, 2) ? PLANE_STRAIN : PLANE_STRESS;
+}
+
+static void read_end(struct scene *scene, struct deck_node solver)
+{
     if (deck_has(solver, "end_strain") + deck_has(solver, "end_time") +
             deck_has(solver, "end_steps") !=
         1)
         deck_error(solver, "give one of end_strain, end_time and end_steps");
     scene->end_strain = number_or(solver, "end_strain", "1", 1e-9, 10, 0);
-    scene->end_time = number_or(solver, "end_time", "s", 1e-15, 1e6, 0);
+    scene->end_time = number_or(solver, "end_time", "s", 1e-15, 1e12, 0);
     if (deck_has(solver, "end_steps"))
         scene->end_steps = deck_integer(deck_get(solver, "end_steps"), 1, 1000000000000);
+}
+
+/* A key's number in the unit of load steps; deck_number wants a literal. */
+static double step_or(struct scene *scene, const char *key, double fallback)
+{
+    if (scene->end_strain > 0) return number_or(scene->solver, key, "1", 1e-12, 10, fallback);
+    return number_or(scene->solver, key, "s", 1e-15, 1e12, fallback);
+}
+
+static void read_static(struct scene *scene, struct deck_node solver)
+{
+    struct scene_static *statics = &scene->statics;
+    const double usual = scene->end_strain > 0 ? 0.002
+                         : scene->end_time > 0 ? scene->end_time / 100
+                                               : 1;
+    statics->largest_step = step_or(scene, "step", usual);
+    /* Records must be dense where the elastic slope is measured; steps of loads are all alike. */
+    const double share = scene->end_strain > 0 ? 0.05 : 1;
+    statics->first_step = step_or(scene, "first_step", share * statics->largest_step);
+    statics->smallest_step = step_or(scene, "smallest_step", 1e-4 * statics->largest_step);
+    if (statics->first_step > statics->largest_step)
+        deck_error(deck_get(solver, "first_step"), "%g is over the largest step, %g",
+                   statics->first_step, statics->largest_step);
+    if (statics->smallest_step > statics->first_step)
+        deck_error(deck_get(solver, "smallest_step"), "%g is over the first step, %g",
+                   statics->smallest_step, statics->first_step);
+    statics->tolerance = number_or(solver, "tolerance", "1", 1e-10, 1e-2, 1e-6);
+    statics->most_evaluations = 2000;
+    if (deck_has(solver, "most_evaluations"))
+        statics->most_evaluations =
+            deck_integer(deck_get(solver, "most_evaluations"), 10, 1000000000);
+    if (deck_has(solver, "method"))
+        statics->method =
+            deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
+}
+
+static void read_solver(struct scene *scene, struct deck_node solver)
+{
+    read_type(scene, solver);
+    read_body(scene, solver);
+    read_end(scene, solver);
     scene->safety = number_or(solver, "safety", "1", 1e-3, 10, 0.8);
     scene->damping = number_or(solver, "damping", "1/s", 0, 1e15, 0);
     scene->energy_tolerance = number_or(solver, "energy_tolerance", "1", 1e-12, 1e6, 0.01);
     read_start(scene, solver);
+    if (scene->type == SOLVER_QUASI_STATIC) read_static(scene, solver);
 }
 
 struct scene scene_read(struct deck *deck)

@@ -10,6 +10,16 @@
 
 #include <stdbool.h>
 
+enum scene_type { SOLVER_EXPLICIT, SOLVER_QUASI_STATIC, SOLVER_TYPES };
+
+/* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s. */
+struct scene_static {
+    int method; /* of equilibrium_methods */
+    double first_step, largest_step, smallest_step;
+    double tolerance; /* of the residual */
+    int64_t most_evaluations;
+};
+
 enum scene_start {
     START_AFFINE, /* the body moves with the grips from the first step: no wave is sent out */
     START_RAMP    /* the body is at rest, the grips gain their velocity over a time */
@@ -54,6 +64,8 @@ struct scene_fields {
 
 struct scene {
     struct deck *deck;
+    enum scene_type type;
+    struct scene_static statics;
     double horizon;          /* spacings */
     int influence;           /* -1: that of the formulation */
     struct deck_node solver; /* for what belongs to the formulation */

@@ -180,20 +180,31 @@ static double time_to_strain(const struct simulation *s)
     return s->scene.end_strain / rate + 0.5 * s->boundary.sets[s->boundary.right].value.ramp;
 }
 
-static void plan_time(struct simulation *s)
+static double explicit_step(struct simulation *s)
 {
-    initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
-    boundary_set_displacements(&s->boundary, &s->body);
     s->critical_step = stable_step(s->model, &s->body, &s->materials);
     if (!isfinite(s->critical_step))
         die_user(
             "no node acts on another: no bond within the horizon of %g spacings has a weight, or "
             "cracks cut all",
             s->scene.horizon);
-    const double dt = s->scene.safety * s->critical_step;
-    s->end_time = s->scene.end_strain > 0  ? time_to_strain(s)
-                  : s->scene.end_steps > 0 ? (double)s->scene.end_steps * dt
-                                           : s->scene.end_time;
+    return s->scene.safety * s->critical_step;
+}
+
+static double end_of_time(const struct simulation *s, double dt)
+{
+    if (s->scene.end_strain > 0) return time_to_strain(s);
+    return s->scene.end_steps > 0 ? (double)s->scene.end_steps * dt : s->scene.end_time;
+}
+
+static void plan_time(struct simulation *s)
+{
+    const bool moving = s->scene.type == SOLVER_EXPLICIT;
+    initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
+    boundary_set_displacements(&s->boundary, &s->body);
+    const double dt =
+        moving ? explicit_step(s) : simulation_load_step(s, s->scene.statics.first_step);
+    s->end_time = end_of_time(s, dt);
     if (!(s->end_time / dt < 1.001e12))
         deck_error(s->scene.solver, "%.3g s in steps of %.3g s are over 1e12 steps", s->end_time,
                    dt);
@@ -203,9 +214,11 @@ static void plan_time(struct simulation *s)
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);
     initial_set(&s->scene, &s->body, SCENE_VELOCITY);
-    s->integration =
-        integration_new(dt, s->scene.damping, &s->materials, &s->body, &s->boundary, s->model);
+    if (!moving) simulation_start_static(s);
+    s->integration = integration_new(moving, dt, s->scene.damping, &s->materials, &s->body,
+                                     &s->boundary, s->model);
     s->integration.damage = s->damage;
+    s->course = moving ? &course_explicit : &course_static;
 }
 
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks)
@@ -241,12 +254,19 @@ void simulation_announce(struct simulation *s)
         boundary_has_grips(&s->boundary)
             ? memory_print("strain rate %.3g 1/s, ", boundary_full_strain_rate(&s->boundary))
             : memory_text("");
-    note("%lld nodes, %lld bonds, %d ranks; step %.3g s (%.2f of the critical %.3g s), about %lld "
-         "steps "
-         "to %.3g s; %sfastest wave %.0f m/s; %.0f MB; about %.0f s",
-         (long long)s->lattice.n_nodes, (long long)s->n_bonds, s->ranks.size, s->integration.dt,
-         s->scene.safety, s->critical_step, (long long)s->n_steps, s->end_time, rate,
-         materials_wave_speed(&s->materials), memory * 1e-6, 1.15 * force * (double)s->n_steps);
+    char *steps =
+        s->integration.moving
+            ? memory_print("step %.3g s (%.2f of the critical %.3g s), about %lld steps to %.3g s; "
+                           "%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
+                           s->integration.dt, s->scene.safety, s->critical_step,
+                           (long long)s->n_steps, s->end_time, rate,
+                           materials_wave_speed(&s->materials), memory * 1e-6,
+                           1.15 * force * (double)s->n_steps)
+            : memory_print("load steps by %s; %.0f MB; %.3g s each evaluation of the force",
+                           s->equilibrium->method->name, memory * 1e-6, force);
+    note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
+         (long long)s->n_bonds, s->ranks.size, steps);
+    free(steps);
     free(rate);
     if (s->body.unsupported > 0 && needs_gradient(s))
         warn("%lld nodes have too few neighbours for a deformation gradient and carry no stress",
@@ -256,6 +276,8 @@ void simulation_announce(struct simulation *s)
 void simulation_free(struct simulation *s)
 {
     recorder_free(&s->recorder);
+    quasi_static_free(s->quasi_static);
+    equilibrium_free(s->equilibrium);
     integration_free(&s->integration);
     gauge_free(s->gauge);
     quantities_free(s->quantities);

@@ -103,10 +103,12 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (s->materials.formulation == &formulation_correspondence && s->body.broken &&
         s->body.broken->n_lost > 0)
         note("%.0f nodes have no deformation gradient left", s->body.broken->n_lost);
-    double node_steps = (double)s->integration.step * (double)s->lattice.n_nodes;
     char *strain = s->gauge ? memory_print("gauge strain %.4f, ", s->strain) : memory_text("");
-    note("%lld steps in %.1f s: %.3g node-steps/s on each of %d ranks; %senergy drift %.1e",
-         (long long)s->integration.step, s->wall, node_steps / s->wall / s->ranks.size,
+    const double evaluations = (double)s->integration.evaluations,
+                 node_steps = evaluations * (double)s->lattice.n_nodes;
+    note("%lld steps in %.1f s, %.0f forces: %.3g node-steps/s on each of %d ranks; %senergy drift "
+         "%.1e",
+         (long long)s->integration.step, s->wall, evaluations, node_steps / s->wall / s->ranks.size,
          s->ranks.size, strain, s->drift);
     free(strain);
 }

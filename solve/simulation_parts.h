@@ -8,10 +8,17 @@
 #include "gauge.h"
 #include "model.h"
 #include "quantities.h"
+#include "quasi_static.h"
 #include "recorder.h"
 #include "scene.h"
 #include "simulation.h"
-#include "verlet.h"
+
+/* How a run advances. */
+struct course {
+    /* From the last record to the next or less; fills simulation->failure where it cannot. */
+    void (*advance)(struct simulation *simulation);
+};
+extern const struct course course_explicit, course_static;
 
 struct simulation {
     const struct arguments *arguments;
@@ -30,6 +37,9 @@ struct simulation {
     struct gauge *gauge; /* NULL: none */
     struct quantities *quantities;
     struct integration integration;
+    const struct course *course;
+    struct equilibrium *equilibrium; /* NULL: never at rest */
+    struct quasi_static *quasi_static;
     struct recorder recorder;
     struct fields *fields;
     struct spool history_output, fields_output; /* rank 0 */
@@ -45,6 +55,21 @@ struct simulation {
     double wall;      /* s */
     char *failure;
 };
+
+/* Seconds of a load step that the deck gives in strain or seconds. */
+double simulation_load_step(const struct simulation *simulation, double step);
+/* Builds what finds equilibria. */
+void simulation_start_static(struct simulation *simulation);
+
+/* Whether a number of steps, or a time, is the end; whether the run has come to it. */
+bool simulation_is_end(const struct simulation *simulation, int64_t step, double time);
+bool simulation_at_end(const struct simulation *simulation);
+
+void simulation_record(struct simulation *simulation);
+void simulation_write_frame(struct simulation *simulation);
+
+/* NULL while the run is sound. */
+char *simulation_find_failure(const struct simulation *simulation);
 
 /* From here on a dying program keeps what is good as NAME.failed. */
 void simulation_protect(struct simulation *simulation);

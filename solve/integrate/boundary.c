@@ -151,8 +151,8 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
     }
 }
 
-void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
-                       struct exact_sum *work)
+void boundary_add_set_work(const struct boundary *boundary, const struct body *body,
+                           double duration, struct exact_sum *work)
 {
     for (int b = 0; b < boundary->count; b++) {
         const struct boundary_set *set = &boundary->sets[b];
@@ -162,6 +162,12 @@ void boundary_add_work(const struct boundary *boundary, const struct body *body,
             exact_sum_add(work, reaction(body, set->direction, site) * v[site] * duration);
         }
     }
+}
+
+void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
+                       struct exact_sum *work)
+{
+    boundary_add_set_work(boundary, body, duration, work);
     loads_add_work(&boundary->loads, body, duration, work);
 }
 

@@ -62,6 +62,10 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
 void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
                        struct exact_sum *work);
 
+/* The part of the sets alone. */
+void boundary_add_set_work(const struct boundary *boundary, const struct body *body,
+                           double duration, struct exact_sum *work);
+
 /* Initial velocity field of the body: along x linear between the grips, across it the contraction of
  * uniaxial stress.  poissons_ratio: of the mean material.  Without grips nothing. */
 void boundary_affine_start(const struct boundary *boundary, struct body *body,

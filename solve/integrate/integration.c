@@ -13,11 +13,11 @@ void integration_force(struct integration *integration, struct model *model, str
     model_force(model, body, mode, energy);
 }
 
-struct integration integration_new(double dt, double damping, const struct materials *materials,
-                                   struct body *body, struct boundary *boundary,
-                                   struct model *model)
+struct integration integration_new(bool moving, double dt, double damping,
+                                   const struct materials *materials, struct body *body,
+                                   struct boundary *boundary, struct model *model)
 {
-    struct integration integration = {.dt = dt, .damping = damping};
+    struct integration integration = {.moving = moving, .dt = dt, .damping = damping};
     integration.inverse_density = memory_new((size_t)materials->count, sizeof(double));
     for (int i = 0; i < materials->count; i++)
         integration.inverse_density[i] = 1 / materials->items[i].density;
@@ -29,7 +29,7 @@ struct integration integration_new(double dt, double damping, const struct mater
 
     balance_masses(&integration, body, boundary);
     boundary_set_displacements(boundary, body);
-    boundary_set_velocities(boundary, body, 0, dt);
+    if (moving) boundary_set_velocities(boundary, body, 0, dt);
     loads_set(&boundary->loads, body, 0);
     struct force_energy energy = integration.zero;
     integration_force(&integration, model, body,

@@ -8,6 +8,7 @@
 #include "model.h"
 
 struct integration {
+    bool moving;     /* with inertia */
     double dt, time; /* of the steps from here on; s */
     int64_t step;
     int64_t evaluations;      /* of the force so far */
@@ -23,10 +24,10 @@ struct integration {
 };
 
 /* Starts from the displacements and velocities as set, those of the boundary taking their places; evaluates
- * the first force.  Collective. */
-struct integration integration_new(double dt, double damping, const struct materials *materials,
-                                   struct body *body, struct boundary *boundary,
-                                   struct model *model);
+ * the first force.  moving: false for equilibria, which have no velocities.  Collective. */
+struct integration integration_new(bool moving, double dt, double damping,
+                                   const struct materials *materials, struct body *body,
+                                   struct boundary *boundary, struct model *model);
 void integration_free(struct integration *integration);
 
 /* model_force, counted. */

@@ -33,6 +33,9 @@ static const struct {
     {"fracture_energy_J", NOTHING},
     {"broken_bonds", NOTHING},
     {"nodes_without_gradient", NOTHING},
+    {"quasi_static", NOTHING},
+    {"residual", NOTHING},
+    {"force_evaluations", NOTHING},
 };
 static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
 enum { COMMON = sizeof common / sizeof *common, PER_PHASE = sizeof per_phase / sizeof *per_phase };
@@ -155,7 +158,8 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     model_prepare(model, body, axial);
     if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
     quantities_measure(quantities, model, body, wanted);
-    const double unsteady = damping_unsteady_energy(integration, body, boundary);
+    const double unsteady =
+        integration->moving ? damping_unsteady_energy(integration, body, boundary) : 0;
     const double extension = planes.right - planes.left;
     if (body->ranks.rank == 0) {
         const struct energy_balance *b = &integration->balance;
@@ -180,7 +184,10 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
             unsteady * per_internal,
             b->fracture,
             integration->damage ? damage_broken_bonds(integration->damage) : 0,
-            body_unsupported(body)};
+            body_unsupported(body),
+            integration->moving ? 0 : 1,
+            integration->residual,
+            (double)integration->evaluations};
         double *record = put_common(recorder, values, new_record(recorder, integration->time));
         record = put_phases(recorder, phases, record);
         for (int q = 0; q < quantities_count(quantities); q++) *record++ = wanted[q];

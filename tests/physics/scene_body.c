@@ -46,7 +46,7 @@ void scene_body_new(struct scene_body *it, const struct small_case *wanted, cons
     it->boundary = boundary_new(&it->scene, &it->small.body, 1e12);
     initial_set(&it->scene, &it->small.body, SCENE_DISPLACEMENT);
     initial_set(&it->scene, &it->small.body, SCENE_VELOCITY);
-    it->integration = integration_new(dt, damping, &it->small.materials, &it->small.body,
+    it->integration = integration_new(true, dt, damping, &it->small.materials, &it->small.body,
                                       &it->boundary, it->small.model);
     free(text);
 }

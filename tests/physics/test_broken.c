@@ -237,7 +237,7 @@ static void test_fragments_fly_on(void **state)
         small.body.v[2][alone] = 100;
         const double gone_x = small.body.v[0][alone], gone_y = small.body.v[1][alone];
         struct integration integration =
-            integration_new(1e-9, 0, &small.materials, &small.body, &nothing, small.model);
+            integration_new(true, 1e-9, 0, &small.materials, &small.body, &nothing, small.model);
         double before[2][3] = {{0}}, after[2][3] = {{0}}, all = 0;
         for (int n = 0; n <= 200; n++) {
             for (int64_t site = 0; site < small.body.grid.n_sites; site++) {

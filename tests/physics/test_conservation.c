@@ -120,7 +120,7 @@ static struct flight fly(const char *stabilisation, double speed, double dt, int
     body_of(&small, stabilisation, 1);
     strike(&small, speed);
     struct integration integration =
-        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+        integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     const double initial = total(&integration.balance);
     for (int n = 0; n < steps; n++) {
         verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);

@@ -297,7 +297,7 @@ static struct flight fly(const struct bar *bar, double dt, int steps, bool test_
         small.body.v[1][site] = 3 * sin(at[0] + 0.3 * at[2]);
     }
     struct integration integration =
-        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+        integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     integration.damage = small.damage;
     if (test_all) damage_test_all(small.damage);
     /* The initial balance holds kinetic energy alone; what the noise has stored comes to it. */

@@ -61,7 +61,7 @@ static struct pull pull(const char *stabilisation, double damping, double dt)
                                                 .phase = chequered});
     struct boundary boundary = grips_of(&small);
     struct integration integration =
-        integration_new(dt, damping, &small.materials, &small.body, &boundary, small.model);
+        integration_new(true, dt, damping, &small.materials, &small.body, &boundary, small.model);
     struct pull pull = {0, 0};
     while (integration.time < 1e-6) {
         verlet_step(&integration, &small.body, &boundary, small.model, true, NULL);

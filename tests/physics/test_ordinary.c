@@ -229,8 +229,8 @@ static void fly_together(int nodes, double spacing, double displacement, double 
                   last = grid_site(&small.body.grid, (const int[]){nodes - 1, 0, 0});
     small.body.v[0][first] = 1;
     small.body.v[0][last] = -1;
-    struct integration integration =
-        integration_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
+    struct integration integration = integration_new(true, 1e-5 * scale, 0, &small.materials,
+                                                     &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++)
         verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
     /* The figures have thirteen digits. */

@@ -38,8 +38,8 @@ static void fly_together(int nodes, double spacing, double volume, const double 
     small_body_new(&small, &(struct small_case){{nodes, 1, 1}, 1.1, .materials = PERIDIGM});
     small.body.v[0][site_at(&small, 0, 0, 0)] = 1;
     small.body.v[0][site_at(&small, nodes - 1, 0, 0)] = -1;
-    struct integration integration =
-        integration_new(1e-5 * scale, 0, &small.materials, &small.body, &nothing, small.model);
+    struct integration integration = integration_new(true, 1e-5 * scale, 0, &small.materials,
+                                                     &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++) {
         verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
         if (force)
@@ -331,7 +331,7 @@ static double speed_error(const char *materials, const char *stabilisation, cons
         small.body.v[0][site] = 1e-3 * exp(-pow(x[0] / (width * SMALL_SPACING), 2));
     }
     struct integration integration =
-        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+        integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     double place[2];
     for (int n = 0; n < 2; n++) {
         while (integration.time < (n + 1) * way / exact)
@@ -462,7 +462,7 @@ static void test_torsion(void **state)
                      omega = pi / (48 * SMALL_SPACING) * sqrt(G / rho * 0.1406 * 6);
         twist_rate(&small, true, 0.2 * omega);
         struct integration integration =
-            integration_new(1.5e-9, 0, &small.materials, &small.body, &nothing, small.model);
+            integration_new(true, 1.5e-9, 0, &small.materials, &small.body, &nothing, small.model);
         double before = 0.2 * omega, crossing[3], least = 0;
         int crossings = 0;
         while (crossings < 3 && integration.time < 4 * 2 * pi / omega) {

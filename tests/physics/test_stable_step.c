@@ -41,7 +41,7 @@ static double growth(const struct trial *trial, double share, int steps)
             small.body.v[a][site] = 1e-3 * random_gaussian(stream);
     random_free(stream);
     struct integration integration =
-        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+        integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     double largest = 0;
     for (int n = 0; n < steps && largest < 1e6; n++) {
         verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);

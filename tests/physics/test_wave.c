@@ -46,7 +46,7 @@ static double speed_error(const char *stabilisation, double horizon, int width)
                  second = 8 * width * SMALL_SPACING / exact;
     strike(&small, width);
     struct integration integration =
-        integration_new(dt, 0, &small.materials, &small.body, &nothing, small.model);
+        integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     while (integration.time < first)
         verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
     const double start = integration.time, from = centre_of(&small);

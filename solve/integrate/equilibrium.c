@@ -1,0 +1,161 @@
+#include "equilibrium.h"
+
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct equilibrium_method *const table[] = {&equilibrium_lbfgs};
+const char *const equilibrium_methods[] = {"lbfgs"};
+const int equilibrium_method_count = sizeof table / sizeof *table;
+
+static int most_common_phase(const struct lattice *lattice)
+{
+    int64_t counts[ABSENT + 1] = {0};
+    for (int64_t i = 0; i < lattice->n_sites; i++) counts[lattice->phase[i]]++;
+    int most = 0;
+    for (int p = 1; p < ABSENT; p++) most = counts[p] > counts[most] ? p : most;
+    return most;
+}
+
+/* Nodes of which some component is held. */
+static struct members held_nodes(const struct body *body, const struct boundary *boundary)
+{
+    struct members held = {.sites = memory_new((size_t)body->grid.n_owned, sizeof *held.sites)};
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++)
+            if (boundary->held[body->owned.items[s].site + i])
+                held.sites[held.count++] = body->owned.items[s].site + i;
+    return held;
+}
+
+struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
+                                    struct boundary *boundary, struct model *model,
+                                    struct deck_node solver, const struct materials *materials)
+{
+    struct equilibrium *e = memory_new(1, sizeof *e);
+    e->integration = integration;
+    e->body = body;
+    e->boundary = boundary;
+    e->model = model;
+    e->method = table[method];
+    e->tolerance = 1e-6;
+    e->most_evaluations = 1000;
+    e->unknowns = unknowns_new(body, boundary);
+    e->held = held_nodes(body, boundary);
+    e->x = vector_new(&e->unknowns);
+    e->g = vector_new(&e->unknowns);
+    if (!body->lattice->point[0]) {
+        e->symbol = symbol_new(solver, body->family, materials, body->lattice,
+                               most_common_phase(body->lattice));
+        e->transform = transform_new(&e->unknowns, &e->symbol);
+    }
+    e->self = e->method->start(e);
+    return e;
+}
+
+void equilibrium_free(struct equilibrium *e)
+{
+    if (!e) return;
+    e->method->free(e->self);
+    if (e->transform) transform_free(e->transform);
+    symbol_free(&e->symbol);
+    unknowns_free(&e->unknowns);
+    members_free(&e->held);
+    free(e->x);
+    free(e->g);
+    free(e);
+}
+
+/* Density of force at a node, outer and inner, as it counts in g. */
+static double unbalanced(const struct body *body, int a, int64_t site)
+{
+    const double density = body->f[a][site] + (body->b[a] ? body->b[a][site] : 0);
+    return density * (body_volume(body, site) / body->volume);
+}
+
+/* Norm of the reactions. */
+static double reactions(const struct equilibrium *e)
+{
+    double largest = 0, square;
+    for (int64_t i = 0; i < e->held.count; i++)
+        for (int a = 0; a < 3; a++)
+            if (e->boundary->held[e->held.sites[i]] >> a & 1)
+                largest = fmax(largest, fabs(unbalanced(e->body, a, e->held.sites[i])));
+    largest = -largest;
+    ranks_minimum(&largest, 1);
+    if (!(largest < 0)) return 0;
+    struct exact_sum sum = exact_sum_new(3.000001 * (double)e->body->n_nodes * largest * largest);
+    for (int64_t i = 0; i < e->held.count; i++)
+        for (int a = 0; a < 3; a++) {
+            if (!(e->boundary->held[e->held.sites[i]] >> a & 1)) continue;
+            const double value = unbalanced(e->body, a, e->held.sites[i]);
+            exact_sum_add(&sum, value * value);
+        }
+    exact_sum_finish(&sum, 1, &square);
+    return sqrt(square);
+}
+
+/* Norm of the loads on free components, found with g as scratch. */
+static double norm_of_loads(struct equilibrium *e)
+{
+    double square = 0;
+    for (int a = 0; a < 3; a++) {
+        if (!e->body->b[a]) continue;
+        double *fields[3] = {e->body->b[a], e->body->b[a], e->body->b[a]};
+        vector_take(&e->unknowns, fields, 1, e->g);
+        for (int64_t i = 0; i < e->unknowns.length; i++)
+            if (i / e->unknowns.n_nodes != a) e->g[i] = 0;
+        const double norm = vector_norm(&e->unknowns, e->g);
+        square += norm * norm;
+    }
+    return sqrt(square);
+}
+
+double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
+{
+    struct body *body = e->body;
+    vector_put(&e->unknowns, x, body->u);
+    integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
+    e->evaluations++;
+    vector_take(&e->unknowns, body->f, -1, g);
+    int64_t node = 0;
+    if (body->volumes || body->b[0] || body->b[1] || body->b[2])
+        for (int64_t s = 0; s < body->owned.count; s++)
+            for (int i = 0; i < body->owned.items[s].count; i++, node++)
+                for (int a = 0; a < 3; a++) {
+                    const int64_t at = a * e->unknowns.n_nodes + node;
+                    if (e->unknowns.free[at] > 0)
+                        g[at] = -unbalanced(body, a, body->owned.items[s].site + i);
+                }
+    e->norm = vector_norm(&e->unknowns, g);
+    e->reference = hypot(reactions(e), e->loads);
+    return e->norm;
+}
+
+double equilibrium_residual(const struct equilibrium *e)
+{
+    return e->norm > 0 ? e->norm / e->reference : e->norm;
+}
+
+bool equilibrium_reached(const struct equilibrium *e)
+{
+    return equilibrium_residual(e) <= e->tolerance;
+}
+
+void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
+{
+    if (e->transform)
+        transform_apply(e->transform, g, z);
+    else
+        memcpy(z, g, (size_t)e->unknowns.length * sizeof *z);
+}
+
+bool equilibrium_solve(struct equilibrium *e)
+{
+    e->evaluations = 0;
+    e->loads = norm_of_loads(e);
+    equilibrium_evaluate(e, e->x, e->g);
+    return equilibrium_reached(e) || e->method->solve(e->self, e);
+}

@@ -1,0 +1,67 @@
+/* equilibrium.h - a body at rest under its loads and held components: the problem, and who solves it.
+ *
+ *   g(u) = - (f(u) + b) V / mean V = 0 at the free components                          (equilibrium.1)
+ *   residual = |g_free| / (|g_held|^2 + |b_free|^2)^1/2                                (equilibrium.2)
+ *
+ * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
+ * grow.  To add a method: one file, one line in the table of equilibrium.c. */
+#ifndef HS_EQUILIBRIUM_H
+#define HS_EQUILIBRIUM_H
+
+#include "integration.h"
+#include "transform.h"
+#include "unknowns.h"
+
+struct equilibrium;
+
+struct equilibrium_method {
+    const char *name;
+    void *(*start)(const struct equilibrium *equilibrium);
+    /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance (true), or no
+     * more evaluations are left, or the motion goes astray.  The force is then that of x. */
+    bool (*solve)(void *self, struct equilibrium *equilibrium);
+    void (*free)(void *self);
+};
+
+struct equilibrium {
+    struct integration *integration;
+    struct body *body;
+    struct boundary *boundary;
+    struct model *model;
+    const struct equilibrium_method *method;
+    void *self;
+    double tolerance;
+    int64_t most_evaluations; /* of one solution */
+    struct unknowns unknowns;
+    struct symbol symbol;
+    struct transform *transform; /* NULL: particles that lie on no lattice */
+    struct members held;         /* nodes with held components */
+    double *x, *g;               /* m, N/m^3 */
+    double norm, reference;      /* of g; of (equilibrium.2) */
+    double loads;                /* |b_free| */
+    int64_t evaluations;         /* of this solution so far */
+};
+
+/* The method of that number in equilibrium_methods.  Collective. */
+struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
+                                    struct boundary *boundary, struct model *model,
+                                    struct deck_node solver, const struct materials *materials);
+void equilibrium_free(struct equilibrium *equilibrium);
+extern const char *const equilibrium_methods[];
+extern const int equilibrium_method_count;
+
+/* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
+ * body->u, too.  True where the residual is below the tolerance.  Collective. */
+bool equilibrium_solve(struct equilibrium *equilibrium);
+
+double equilibrium_residual(const struct equilibrium *equilibrium);
+
+/* For methods: g at x, and its norm; sets the reference.  Collective, both. */
+double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
+/* z = M^-1 g: with waves, or, off the lattice, by the stiffness of a single node. */
+void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
+bool equilibrium_reached(const struct equilibrium *equilibrium);
+
+extern const struct equilibrium_method equilibrium_lbfgs;
+
+#endif

@@ -1,0 +1,187 @@
+#include "quasi_static.h"
+
+#include "balance.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Evaluations below which the next step grows. */
+enum { EASY = 120 };
+
+static bool work_depends_on_place(const struct boundary *boundary)
+{
+    bool depends = boundary->loads.count > 0;
+    for (int b = 0; b < boundary->count; b++) depends |= boundary->sets[b].place[0] != NULL;
+    return depends;
+}
+
+struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
+                                      double smallest)
+{
+    struct quasi_static *q = memory_new(1, sizeof *q);
+    struct body *body = equilibrium->body;
+    q->equilibrium = equilibrium;
+    q->largest = largest;
+    q->smallest = smallest;
+    q->rate = vector_new(&equilibrium->unknowns);
+    q->before = vector_new(&equilibrium->unknowns);
+    q->held_before = memory_new(3 * (size_t)equilibrium->held.count, sizeof(double));
+    for (int a = 0; a < 3 && work_depends_on_place(equilibrium->boundary); a++) {
+        q->force_before[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
+        q->load_before[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
+    }
+    vector_take(&equilibrium->unknowns, body->v, 1, q->rate);
+    body_clear(body, body->v, 3);
+    return q;
+}
+
+void quasi_static_free(struct quasi_static *q)
+{
+    if (!q) return;
+    free(q->rate);
+    free(q->before);
+    free(q->held_before);
+    for (int a = 0; a < 3; a++) {
+        free(q->force_before[a]);
+        free(q->load_before[a]);
+    }
+    free(q);
+}
+
+static void keep_held(const struct quasi_static *q, bool restore)
+{
+    const struct members *held = &q->equilibrium->held;
+    for (int64_t i = 0; i < held->count; i++)
+        for (int a = 0; a < 3; a++) {
+            double *u = &q->equilibrium->body->u[a][held->sites[i]],
+                   *kept = &q->held_before[3 * i + a];
+            if (restore)
+                *u = *kept;
+            else
+                *kept = *u;
+        }
+}
+
+static void keep_forces(const struct quasi_static *q)
+{
+    const struct body *body = q->equilibrium->body;
+    const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
+    for (int a = 0; a < 3 && q->force_before[a]; a++) {
+        memcpy(q->force_before[a], body->f[a], bytes);
+        if (body->b[a]) memcpy(q->load_before[a], body->b[a], bytes);
+    }
+}
+
+static void exchange(double *fields[3], double *other[3])
+{
+    for (int a = 0; a < 3; a++) {
+        double *field = fields[a];
+        if (!field || !other[a]) continue;
+        fields[a] = other[a];
+        other[a] = field;
+    }
+}
+
+/* Half of the step's work, of loads and of sets with a motion that depends on place. */
+static void add_half_work(const struct quasi_static *q, double dt, struct exact_sum *work)
+{
+    const struct body *body = q->equilibrium->body;
+    boundary_add_set_work(q->equilibrium->boundary, body, 0.5 * dt, work);
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++) {
+            const int64_t site = body->owned.items[s].site + i;
+            for (int a = 0; a < 3; a++)
+                if (body->b[a])
+                    exact_sum_add(work, 0.5 * dt * body->b[a][site] * body->v[a][site] *
+                                            body_volume(body, site));
+        }
+}
+
+/* Moves the held components by the step and guesses the free ones; true where they come to rest. */
+static bool try_step(struct quasi_static *q, double dt)
+{
+    struct equilibrium *e = q->equilibrium;
+    struct body *body = e->body;
+    const double time = e->integration->time;
+    loads_set(&e->boundary->loads, body, time + dt);
+    boundary_set_ways(e->boundary, body, time, dt);
+    for (int64_t i = 0; i < e->held.count; i++)
+        for (int a = 0; a < 3; a++)
+            if (e->boundary->held[e->held.sites[i]] >> a & 1)
+                body->u[a][e->held.sites[i]] += dt * body->v[a][e->held.sites[i]];
+    memcpy(e->x, q->before, (size_t)e->unknowns.length * sizeof(double));
+    vector_add(&e->unknowns, dt, q->rate, e->x);
+    return equilibrium_solve(e);
+}
+
+/* The equilibrium becomes the state. */
+static struct force_energy commit(struct equilibrium *e, double *axial)
+{
+    struct force_energy energy = e->integration->zero;
+    if (axial) memset(axial, 0, (size_t)e->body->grid.n_sites * sizeof *axial);
+    integration_force(e->integration, e->model, e->body,
+                      (struct force_mode){.commit = true, .energy = true, .axial = axial}, &energy);
+    e->integration->residual = equilibrium_residual(e);
+    return energy;
+}
+
+static void accept(struct quasi_static *q, double dt, double *axial)
+{
+    struct equilibrium *e = q->equilibrium;
+    struct integration *integration = e->integration;
+    struct balance_sums sums = {integration->kinetic_zero, integration->kinetic_zero};
+    for (int64_t i = 0; i < e->unknowns.length; i++) q->rate[i] = (e->x[i] - q->before[i]) / dt;
+    if (q->force_before[0]) {
+        vector_put(&e->unknowns, q->rate, e->body->v);
+        exchange(e->body->f, q->force_before);
+        exchange(e->body->b, q->load_before);
+        add_half_work(q, dt, &sums.work);
+        exchange(e->body->f, q->force_before);
+        exchange(e->body->b, q->load_before);
+        add_half_work(q, dt, &sums.work);
+    }
+    body_clear(e->body, e->body->v, 3);
+    integration->step++;
+    integration->time += dt;
+    struct force_energy energy = commit(e, axial);
+    balance_step(integration, e->body, e->boundary, &energy, &sums);
+}
+
+bool quasi_static_step(struct quasi_static *q, double *axial)
+{
+    struct equilibrium *e = q->equilibrium;
+    double dt = e->integration->dt;
+    vector_take(&e->unknowns, e->body->u, 1, q->before);
+    keep_held(q, false);
+    keep_forces(q);
+    while (!try_step(q, dt)) {
+        q->refused++;
+        keep_held(q, true);
+        dt *= 0.5;
+        if (dt < q->smallest) {
+            vector_put(&e->unknowns, q->before, e->body->u);
+            body_clear(e->body, e->body->v, 3);
+            loads_set(&e->boundary->loads, e->body, e->integration->time);
+            integration_force(e->integration, e->model, e->body, (struct force_mode){0}, NULL);
+            return false;
+        }
+    }
+    accept(q, dt, axial);
+    e->integration->dt = e->evaluations <= EASY ? fmin(1.5 * dt, q->largest) : dt;
+    return true;
+}
+
+double quasi_static_settle(struct quasi_static *q, double *axial)
+{
+    struct equilibrium *e = q->equilibrium;
+    const double before = energy_internal(&e->integration->balance);
+    vector_take(&e->unknowns, e->body->u, 1, e->x);
+    if (!equilibrium_solve(e)) return -1;
+    const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
+    struct force_energy energy = commit(e, axial);
+    for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
+    balance_step(e->integration, e->body, e->boundary, &energy, &none);
+    return before - energy_internal(&e->integration->balance);
+}

@@ -1,0 +1,34 @@
+/* quasi_static.h - load steps from one equilibrium to the next.
+ *
+ * Time is what the prescribed motions and loads depend on; nothing has inertia.  A step that is hard to solve
+ * is halved and tried again, an easy one makes the next longer; none is accepted above the tolerance. */
+#ifndef HS_QUASI_STATIC_H
+#define HS_QUASI_STATIC_H
+
+#include "equilibrium.h"
+
+struct quasi_static {
+    struct equilibrium *equilibrium;
+    double largest, smallest; /* steps, s */
+    double *rate;             /* motion of the last step, the guess for the next, m/s */
+    double *before;           /* x at the start of the step */
+    double *held_before;      /* u of equilibrium->held, three a node */
+    double *force_before[3], *load_before[3]; /* box fields, where work depends on place */
+    int64_t refused;                          /* steps tried in vain */
+};
+
+/* integration->dt is the first step.  The body's velocities are the first guess; they become 0.  Collective. */
+struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
+                                      double smallest);
+void quasi_static_free(struct quasi_static *quasi_static);
+
+/* One step of at most integration->dt, which becomes the length of the next; ends in a committed
+ * equilibrium with the energies known.  False where none is found with the smallest step: then all is as it was
+ * before.  axial as in struct force_mode.  Collective. */
+bool quasi_static_step(struct quasi_static *quasi_static, double *axial);
+
+/* The body comes to rest where it is held now: what it loses is returned, J; -1 where no equilibrium is
+ * found.  Collective. */
+double quasi_static_settle(struct quasi_static *quasi_static, double *axial);
+
+#endif

@@ -1,0 +1,126 @@
+#include "symbol.h"
+
+#include "bonds.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A block whose middle node and all that answer to it have whole families. */
+static struct lattice block_new(const struct lattice *like, int reach, int phase)
+{
+    struct lattice block = *like;
+    block.n_sites = 1;
+    for (int a = 0; a < 3; a++) {
+        block.size[a] = a == 2 && like->dimensions == 2 ? 1 : 2 * (4 * reach + 2) + 1;
+        block.n_sites *= block.size[a];
+    }
+    block.n_nodes = block.n_sites;
+    block.phase = memory_new((size_t)block.n_sites, 1);
+    for (int64_t i = 0; i < block.n_sites; i++) block.phase[i] = (uint8_t)phase;
+    return block;
+}
+
+static int64_t corner(const struct symbol *symbol, int x, int y, int z)
+{
+    return ((int64_t)z * (symbol->reach[1] + 1) + y) * (symbol->reach[0] + 1) + x;
+}
+
+static void push(const struct symbol *symbol, struct model *model, struct body *body, int a,
+                 double *answer)
+{
+    int middle[3];
+    for (int b = 0; b < 3; b++) middle[b] = body->lattice->size[b] / 2;
+    const int64_t site = grid_site(&body->grid, middle);
+    const double way = 1e-7 * body->lattice->spacing;
+    body->u[a][site] = way;
+    model_force(model, body, (struct force_mode){.frozen = true}, NULL);
+    body->u[a][site] = 0;
+    for (int z = 0; z <= symbol->reach[2]; z++)
+        for (int y = 0; y <= symbol->reach[1]; y++)
+            for (int x = 0; x <= symbol->reach[0]; x++) {
+                const int step[3] = {x, y, z};
+                answer[corner(symbol, x, y, z)] =
+                    -body->f[a][site + grid_shift(&body->grid, step)] / way;
+            }
+}
+
+struct symbol symbol_new(struct deck_node solver, const struct family *family,
+                         const struct materials *materials, const struct lattice *lattice,
+                         int phase)
+{
+    struct symbol symbol = {{0}, {0}};
+    struct lattice block = block_new(lattice, family->reach, phase);
+    size_t room = 1;
+    for (int a = 0; a < 3; a++) {
+        symbol.reach[a] = block.size[a] > 1 ? 2 * family->reach + 1 : 0;
+        room *= (size_t)symbol.reach[a] + 1;
+    }
+    const struct offset *near;
+    struct model *model = model_new(solver, family, materials);
+    const int n_near = model_near(model, family, &near);
+    /* Each rank has a block of its own. */
+    struct body body = body_new(&block, family, near, n_near, (struct ranks){0, 1});
+    struct bonds *bonds = bonds_new(&body);
+    model_start(model, &body, bonds);
+    for (int a = 0; a < 3; a++) {
+        symbol.answer[a] = memory_new(room, sizeof(double));
+        push(&symbol, model, &body, a, symbol.answer[a]);
+    }
+    model_free(model);
+    bonds_free(bonds);
+    body_free(&body);
+    lattice_free(&block);
+    return symbol;
+}
+
+void symbol_free(struct symbol *symbol)
+{
+    for (int a = 0; a < 3; a++) free(symbol->answer[a]);
+    *symbol = (struct symbol){{0}, {0}};
+}
+
+/* cosines[n (reach + 1)]: cos(k r), twice where r stands for -r, too. */
+static double *cosines_new(int n, const double *k, int reach)
+{
+    double *cosines = memory_new((size_t)n * ((size_t)reach + 1), sizeof *cosines);
+    for (int i = 0; i < n; i++)
+        for (int r = 0; r <= reach; r++)
+            cosines[i * (reach + 1) + r] = (r > 0 ? 2 : 1) * cos(k[i] * r);
+    return cosines;
+}
+
+/* out[(o n + i) inner + j] = sum over r of cosines[i][r] in[(o (reach + 1) + r) inner + j] */
+static void contract(int64_t outer, int n, int reach, int64_t inner, const double *cosines,
+                     const double *in, double *out)
+{
+    for (int64_t o = 0; o < outer; o++)
+        for (int i = 0; i < n; i++) {
+            double *row = out + (o * n + i) * inner;
+            for (int64_t j = 0; j < inner; j++) row[j] = 0;
+            for (int r = 0; r <= reach; r++) {
+                const double c = cosines[i * (reach + 1) + r],
+                             *from = in + (o * (reach + 1) + r) * inner;
+                for (int64_t j = 0; j < inner; j++) row[j] += c * from[j];
+            }
+        }
+}
+
+void symbol_evaluate(const struct symbol *symbol, int a, const int n[3], double *const k[3],
+                     double *values)
+{
+    const int *reach = symbol->reach;
+    const int64_t plane = (int64_t)n[0] * n[1];
+    double *cosines[3],
+        *lines =
+            memory_new((size_t)n[0] * (size_t)((reach[1] + 1) * (reach[2] + 1)), sizeof *lines),
+        *planes = memory_new((size_t)plane * (size_t)(reach[2] + 1), sizeof *planes);
+    for (int b = 0; b < 3; b++) cosines[b] = cosines_new(n[b], k[b], reach[b]);
+    contract((int64_t)(reach[1] + 1) * (reach[2] + 1), n[0], reach[0], 1, cosines[0],
+             symbol->answer[a], lines);
+    contract(reach[2] + 1, n[1], reach[1], n[0], cosines[1], lines, planes);
+    contract(1, n[2], reach[2], plane, cosines[2], planes, values);
+    for (int b = 0; b < 3; b++) free(cosines[b]);
+    free(lines);
+    free(planes);
+}

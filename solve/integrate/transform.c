@@ -1,0 +1,171 @@
+#include "transform.h"
+
+#include "collection.h"
+#include "memory.h"
+
+#include <fftw3.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The box around the free components along one axis, on the rank whose work it is. */
+struct box {
+    int low[3], size[3];
+    bool held[3][2]; /* whether there is something of the body below, above */
+    int64_t count;
+    double *values, *inverse; /* [count]; FFTW's scale is in the inverse */
+    fftw_plan forward, backward;
+    int64_t *place; /* [n_nodes] in the box, or -1 */
+    double *all;    /* [n_nodes] */
+};
+
+struct transform {
+    const struct unknowns *unknowns;
+    struct collection *collection;
+    int root[3];
+    struct box box[3];
+};
+
+static void find_box(struct box *box, const struct lattice *lattice, const int64_t *sites,
+                     int64_t n, const double *free)
+{
+    int high[3] = {-1, -1, -1}, body_low[3], body_high[3] = {-1, -1, -1};
+    for (int b = 0; b < 3; b++) box->low[b] = body_low[b] = lattice->size[b];
+    for (int64_t i = 0; i < n; i++) {
+        int at[3];
+        lattice_position(lattice, sites[i], at);
+        for (int b = 0; b < 3; b++) {
+            body_low[b] = at[b] < body_low[b] ? at[b] : body_low[b];
+            body_high[b] = at[b] > body_high[b] ? at[b] : body_high[b];
+            if (!(free[i] > 0)) continue;
+            box->low[b] = at[b] < box->low[b] ? at[b] : box->low[b];
+            high[b] = at[b] > high[b] ? at[b] : high[b];
+        }
+    }
+    box->count = 1;
+    for (int b = 0; b < 3; b++) {
+        box->size[b] = high[b] >= box->low[b] ? high[b] - box->low[b] + 1 : 0;
+        box->held[b][0] = body_low[b] < box->low[b];
+        box->held[b][1] = body_high[b] > high[b];
+        box->count *= box->size[b];
+    }
+}
+
+static void find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
+                        int64_t n, const double *free)
+{
+    box->place = memory_new((size_t)n, sizeof *box->place);
+    for (int64_t i = 0; i < n; i++) {
+        int at[3];
+        lattice_position(lattice, sites[i], at);
+        for (int b = 0; b < 3; b++) at[b] -= box->low[b];
+        box->place[i] =
+            free[i] > 0 ? ((int64_t)at[2] * box->size[1] + at[1]) * box->size[0] + at[0] : -1;
+    }
+}
+
+/* Waves along one axis of a box: FFTW's names for them, and their wave numbers per site. */
+static double *waves_new(const struct box *box, int axis, fftw_r2r_kind *forward,
+                         fftw_r2r_kind *backward)
+{
+    const int n = box->size[axis];
+    const bool low = box->held[axis][0], high = box->held[axis][1];
+    double *k = memory_new((size_t)n, sizeof *k);
+    *forward = low ? (high ? FFTW_RODFT10 : FFTW_RODFT11) : (high ? FFTW_REDFT11 : FFTW_REDFT10);
+    *backward = low ? (high ? FFTW_RODFT01 : FFTW_RODFT11) : (high ? FFTW_REDFT11 : FFTW_REDFT01);
+    const double shift = low && high ? 1 : low || high ? 0.5 : 0;
+    for (int i = 0; i < n; i++) k[i] = M_PI * (i + shift) / n;
+    return k;
+}
+
+static void find_inverse(struct box *box, const struct symbol *symbol, int a)
+{
+    fftw_r2r_kind forward[3], backward[3];
+    double *k[3], scale = 1;
+    for (int b = 0; b < 3; b++) {
+        k[b] = waves_new(box, b, &forward[2 - b], &backward[2 - b]);
+        scale *= 2 * box->size[b];
+    }
+    const int n[3] = {box->size[2], box->size[1], box->size[0]};
+    box->values = fftw_alloc_real((size_t)box->count);
+    box->inverse = fftw_alloc_real((size_t)box->count);
+    symbol_evaluate(symbol, a, box->size, k, box->inverse);
+    /* Motions of the whole body, and across a layer, have no stiffness of their own. */
+    const double own = symbol->answer[a][0], least = own > 0 ? 3e-6 * own : 1;
+    for (int64_t i = 0; i < box->count; i++)
+        box->inverse[i] = 1 / (scale * (fmax(box->inverse[i], 0) + least));
+    /* Estimated plans are the same each time, measured ones are not. */
+    box->forward = fftw_plan_r2r(3, n, box->values, box->values, forward, FFTW_ESTIMATE);
+    box->backward = fftw_plan_r2r(3, n, box->values, box->values, backward, FFTW_ESTIMATE);
+    for (int b = 0; b < 3; b++) free(k[b]);
+}
+
+struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
+{
+    struct transform *transform = memory_new(1, sizeof *transform);
+    const struct body *body = unknowns->body;
+    const size_t nodes = (size_t)body->n_nodes;
+    transform->unknowns = unknowns;
+    transform->collection = collection_new(body);
+    const int64_t *sites = collection_sites(transform->collection);
+    for (int a = 0; a < 3; a++) {
+        struct box *box = &transform->box[a];
+        double *free_nodes = memory_new(nodes, sizeof *free_nodes);
+        transform->root[a] = a % body->ranks.size;
+        collection_gather(transform->collection, transform->root[a],
+                          unknowns->free + a * unknowns->n_nodes, free_nodes);
+        if (body->ranks.rank == transform->root[a]) {
+            find_box(box, body->lattice, sites, body->n_nodes, free_nodes);
+            find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
+            box->all = memory_new(nodes, sizeof *box->all);
+            if (box->count > 0) find_inverse(box, symbol, a);
+        }
+        free(free_nodes);
+    }
+    return transform;
+}
+
+void transform_free(struct transform *transform)
+{
+    for (int a = 0; a < 3; a++) {
+        struct box *box = &transform->box[a];
+        if (box->values) {
+            fftw_destroy_plan(box->forward);
+            fftw_destroy_plan(box->backward);
+        }
+        fftw_free(box->values);
+        fftw_free(box->inverse);
+        free(box->place);
+        free(box->all);
+    }
+    collection_free(transform->collection);
+    free(transform);
+}
+
+static void invert(struct box *box, int64_t n)
+{
+    if (box->count == 0) return;
+    memset(box->values, 0, (size_t)box->count * sizeof *box->values);
+    for (int64_t i = 0; i < n; i++)
+        if (box->place[i] >= 0) box->values[box->place[i]] = box->all[i];
+    fftw_execute(box->forward);
+    for (int64_t i = 0; i < box->count; i++) box->values[i] *= box->inverse[i];
+    fftw_execute(box->backward);
+    for (int64_t i = 0; i < n; i++)
+        box->all[i] = box->place[i] >= 0 ? box->values[box->place[i]] : 0;
+}
+
+void transform_apply(struct transform *transform, const double *r, double *z)
+{
+    const struct unknowns *unknowns = transform->unknowns;
+    const int64_t n = unknowns->n_nodes;
+    for (int a = 0; a < 3; a++)
+        collection_gather(transform->collection, transform->root[a], r + a * n,
+                          transform->box[a].all);
+    for (int a = 0; a < 3; a++)
+        if (unknowns->body->ranks.rank == transform->root[a])
+            invert(&transform->box[a], unknowns->body->n_nodes);
+    for (int a = 0; a < 3; a++)
+        collection_scatter(transform->collection, transform->root[a], transform->box[a].all,
+                           z + a * n);
+}

@@ -1,0 +1,23 @@
+/* transform.h - the preconditioner of the static solver: an approximate inverse of the elastic stiffness.
+ *
+ * The stiffness of a body is nearly diagonal, component by component, in waves that suit its ends: sines where
+ * the component is held, cosines where it is free (symbol.h has the diagonal).  Inverting that diagonal
+ * leaves a number of iterations that grows neither with the number of particles nor with the length of the
+ * body.  The waves fill the box around the free components; where the body does not, there is nothing outside,
+ * before and after.  Each component is the work of one rank. */
+#ifndef HS_TRANSFORM_H
+#define HS_TRANSFORM_H
+
+#include "symbol.h"
+#include "unknowns.h"
+
+struct transform;
+
+/* Of particles on a lattice.  Collective. */
+struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol);
+void transform_free(struct transform *transform);
+
+/* z = M^-1 r.  Collective. */
+void transform_apply(struct transform *transform, const double *r, double *z);
+
+#endif

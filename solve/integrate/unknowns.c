@@ -1,0 +1,176 @@
+#include "unknowns.h"
+
+#include "memory.h"
+#include "simd.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct unknowns unknowns_new(struct body *body, const struct boundary *boundary)
+{
+    struct unknowns unknowns = {.body = body, .n_nodes = body->grid.n_owned};
+    unknowns.length = 3 * unknowns.n_nodes;
+    unknowns.free = vector_new(&unknowns);
+    int64_t node = 0;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++, node++)
+            for (int a = 0; a < 3; a++) {
+                const int held = boundary->held[body->owned.items[s].site + i] >> a & 1;
+                unknowns.free[a * unknowns.n_nodes + node] = held ? 0 : 1;
+            }
+    return unknowns;
+}
+
+void unknowns_free(struct unknowns *unknowns)
+{
+    free(unknowns->free);
+    *unknowns = (struct unknowns){0};
+}
+
+double *vector_new(const struct unknowns *unknowns)
+{
+    return memory_new((size_t)unknowns->length, sizeof(double));
+}
+
+HS_SIMD static void scale_masked(int count, const double *restrict field, double scale,
+                                 const double *restrict mask, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] = mask[i] > 0 ? scale * field[i] : 0;
+}
+HS_SIMD static void choose(int count, const double *restrict x, const double *restrict mask,
+                           double *restrict field)
+{
+    for (int i = 0; i < count; i++) field[i] = mask[i] > 0 ? x[i] : field[i];
+}
+HS_SIMD static void add(int64_t count, double a, const double *restrict x, double *restrict y)
+{
+    for (int64_t i = 0; i < count; i++) y[i] += a * x[i];
+}
+
+void vector_take(const struct unknowns *unknowns, double *const fields[3], double scale,
+                 double *vector)
+{
+    const struct strips *owned = &unknowns->body->owned;
+    for (int a = 0; a < 3; a++) {
+        int64_t at = a * unknowns->n_nodes;
+        for (int64_t s = 0; s < owned->count; at += owned->items[s++].count)
+            scale_masked(owned->items[s].count, fields[a] + owned->items[s].site, scale,
+                         unknowns->free + at, vector + at);
+    }
+}
+
+void vector_put(const struct unknowns *unknowns, const double *vector, double *const fields[3])
+{
+    const struct strips *owned = &unknowns->body->owned;
+    for (int a = 0; a < 3; a++) {
+        int64_t at = a * unknowns->n_nodes;
+        for (int64_t s = 0; s < owned->count; at += owned->items[s++].count)
+            choose(owned->items[s].count, vector + at, unknowns->free + at,
+                   fields[a] + owned->items[s].site);
+    }
+}
+
+void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y)
+{
+    add(unknowns->length, a, x, y);
+}
+
+void vector_scale(const struct unknowns *unknowns, double a, double *y)
+{
+    for (int64_t i = 0; i < unknowns->length; i++) y[i] *= a;
+}
+
+/* Vectors are walked over in blocks that stay in the nearest cache. */
+enum { BLOCK = 512 };
+
+static int block_length(const struct unknowns *unknowns, int64_t from)
+{
+    const int64_t left = unknowns->length - from;
+    return (int)(left < BLOCK ? left : BLOCK);
+}
+
+void vector_add_all(const struct unknowns *unknowns, int count, const double a[], double *const x[],
+                    double *y)
+{
+    for (int64_t from = 0; from < unknowns->length; from += BLOCK)
+        for (int k = 0; k < count; k++)
+            add(block_length(unknowns, from), a[k], x[k] + from, y + from);
+}
+
+double vector_largest(const struct unknowns *unknowns, const double *x)
+{
+    double least = 0, sum = 0;
+    for (int64_t i = 0; i < unknowns->length; i++) {
+        least = fmin(least, -fabs(x[i]));
+        sum += 0 * x[i];
+    }
+    double bad[] = {sum == 0 ? 0 : -1};
+    ranks_minimum(bad, 1);
+    ranks_minimum(&least, 1);
+    return bad[0] < 0 ? NAN : -least;
+}
+
+HS_SIMD static void extract(int count, const double *restrict x, const double *restrict y,
+                            double high, double low, double *restrict sums)
+{
+    double top = 0, bottom = 0;
+#pragma omp simd reduction(+ : top, bottom)
+    for (int i = 0; i < count; i++) {
+        double term = x[i] * y[i];
+        double first = (term + high) - high;
+        top += first;
+        bottom += ((term - first) + low) - low;
+    }
+    sums[0] += top;
+    sums[1] += bottom;
+}
+
+static void add_products(struct exact_sum *sum, int count, const double *x, const double *y)
+{
+    double sums[2] = {sum->top, sum->bottom};
+    extract(count, x, y, sum->high, sum->low, sums);
+    sum->top = sums[0];
+    sum->bottom = sums[1];
+}
+
+void vector_products(const struct unknowns *unknowns, int count, double *const x[],
+                     const double norms[], const double *y, double norm, double products[])
+{
+    struct exact_sum *sums = memory_new((size_t)count, sizeof *sums);
+    /* Cauchy and Schwarz bound the sum of the magnitudes. */
+    for (int k = 0; k < count; k++) sums[k] = exact_sum_new(1.000001 * norms[k] * norm);
+    for (int64_t from = 0; from < unknowns->length; from += BLOCK)
+        for (int k = 0; k < count; k++)
+            add_products(&sums[k], block_length(unknowns, from), x[k] + from, y + from);
+    exact_sum_finish(sums, count, products);
+    free(sums);
+}
+
+double vector_norm(const struct unknowns *unknowns, const double *x)
+{
+    const double largest = vector_largest(unknowns, x);
+    if (!(largest > 0)) return largest;
+    struct exact_sum sum =
+        exact_sum_new(3.000001 * (double)unknowns->body->n_nodes * largest * largest);
+    for (int64_t from = 0; from < unknowns->length; from += BLOCK)
+        add_products(&sum, block_length(unknowns, from), x + from, x + from);
+    double square;
+    exact_sum_finish(&sum, 1, &square);
+    return sqrt(square);
+}
+
+double held_norm(const struct unknowns *unknowns, double *const fields[3])
+{
+    const struct strips *owned = &unknowns->body->owned;
+    double *held = vector_new(unknowns);
+    for (int a = 0; a < 3; a++) {
+        int64_t at = a * unknowns->n_nodes;
+        for (int64_t s = 0; s < owned->count; s++)
+            for (int i = 0; i < owned->items[s].count; i++, at++)
+                held[at] = unknowns->free[at] > 0 ? 0 : fields[a][owned->items[s].site + i];
+    }
+    const double norm = vector_norm(unknowns, held);
+    free(held);
+    return norm;
+}

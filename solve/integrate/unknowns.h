@@ -1,0 +1,46 @@
+/* unknowns.h - the displacement components that an equilibrium leaves free, as vectors.
+ *
+ * A vector holds three numbers for each node that the rank owns, component by component in the order of
+ * body->owned; held components are zero.  Products have the same bits on any number of ranks. */
+#ifndef HS_UNKNOWNS_H
+#define HS_UNKNOWNS_H
+
+#include "boundary.h"
+
+struct unknowns {
+    struct body *body;
+    int64_t n_nodes, length; /* of this rank; length = 3 n_nodes */
+    double *free;            /* [length] 1, or 0 where the component is held */
+};
+
+struct unknowns unknowns_new(struct body *body, const struct boundary *boundary);
+void unknowns_free(struct unknowns *unknowns);
+
+double *vector_new(const struct unknowns *unknowns);
+
+/* vector = scale * the fields at owned nodes; held components become 0. */
+void vector_take(const struct unknowns *unknowns, double *const fields[3], double scale,
+                 double *vector);
+/* The free components of the fields become those of the vector. */
+void vector_put(const struct unknowns *unknowns, const double *vector, double *const fields[3]);
+
+/* y += a x */
+void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y);
+/* y *= a */
+void vector_scale(const struct unknowns *unknowns, double a, double *y);
+/* y += sum of a[k] x[k], k < count */
+void vector_add_all(const struct unknowns *unknowns, int count, const double a[], double *const x[],
+                    double *y);
+
+/* Largest magnitude; not a number where one is not.  Collective. */
+double vector_largest(const struct unknowns *unknowns, const double *x);
+/* Euclidean norm.  Collective. */
+double vector_norm(const struct unknowns *unknowns, const double *x);
+/* products[k] = x[k] . y, whose norms are known, norms[k] and norm.  Collective. */
+void vector_products(const struct unknowns *unknowns, int count, double *const x[],
+                     const double norms[], const double *y, double norm, double products[]);
+
+/* Euclidean norm of the held components of fields, in the body. Collective. */
+double held_norm(const struct unknowns *unknowns, double *const fields[3]);
+
+#endif

@@ -1,0 +1,86 @@
+/* The explicit course: steps of a length that the fastest wave sets. */
+#include "simulation_parts.h"
+#include "stable_step.h"
+#include "verlet.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is found again each 5 % of
+ * strain, and each hundredth of the bonds. */
+static void check_step(struct simulation *s)
+{
+    const double broken = damage_broken_bonds(s->damage);
+    if (fabs(s->deformation - s->checked_deformation) < 0.05 &&
+        broken - s->checked_broken < 0.01 * s->n_bonds)
+        return;
+    s->checked_deformation = s->deformation;
+    s->checked_broken = broken;
+    const double critical = stable_step(s->model, &s->body, &s->materials);
+    if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
+    s->critical_step = critical;
+    s->integration.dt = s->scene.safety * s->critical_step;
+}
+
+/* Whether the next step ends at a frame. */
+static bool frame_due(const struct simulation *s)
+{
+    if (!s->fields) return false;
+    const struct scene_fields *wanted = &s->scene.fields;
+    int64_t every = wanted->every > 0 ? wanted->every : s->n_steps / wanted->frames;
+    return (s->integration.step + 1) % (every > 0 ? every : 1) == 0;
+}
+
+/* Records lie denser at the start, t_n = t_end (n/N)^2, where the elastic slope is measured. */
+static bool record_due(const struct simulation *s)
+{
+    const double records = s->scene.history, end = (double)s->n_steps;
+    double before = floor(records * sqrt((double)s->integration.step / end));
+    double after = floor(records * sqrt((double)(s->integration.step + 1) / end));
+    return after > before;
+}
+
+/* Whether the next step is the last one that a given end leaves. */
+static bool near_end(const struct simulation *s)
+{
+    return simulation_is_end(s, s->integration.step + 1, s->integration.time + s->integration.dt);
+}
+
+/* Stepped loads grow after what there is to see of the step has been seen.  At equilibrium the kinetic energy
+ * has stayed below a thousandth of the internal one while a wave would have run there and back. */
+static void raise_loads(struct simulation *s, bool looking)
+{
+    const struct energy_balance *balance = &s->integration.balance;
+    const double time = s->integration.time, speed = materials_wave_speed(&s->materials);
+    double longest = 0;
+    if (s->boundary.loads.count == 0) return;
+    for (int a = 0; a < 3; a++) longest = fmax(longest, lattice_extent(&s->lattice, a));
+    if (looking && balance->kinetic > 1e-3 * energy_internal(balance)) s->disturbed = time;
+    const bool equilibrium = looking && time - s->disturbed >= 2 * longest / speed;
+    if (integration_raise_loads(&s->integration, &s->body, &s->boundary, equilibrium))
+        s->disturbed = time;
+}
+
+/* One step, and what it leaves behind. */
+static void advance(struct simulation *s)
+{
+    enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
+    const bool recording = record_due(s) || near_end(s), framing = frame_due(s),
+               looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
+    if (recording) memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
+    verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking,
+                recording ? s->axial : NULL);
+    if (looking) {
+        s->drift = energy_drift(&s->integration.balance);
+        s->failure = simulation_find_failure(s);
+        if (s->failure) return;
+    }
+    if (recording) {
+        simulation_record(s);
+        check_step(s);
+    }
+    if (framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
+    raise_loads(s, looking);
+}
+
+const struct course course_explicit = {.advance = advance};
