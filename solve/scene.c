@@ -85,7 +85,7 @@ static void read_static(struct scene *scene, struct deck_node solver)
                                                : 1;
     statics->largest_step = step_or(scene, "step", usual);
     /* Records must be dense where the elastic slope is measured; steps of loads are all alike. */
-    const double share = scene->end_strain > 0 ? 0.05 : 1;
+    const double share = scene->end_strain > 0 ? 0.02 : 1;
     statics->first_step = step_or(scene, "first_step", share * statics->largest_step);
     statics->smallest_step = step_or(scene, "smallest_step", 1e-4 * statics->largest_step);
     if (statics->first_step > statics->largest_step)

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MEMORY = 12 };
+enum { MEMORY = 6 };
 
 struct lbfgs {
     int count; /* pairs, oldest first */

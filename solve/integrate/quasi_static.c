@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Evaluations below which the next step grows. */
-enum { EASY = 120 };
+enum { EASY = 200 };
 
 static bool work_depends_on_place(const struct boundary *boundary)
 {
