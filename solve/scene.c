@@ -80,7 +80,7 @@ static double step_or(struct scene *scene, const char *key, double fallback)
 static void read_static(struct scene *scene, struct deck_node solver)
 {
     struct scene_static *statics = &scene->statics;
-    const double usual = scene->end_strain > 0 ? 0.002
+    const double usual = scene->end_strain > 0 ? 0.005
                          : scene->end_time > 0 ? scene->end_time / 100
                                                : 1;
     statics->largest_step = step_or(scene, "step", usual);
