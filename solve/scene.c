@@ -3,6 +3,8 @@
 #include "body/family.h"
 #include "integrate/equilibrium.h"
 
+#include <math.h>
+
 static double number_or(struct deck_node map, const char *key, const char *unit, double low,
                         double high, double fallback)
 {
@@ -24,14 +26,19 @@ static void read_start(struct scene *scene, struct deck_node solver)
 #define COMMON_KEYS                                                                                \
     "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
         "end_strain", "end_time", "end_steps", "start", "energy_tolerance"
-static const char *const explicit_keys[] = {COMMON_KEYS, "safety", "ramp", "damping", NULL};
-static const char *const static_keys[] = {COMMON_KEYS, "method",        "first_step",       "step",
-                                          "tolerance", "smallest_step", "most_evaluations", NULL};
+#define EXPLICIT_KEYS "safety", "damping"
+#define STATIC_KEYS   "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations"
+static const char *const explicit_keys[] = {COMMON_KEYS, EXPLICIT_KEYS, "ramp", NULL};
+static const char *const static_keys[] = {COMMON_KEYS, STATIC_KEYS, NULL};
+static const char *const hybrid_keys[] = {
+    COMMON_KEYS,       EXPLICIT_KEYS, STATIC_KEYS, "explicit_when",
+    "explicit_strain", "static_when", NULL};
 
 static const struct {
     const char *name;
     const char *const *keys;
-} types[SOLVER_TYPES] = {{"explicit", explicit_keys}, {"quasi_static", static_keys}};
+} types[SOLVER_TYPES] = {
+    {"explicit", explicit_keys}, {"quasi_static", static_keys}, {"hybrid", hybrid_keys}};
 
 static void read_type(struct scene *scene, struct deck_node solver)
 {
@@ -104,6 +111,24 @@ static void read_static(struct scene *scene, struct deck_node solver)
             deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
 }
 
+static void read_hybrid(struct scene *scene, struct deck_node solver)
+{
+    static const char *const events[] = {"damage", "maximum_load"};
+    struct scene_hybrid *hybrid = &scene->hybrid;
+    hybrid->strain = number_or(solver, "explicit_strain", "1", 0, 10, INFINITY);
+    if (deck_has(solver, "explicit_when")) {
+        struct deck_node list = deck_get(solver, "explicit_when");
+        for (int i = 0; i < deck_count(list); i++)
+            *(deck_choice(deck_item(list, i), events, 2) == 0 ? &hybrid->at_damage
+                                                              : &hybrid->at_maximum) = true;
+    }
+    if (!deck_has(solver, "static_when")) return;
+    struct deck_node back = deck_get(solver, "static_when");
+    deck_keys(back, (const char *const[]){"kinetic_to_internal", "quiet", NULL});
+    hybrid->kinetic_share = deck_number(deck_get(back, "kinetic_to_internal"), "1", 1e-12, 1);
+    hybrid->quiet = deck_number(deck_get(back, "quiet"), "s", 0, 1e6);
+}
+
 static void read_solver(struct scene *scene, struct deck_node solver)
 {
     read_type(scene, solver);
@@ -113,7 +138,8 @@ static void read_solver(struct scene *scene, struct deck_node solver)
     scene->damping = number_or(solver, "damping", "1/s", 0, 1e15, 0);
     scene->energy_tolerance = number_or(solver, "energy_tolerance", "1", 1e-12, 1e6, 0.01);
     read_start(scene, solver);
-    if (scene->type == SOLVER_QUASI_STATIC) read_static(scene, solver);
+    if (scene->type != SOLVER_EXPLICIT) read_static(scene, solver);
+    if (scene->type == SOLVER_HYBRID) read_hybrid(scene, solver);
 }
 
 struct scene scene_read(struct deck *deck)

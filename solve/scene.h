@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-enum scene_type { SOLVER_EXPLICIT, SOLVER_QUASI_STATIC, SOLVER_TYPES };
+enum scene_type { SOLVER_EXPLICIT, SOLVER_QUASI_STATIC, SOLVER_HYBRID, SOLVER_TYPES };
 
 /* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s. */
 struct scene_static {
@@ -18,6 +18,14 @@ struct scene_static {
     double first_step, largest_step, smallest_step;
     double tolerance; /* of the residual */
     int64_t most_evaluations;
+};
+
+/* When a hybrid solver goes over to explicit steps, beside where no equilibrium is found; and back. */
+struct scene_hybrid {
+    bool at_damage, at_maximum; /* something has to break; the force on the grips falls */
+    double strain;              /* of the gauge; INFINITY: never for that */
+    double kinetic_share;       /* of the internal energy, below which it goes back; 0: never */
+    double quiet;               /* s without a broken bond before that */
 };
 
 enum scene_start {
@@ -66,6 +74,7 @@ struct scene {
     struct deck *deck;
     enum scene_type type;
     struct scene_static statics;
+    struct scene_hybrid hybrid;
     double horizon;          /* spacings */
     int influence;           /* -1: that of the formulation */
     struct deck_node solver; /* for what belongs to the formulation */

@@ -218,7 +218,9 @@ static void plan_time(struct simulation *s)
     s->integration = integration_new(moving, dt, s->scene.damping, &s->materials, &s->body,
                                      &s->boundary, s->model);
     s->integration.damage = s->damage;
-    s->course = moving ? &course_explicit : &course_static;
+    static const struct course *const courses[SOLVER_TYPES] = {&course_explicit, &course_static,
+                                                               &course_hybrid};
+    s->course = courses[s->scene.type];
 }
 
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks)

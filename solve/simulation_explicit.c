@@ -6,6 +6,14 @@
 #include <math.h>
 #include <string.h>
 
+void simulation_find_step(struct simulation *s)
+{
+    const double critical = stable_step(s->model, &s->body, &s->materials);
+    if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
+    s->critical_step = critical;
+    s->integration.dt = s->scene.safety * s->critical_step;
+}
+
 /* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is found again each 5 % of
  * strain, and each hundredth of the bonds. */
 static void check_step(struct simulation *s)
@@ -16,27 +24,16 @@ static void check_step(struct simulation *s)
         return;
     s->checked_deformation = s->deformation;
     s->checked_broken = broken;
-    const double critical = stable_step(s->model, &s->body, &s->materials);
-    if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
-    s->critical_step = critical;
-    s->integration.dt = s->scene.safety * s->critical_step;
-}
-
-/* Whether the next step ends at a frame. */
-static bool frame_due(const struct simulation *s)
-{
-    if (!s->fields) return false;
-    const struct scene_fields *wanted = &s->scene.fields;
-    int64_t every = wanted->every > 0 ? wanted->every : s->n_steps / wanted->frames;
-    return (s->integration.step + 1) % (every > 0 ? every : 1) == 0;
+    simulation_find_step(s);
 }
 
 /* Records lie denser at the start, t_n = t_end (n/N)^2, where the elastic slope is measured. */
 static bool record_due(const struct simulation *s)
 {
-    const double records = s->scene.history, end = (double)s->n_steps;
-    double before = floor(records * sqrt((double)s->integration.step / end));
-    double after = floor(records * sqrt((double)(s->integration.step + 1) / end));
+    const struct integration *integration = &s->integration;
+    const double records = s->scene.history, end = s->end_time;
+    double before = floor(records * sqrt(integration->time / end));
+    double after = floor(records * sqrt((integration->time + integration->dt) / end));
     return after > before;
 }
 
@@ -62,10 +59,10 @@ static void raise_loads(struct simulation *s, bool looking)
 }
 
 /* One step, and what it leaves behind. */
-static void advance(struct simulation *s)
+static void explicit_advance(struct simulation *s)
 {
     enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
-    const bool recording = record_due(s) || near_end(s), framing = frame_due(s),
+    const bool recording = record_due(s) || near_end(s), framing = simulation_frame_due(s),
                looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
     if (recording) memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
     verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking,
@@ -83,4 +80,4 @@ static void advance(struct simulation *s)
     raise_loads(s, looking);
 }
 
-const struct course course_explicit = {.advance = advance};
+const struct course course_explicit = {.advance = explicit_advance};

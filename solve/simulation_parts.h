@@ -18,7 +18,7 @@ struct course {
     /* From the last record to the next or less; fills simulation->failure where it cannot. */
     void (*advance)(struct simulation *simulation);
 };
-extern const struct course course_explicit, course_static;
+extern const struct course course_explicit, course_static, course_hybrid;
 
 struct simulation {
     const struct arguments *arguments;
@@ -47,9 +47,11 @@ struct simulation {
     double critical_step, end_time;
     double strain; /* of the gauge */
     double deformation,
-        checked_deformation;        /* as of the last record, and of the last critical step */
-    double n_bonds, checked_broken; /* bonds at the start; broken as of the last critical step */
-    double drift;                   /* of the energy balance when it was last looked at */
+        checked_deformation;          /* as of the last record, and of the last critical step */
+    double n_bonds, checked_broken;   /* bonds at the start; broken as of the last critical step */
+    double drift;                     /* of the energy balance when it was last looked at */
+    double quiet_since, quiet_broken; /* since when the motion is small; bonds broken by then */
+    double highest_load;              /* of the grips so far, N */
     double disturbed; /* time at which the body was last known not to be at equilibrium, s */
     int64_t n_steps;  /* expected */
     double wall;      /* s */
@@ -58,9 +60,17 @@ struct simulation {
 
 /* Seconds of a load step that the deck gives in strain or seconds. */
 double simulation_load_step(const struct simulation *simulation, double step);
-/* Builds what finds equilibria. */
+/* Builds what finds equilibria; the body's velocities are its first guess, and become 0. */
 void simulation_start_static(struct simulation *simulation);
 
+/* A load step with its record; false where there is no equilibrium, and all is as before. */
+bool simulation_load(struct simulation *simulation);
+
+/* The stable step from here on [s], or where nothing acts on anything the one before. */
+void simulation_find_step(struct simulation *simulation);
+
+/* Whether the next step ends at a frame. */
+bool simulation_frame_due(const struct simulation *simulation);
 /* Whether a number of steps, or a time, is the end; whether the run has come to it. */
 bool simulation_is_end(const struct simulation *simulation, int64_t step, double time);
 bool simulation_at_end(const struct simulation *simulation);

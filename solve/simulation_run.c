@@ -78,12 +78,22 @@ void simulation_write_frame(struct simulation *s)
     fields_write(s->fields, s->integration.time, s->model, &s->body);
 }
 
+bool simulation_frame_due(const struct simulation *s)
+{
+    const struct scene_fields *wanted = &s->scene.fields;
+    const struct integration *integration = &s->integration;
+    if (!s->fields) return false;
+    if (wanted->every > 0) return (integration->step + 1) % wanted->every == 0;
+    const double each = s->end_time / wanted->frames;
+    return floor((integration->time + integration->dt) / each) > floor(integration->time / each);
+}
+
 /* Whether a number of steps, or a time, is the end. */
 bool simulation_is_end(const struct simulation *s, int64_t step, double time)
 {
     if (s->scene.end_steps > 0) return step >= s->scene.end_steps;
     if (s->scene.end_time > 0) return time >= s->end_time - 1e-6 * s->integration.dt;
-    return step >= 4 * s->n_steps;
+    return time >= 4 * s->end_time;
 }
 
 bool simulation_at_end(const struct simulation *s)
@@ -104,8 +114,7 @@ static double gauge_stress(const struct simulation *s)
 static double share_done(const struct simulation *s)
 {
     double by_strain = s->scene.end_strain > 0 ? s->strain / s->scene.end_strain : 0;
-    double by_steps = (double)s->integration.step / (double)s->n_steps;
-    return by_strain > 0 ? by_strain : fmin(by_steps, 1);
+    return by_strain > 0 ? by_strain : fmin(s->integration.time / s->end_time, 1);
 }
 
 const char *simulation_run(struct simulation *s)

@@ -22,34 +22,30 @@ void simulation_start_static(struct simulation *s)
                          simulation_load_step(s, statics->smallest_step));
 }
 
-/* Frames are as far apart in time as they can be; or so many load steps. */
-static bool frame_due(const struct simulation *s, double before)
-{
-    if (!s->fields) return false;
-    const struct scene_fields *wanted = &s->scene.fields;
-    if (wanted->every > 0) return s->integration.step % wanted->every == 0;
-    const double each = s->end_time / wanted->frames;
-    return floor(s->integration.time / each) > floor(before / each);
-}
-
-static void advance(struct simulation *s)
+/* Leaves the step in vain where there is no equilibrium. */
+bool simulation_load(struct simulation *s)
 {
     struct integration *integration = &s->integration;
-    const double before = integration->time, left = s->end_time - before;
-    if (s->scene.end_time > 0) integration->dt = fmin(integration->dt, left);
+    if (s->scene.end_time > 0)
+        integration->dt = fmin(integration->dt, s->end_time - integration->time);
+    const bool framing = simulation_frame_due(s);
     memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
-    if (!quasi_static_step(s->quasi_static, s->axial)) {
-        s->failure =
-            memory_print("no equilibrium with the smallest step, at t = %.4g s after %lld load "
-                         "steps (residual %.2g, tolerance %g)",
-                         integration->time, (long long)integration->step,
-                         equilibrium_residual(s->equilibrium), s->equilibrium->tolerance);
-        return;
-    }
+    if (!quasi_static_step(s->quasi_static, s->axial)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
-    if (frame_due(s, before) || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
+    if (framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
     loads_raise(&s->boundary.loads, integration->step, true);
+    return true;
 }
 
-const struct course course_static = {.advance = advance};
+static void static_advance(struct simulation *s)
+{
+    if (simulation_load(s)) return;
+    s->failure =
+        memory_print("no equilibrium with the smallest step, at t = %.4g s after %lld load "
+                     "steps (residual %.2g, tolerance %g)",
+                     s->integration.time, (long long)s->integration.step,
+                     equilibrium_residual(s->equilibrium), s->equilibrium->tolerance);
+}
+
+const struct course course_static = {.advance = static_advance};

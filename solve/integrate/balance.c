@@ -194,6 +194,22 @@ void balance_step(struct integration *integration, const struct body *body,
     if (energy) take_energies(integration, body, boundary, values);
 }
 
+void balance_motion(struct integration *integration, const struct body *body,
+                    struct boundary *boundary)
+{
+    struct energy_balance *balance = &integration->balance;
+    struct exact_sum sums[] = {integration->kinetic_zero, integration->kinetic_zero};
+    double values[2];
+    sum_kinetic(integration, body, &sums[0]);
+    sum_held(integration, body, boundary, &sums[1]);
+    exact_sum_finish(sums, 2, values);
+    if (values[0] < balance->kinetic) balance->damping += balance->kinetic - values[0];
+    const bool gained = values[0] > balance->kinetic;
+    balance->kinetic = values[0];
+    integration->held = values[1];
+    if (gained) balance->initial = energy_held(balance) - balance->work;
+}
+
 void balance_reactions(const struct body *body, struct boundary *boundary)
 {
     struct exact_sum *sums = memory_new((size_t)boundary->count, sizeof *sums);

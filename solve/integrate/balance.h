@@ -23,6 +23,11 @@ void balance_step(struct integration *integration, const struct body *body,
                   struct boundary *boundary, const struct force_energy *energy,
                   const struct balance_sums *sums);
 
+/* The velocities have been set anew.  Kinetic energy that has gone counts as damped; where some has come, the
+ * balance starts again: the drift is 0.  Collective. */
+void balance_motion(struct integration *integration, const struct body *body,
+                    struct boundary *boundary);
+
 /* The reactions again, after the loads have jumped.  Collective. */
 void balance_reactions(const struct body *body, struct boundary *boundary);
 

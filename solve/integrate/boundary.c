@@ -115,6 +115,12 @@ void boundary_set_velocities(struct boundary *boundary, struct body *body, doubl
     }
 }
 
+void boundary_stop(struct boundary *boundary)
+{
+    for (int b = 0; b < boundary->count; b++)
+        boundary->sets[b].speed = boundary->sets[b].speed_before = 0;
+}
+
 void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt)
 {
     for (int b = 0; b < boundary->count; b++) {

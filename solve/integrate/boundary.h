@@ -49,7 +49,9 @@ void boundary_set_displacements(const struct boundary *boundary, struct body *bo
 
 /* Sets the prescribed components of body->v to their values at a time between steps of length dt. */
 void boundary_set_velocities(struct boundary *boundary, struct body *body, double time, double dt);
-/* The same for the step from time on: v becomes the way over dt. */
+/* The sets have no speed any more. */
+void boundary_stop(struct boundary *boundary);
+/* As boundary_set_velocities, for the step from time on: v becomes the way over dt. */
 void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt);
 
 /* This rank's part of the reactions, the force each set exerts on the body along its direction:

@@ -173,12 +173,18 @@ bool quasi_static_step(struct quasi_static *q, double *axial)
     return true;
 }
 
+void quasi_static_velocities(const struct quasi_static *q)
+{
+    vector_put(&q->equilibrium->unknowns, q->rate, q->equilibrium->body->v);
+}
+
 double quasi_static_settle(struct quasi_static *q, double *axial)
 {
     struct equilibrium *e = q->equilibrium;
     const double before = energy_internal(&e->integration->balance);
     vector_take(&e->unknowns, e->body->u, 1, e->x);
-    if (!equilibrium_solve(e)) return -1;
+    vector_scale(&e->unknowns, 0, q->rate);
+    if (!equilibrium_solve(e)) return INFINITY;
     const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
     struct force_energy energy = commit(e, axial);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;

@@ -27,8 +27,11 @@ void quasi_static_free(struct quasi_static *quasi_static);
  * before.  axial as in struct force_mode.  Collective. */
 bool quasi_static_step(struct quasi_static *quasi_static, double *axial);
 
-/* The body comes to rest where it is held now: what it loses is returned, J; -1 where no equilibrium is
- * found.  Collective. */
+/* The free components of the body's velocities become those of the last step. */
+void quasi_static_velocities(const struct quasi_static *quasi_static);
+
+/* The body comes to rest where it is held now: what it loses is returned, J; INFINITY where no equilibrium is
+ * found.  The next step starts without a guess.  Collective. */
 double quasi_static_settle(struct quasi_static *quasi_static, double *axial);
 
 #endif

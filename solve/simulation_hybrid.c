@@ -1,0 +1,115 @@
+/* The hybrid course: load steps as long as the test is slow, explicit steps through what is fast.
+ *
+ * Displacements, plastic states and broken bonds are the same for both; what changes is that nodes have
+ * velocities.  They start with those of a short last load step, so that no wave is sent out: the test goes on as
+ * it went, at the speed that the deck gives the grips. */
+#include "balance.h"
+#include "die.h"
+#include "memory.h"
+#include "simulation_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+static double load(const struct simulation *s)
+{
+    if (!boundary_has_grips(&s->boundary)) return 0;
+    const struct boundary_set *sets = s->boundary.sets;
+    return 0.5 * (sets[s->boundary.right].total_force - sets[s->boundary.left].total_force);
+}
+
+/* What calls for explicit steps, or NULL. */
+static const char *event(struct simulation *s)
+{
+    const struct scene_hybrid *hybrid = &s->scene.hybrid;
+    const double now = load(s);
+    s->highest_load = fmax(s->highest_load, now);
+    if (hybrid->at_damage && damage_find(s->damage)) return "something breaks";
+    if (hybrid->at_maximum && now < (1 - 1e-4) * s->highest_load) return "the load falls";
+    if (s->strain >= hybrid->strain) return "the strain is reached";
+    return NULL;
+}
+
+/* The rate of the last load step is its mean; that of a short one is the rate now. */
+static void find_rate(struct simulation *s)
+{
+    const double dt = s->integration.dt;
+    s->integration.dt = fmin(dt, 0.02 * s->quasi_static->largest);
+    if (!simulation_load(s)) s->integration.dt = dt;
+}
+
+static void begin_explicit(struct simulation *s, const char *reason)
+{
+    struct integration *integration = &s->integration;
+    integration->moving = true;
+    integration->residual = 0;
+    quasi_static_velocities(s->quasi_static);
+    boundary_set_velocities(&s->boundary, &s->body, integration->time, integration->dt);
+    balance_motion(integration, &s->body, &s->boundary);
+    simulation_find_step(s);
+    s->checked_deformation = s->deformation;
+    s->checked_broken = s->quiet_broken = damage_broken_bonds(s->damage);
+    s->quiet_since = integration->time;
+    if (s->ranks.rank == 0)
+        note("explicit from strain %.4g, t = %.4g s, %.0f forces: %s", s->strain, integration->time,
+             (double)integration->evaluations, reason);
+}
+
+/* Whether the motion has died down, and no bond broke for a while. */
+static bool is_quiet(struct simulation *s)
+{
+    const struct energy_balance *balance = &s->integration.balance;
+    const struct scene_hybrid *hybrid = &s->scene.hybrid;
+    const double broken = damage_broken_bonds(s->damage);
+    if (broken > s->quiet_broken ||
+        balance->kinetic > hybrid->kinetic_share * energy_internal(balance)) {
+        s->quiet_broken = broken;
+        s->quiet_since = s->integration.time;
+    }
+    return hybrid->kinetic_share > 0 && s->integration.time - s->quiet_since > hybrid->quiet;
+}
+
+/* What is left of the motion, and what the body loses until it is at rest, counts as damped. */
+static void begin_static(struct simulation *s)
+{
+    struct integration *integration = &s->integration;
+    integration->moving = false;
+    body_clear(&s->body, s->body.v, 3);
+    boundary_stop(&s->boundary);
+    balance_motion(integration, &s->body, &s->boundary);
+    memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
+    const double lost = quasi_static_settle(s->quasi_static, s->axial);
+    if (!isfinite(lost)) {
+        s->failure = memory_print("no equilibrium at t = %.4g s after the explicit steps (residual "
+                                  "%.2g, tolerance %g)",
+                                  integration->time, equilibrium_residual(s->equilibrium),
+                                  s->equilibrium->tolerance);
+        return;
+    }
+    integration->balance.damping += lost;
+    integration->dt = simulation_load_step(s, s->scene.statics.first_step);
+    simulation_record(s);
+    s->highest_load = load(s);
+    if (s->ranks.rank == 0)
+        note("load steps from strain %.4g, t = %.4g s, %.0f forces", s->strain, integration->time,
+             (double)integration->evaluations);
+}
+
+static void hybrid_advance(struct simulation *s)
+{
+    if (s->integration.moving) {
+        course_explicit.advance(s);
+        if (!s->failure && is_quiet(s)) begin_static(s);
+        return;
+    }
+    if (!simulation_load(s)) {
+        begin_explicit(s, "no equilibrium with the smallest step");
+        return;
+    }
+    const char *reason = event(s);
+    if (!reason) return;
+    find_rate(s);
+    begin_explicit(s, reason);
+}
+
+const struct course course_hybrid = {.advance = hybrid_advance};
