@@ -12,9 +12,9 @@ struct damage {
     struct body *body;
     struct bonds *bonds;
     struct damage_rules rules;
-    double broken; /* bonds of the whole body */
-    double *whole; /* box field: volume of the family, m^3 */
-    double *spent; /* box field: 1 where all bonds of a node are to break */
+    double broken, removed; /* bonds and nodes of the whole body */
+    double *whole;          /* box field: volume of the family, m^3 */
+    double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
     /* A strip is tested again only when its ends may have closed the room of its closest bond: travelled is
      * not less than the way of any node so far, due what it must be beyond. */
@@ -55,6 +55,8 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
     damage->whole = memory_new(sites, sizeof(double));
     add_volumes(damage, damage->whole);
+    if (damage->rules.degrading)
+        body->integrity = integrity_new(body, materials->count, damage->rules.integrity);
     if (damage->rules.nodes) damage->spent = memory_new(sites, sizeof(double));
     if (!damage->rules.bonds) return damage;
     damage->due = memory_new((size_t)bonds->count, sizeof(double));
@@ -85,11 +87,19 @@ double damage_broken_bonds(const struct damage *damage)
     return damage->broken;
 }
 
+double damage_removed_nodes(const struct damage *damage)
+{
+    return damage->removed;
+}
+
 void damage_index(const struct damage *damage, double *index)
 {
     add_volumes(damage, index);
-    for (int64_t i = 0; i < damage->body->grid.n_sites; i++)
+    const struct integrity *integrity = damage->body->integrity;
+    for (int64_t i = 0; i < damage->body->grid.n_sites; i++) {
         index[i] = damage->whole[i] > 0 ? 1 - index[i] / damage->whole[i] : 0;
+        if (integrity) index[i] = fmax(index[i], 1 - integrity->node[i]);
+    }
 }
 
 /* most[i] = the larger of itself and the square of the way of node i since the last update. */
@@ -194,6 +204,43 @@ static double test_bonds(struct damage *damage)
     return broken;
 }
 
+/* The integrities of the nodes of a strip from p: minus the largest change. */
+static double degrade(struct damage *damage, const struct strip *strip, const double *p)
+{
+    const struct damage_rules *rules = &damage->rules;
+    const struct grid *grid = &damage->body->grid;
+    double change = 0;
+    for (int i = 0; i < strip->count; i++) {
+        const int64_t site = strip->site + i;
+        const int phase = grid->phase[site];
+        const double onset = rules->onset[phase];
+        if (!(p[i] > onset) || !(grid->flags[site] & SITE_OWNED)) continue;
+        double *left = &damage->body->integrity->node[site];
+        const double now = fmax(1 - (p[i] - onset) / (rules->full[phase] - onset), 0);
+        change = fmin(change, now - *left);
+        *left = now;
+    }
+    return change;
+}
+
+double damage_grow(struct damage *damage)
+{
+    const struct model *model = damage->see.model;
+    struct body *body = damage->body;
+    if (!body->integrity) return 0;
+    const struct strips *strips = model_strips(model, body);
+    double change = 0;
+    for (int64_t s = 0; s < strips->count; s++) {
+        const double *p = model->formulation->plastic_strain(model->self, &strips->items[s]);
+        if (p) change = fmin(change, degrade(damage, &strips->items[s], p));
+    }
+    ranks_minimum(&change, 1);
+    if (!(change < 0)) return 0;
+    body->integrity->whole = false;
+    halo_exchange(body->displacement_halo, &body->integrity->node, 1);
+    return -change;
+}
+
 /* Owned nodes that are beyond their plastic strain since now. */
 static double find_spent(struct damage *damage)
 {
@@ -206,7 +253,7 @@ static double find_spent(struct damage *damage)
         const double *p = model->formulation->plastic_strain(model->self, strip);
         for (int i = 0; p && i < strip->count; i++) {
             const int64_t site = strip->site + i;
-            if (!(p[i] > damage->rules.plastic_strain[body->grid.phase[site]])) continue;
+            if (!(p[i] > damage->rules.full[body->grid.phase[site]])) continue;
             if (!(body->grid.flags[site] & SITE_OWNED) || damage->spent[site] > 0) continue;
             damage->spent[site] = 1;
             found++;
@@ -242,6 +289,7 @@ bool damage_find(struct damage *damage)
                         rules->nodes ? find_spent(damage) : 0};
     ranks_sum(counts, 2);
     damage->broken += counts[0];
+    damage->removed += counts[1];
     damage->spending = counts[1] > 0;
     return counts[0] + counts[1] > 0;
 }

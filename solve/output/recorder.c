@@ -32,6 +32,7 @@ static const struct {
     {"unsteady_to_internal", NOTHING},
     {"fracture_energy_J", NOTHING},
     {"broken_bonds", NOTHING},
+    {"removed_nodes", NOTHING},
     {"nodes_without_gradient", NOTHING},
 };
 static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
@@ -180,6 +181,7 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
             unsteady * per_internal,
             b->fracture,
             integration->damage ? damage_broken_bonds(integration->damage) : 0,
+            integration->damage ? damage_removed_nodes(integration->damage) : 0,
             body_unsupported(body)};
         double *record = put_common(recorder, values, new_record(recorder, integration->time));
         record = put_phases(recorder, phases, record);
