@@ -2,6 +2,7 @@
 
 #include "broken.h"
 #include "die.h"
+#include "integrity.h"
 #include "memory.h"
 
 #include <mpi.h>
@@ -87,6 +88,7 @@ void body_free(struct body *body)
     halo_free(body->stress_halo);
     halo_free(body->gradient_halo);
     broken_free(body->broken);
+    integrity_free(body->integrity);
     free(body->yield_shift);
     grid_free(&body->grid);
     partition_free(&body->partition);

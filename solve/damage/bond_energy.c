@@ -15,7 +15,9 @@ static void room(const struct damage_view *see, const struct bond_strip *strip,
     const struct bond_ends ends = bond_ends_find(bond, see->body, displacement);
     model->formulation->bond_energy(model->self, see->body, strip, energy);
     for (int k = 0; k < bond->count; k++)
-        out[k] = energy[k] > value[k] && bond_ends_extension(bond, &ends, k) > 0 ? -1 : 0;
+        out[k] = energy[k] > value[k] && bond_ends_extension(bond, &ends, k) > 0
+                     ? bond->length[k * bond->geometry_step] * (1 - energy[k] / value[k])
+                     : 0;
 }
 
 static double from_fracture_energy(const struct damage_view *see, int a, int b, double energy,

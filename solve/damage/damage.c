@@ -12,21 +12,21 @@ struct damage {
     struct body *body;
     struct bonds *bonds;
     struct damage_rules rules;
-    double broken; /* bonds of the whole body */
-    double *whole; /* box field: volume of the family, m^3 */
-    double *spent; /* box field: 1 where all bonds of a node are to break */
+    double broken, removed; /* bonds and nodes of the whole body */
+    double *whole;          /* box field: volume of the family, m^3 */
+    double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
     /* A strip is tested again only when its ends may have closed the room of its closest bond: travelled is
      * not less than the way of any node so far, due what it must be beyond. */
     double travelled, *due;
     double *last[3]; /* box fields: u at the last update */
-    /* What damage_find has found. */
+    /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at that site; how far
+     * it is beyond its limit, as a stretch or a share of it; 1 where this rank counts it. */
     struct found {
-        int64_t strip;
-        int bond;
+        int64_t strip, place;
+        double excess, count;
     } * found;
     int64_t n_found, room;
-    bool spending; /* nodes have been spent */
 };
 
 /* Adds the volume of the other end to both, for bonds of weight over 0. */
@@ -55,6 +55,8 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
     damage->whole = memory_new(sites, sizeof(double));
     add_volumes(damage, damage->whole);
+    if (damage->rules.degrading)
+        body->integrity = integrity_new(body, materials->count, damage->rules.integrity);
     if (damage->rules.nodes) damage->spent = memory_new(sites, sizeof(double));
     if (!damage->rules.bonds) return damage;
     damage->due = memory_new((size_t)bonds->count, sizeof(double));
@@ -85,11 +87,19 @@ double damage_broken_bonds(const struct damage *damage)
     return damage->broken;
 }
 
+double damage_removed_nodes(const struct damage *damage)
+{
+    return damage->removed;
+}
+
 void damage_index(const struct damage *damage, double *index)
 {
     add_volumes(damage, index);
-    for (int64_t i = 0; i < damage->body->grid.n_sites; i++)
+    const struct integrity *integrity = damage->body->integrity;
+    for (int64_t i = 0; i < damage->body->grid.n_sites; i++) {
         index[i] = damage->whole[i] > 0 ? 1 - index[i] / damage->whole[i] : 0;
+        if (integrity) index[i] = fmax(index[i], 1 - integrity->node[i]);
+    }
 }
 
 /* most[i] = the larger of itself and the square of the way of node i since the last update. */
@@ -152,7 +162,7 @@ static double count_bond(const struct damage *damage, const struct bond_view *vi
     return damage->body->grid.flags[bond_lower(view, k)] & SITE_OWNED ? 1 : 0;
 }
 
-static void add_found(struct damage *damage, int64_t strip, int bond)
+static void add_found(struct damage *damage, struct found found)
 {
     if (damage->n_found == damage->room) {
         damage->room = 2 * damage->room + 64;
@@ -162,57 +172,88 @@ static void add_found(struct damage *damage, int64_t strip, int bond)
         free(damage->found);
         damage->found = longer;
     }
-    damage->found[damage->n_found++] = (struct found){strip, bond};
+    damage->found[damage->n_found++] = found;
 }
 
 /* Half of the closest bond's room, less what rounding may hide, is how far a node may go until the next
  * test. */
-static double test_strip(struct damage *damage, int64_t s)
+static void test_strip(struct damage *damage, int64_t s)
 {
     const struct bond_strip *strip = &damage->bonds->strips[s];
     const struct bond_view view = bonds_view(damage->bonds, strip);
-    double rooms[LANES], broken = 0, least = INFINITY;
+    double rooms[LANES], least = INFINITY;
     find_rooms(damage, strip, &view, rooms);
     for (int k = 0; k < view.count; k++) {
-        if (rooms[k] < 0) {
-            broken += count_bond(damage, &view, k);
-            add_found(damage, s, k);
-            continue;
-        }
-        least = fmin(least, rooms[k] - 1e-13 * view.length[k * view.geometry_step]);
+        const double length = view.length[k * view.geometry_step];
+        if (rooms[k] < 0)
+            add_found(damage,
+                      (struct found){s, k, -rooms[k] / length, count_bond(damage, &view, k)});
+        least = fmin(least, rooms[k] - 1e-13 * length);
     }
     damage->due[s] = damage->travelled + 0.5 * least * (1 - 0x1p-48);
-    return broken;
 }
 
-static double test_bonds(struct damage *damage)
+static void test_bonds(struct damage *damage)
 {
-    double broken = 0;
     travel(damage);
     for (int64_t s = 0; s < damage->bonds->count; s++)
-        if (damage->travelled > damage->due[s] || damage->test_all) broken += test_strip(damage, s);
-    return broken;
+        if (damage->travelled > damage->due[s] || damage->test_all) test_strip(damage, s);
 }
 
-/* Owned nodes that are beyond their plastic strain since now. */
-static double find_spent(struct damage *damage)
+/* The integrities of the nodes of a strip from p: minus the largest change. */
+static double degrade(struct damage *damage, const struct strip *strip, const double *p)
+{
+    const struct damage_rules *rules = &damage->rules;
+    const struct grid *grid = &damage->body->grid;
+    double change = 0;
+    for (int i = 0; i < strip->count; i++) {
+        const int64_t site = strip->site + i;
+        const int phase = grid->phase[site];
+        const double onset = rules->onset[phase];
+        if (!(p[i] > onset) || !(grid->flags[site] & SITE_OWNED)) continue;
+        double *left = &damage->body->integrity->node[site];
+        const double now = fmax(1 - (p[i] - onset) / (rules->full[phase] - onset), 0);
+        change = fmin(change, now - *left);
+        *left = now;
+    }
+    return change;
+}
+
+double damage_grow(struct damage *damage)
+{
+    const struct model *model = damage->see.model;
+    struct body *body = damage->body;
+    if (!body->integrity) return 0;
+    const struct strips *strips = model_strips(model, body);
+    double change = 0;
+    for (int64_t s = 0; s < strips->count; s++) {
+        const double *p = model->formulation->plastic_strain(model->self, &strips->items[s]);
+        if (p) change = fmin(change, degrade(damage, &strips->items[s], p));
+    }
+    ranks_minimum(&change, 1);
+    if (!(change < 0)) return 0;
+    body->integrity->whole = false;
+    halo_exchange(body->displacement_halo, &body->integrity->node, 1);
+    return -change;
+}
+
+/* Owned nodes that are beyond their plastic strain. */
+static void find_spent(struct damage *damage)
 {
     const struct model *model = damage->see.model;
     const struct body *body = damage->body;
     const struct strips *strips = model_strips(model, body);
-    double found = 0;
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         const double *p = model->formulation->plastic_strain(model->self, strip);
         for (int i = 0; p && i < strip->count; i++) {
             const int64_t site = strip->site + i;
-            if (!(p[i] > damage->rules.plastic_strain[body->grid.phase[site]])) continue;
+            const double full = damage->rules.full[body->grid.phase[site]];
+            if (!(p[i] > full)) continue;
             if (!(body->grid.flags[site] & SITE_OWNED) || damage->spent[site] > 0) continue;
-            damage->spent[site] = 1;
-            found++;
+            add_found(damage, (struct found){-1, site, p[i] / full - 1, 1});
         }
     }
-    return found;
 }
 
 static double break_spent(struct damage *damage)
@@ -233,28 +274,68 @@ static double break_spent(struct damage *damage)
     return broken;
 }
 
+/* How many are at least so far beyond their limits. */
+static double count_beyond(const struct damage *damage, double excess)
+{
+    double count = 0;
+    for (int64_t n = 0; n < damage->n_found; n++)
+        count += damage->found[n].excess >= excess ? damage->found[n].count : 0;
+    ranks_sum(&count, 1);
+    return count;
+}
+
 bool damage_find(struct damage *damage)
 {
     const struct damage_rules *rules = &damage->rules;
     damage->n_found = 0;
     if (!rules->bonds && !rules->nodes) return false;
-    double counts[2] = {rules->bonds ? test_bonds(damage) : 0,
-                        rules->nodes ? find_spent(damage) : 0};
-    ranks_sum(counts, 2);
-    damage->broken += counts[0];
-    damage->spending = counts[1] > 0;
-    return counts[0] + counts[1] > 0;
+    if (rules->bonds) test_bonds(damage);
+    if (rules->nodes) find_spent(damage);
+    return count_beyond(damage, -1) > 0;
+}
+
+void damage_choose(struct damage *damage, double most)
+{
+    double low = INFINITY, high = 0;
+    if (count_beyond(damage, -1) <= most) return;
+    for (int64_t n = 0; n < damage->n_found; n++) {
+        low = fmin(low, damage->found[n].excess);
+        high = fmin(high, -damage->found[n].excess);
+    }
+    ranks_minimum(&low, 1);
+    ranks_minimum(&high, 1);
+    high = -high;
+    /* Those at low or beyond are enough, those at high or beyond are too few or the last of one value. */
+    for (int halving = 0; halving < 60 && low < high; halving++) {
+        const double middle = 0.5 * (low + high);
+        *(count_beyond(damage, middle) >= most ? &low : &high) = middle;
+    }
+    int64_t kept = 0;
+    for (int64_t n = 0; n < damage->n_found; n++)
+        if (damage->found[n].excess >= low) damage->found[kept++] = damage->found[n];
+    damage->n_found = kept;
 }
 
 void damage_break(struct damage *damage)
 {
-    for (int64_t n = 0; n < damage->n_found; n++)
-        broken_add(damage->body, damage->bonds, &damage->bonds->strips[damage->found[n].strip],
-                   damage->found[n].bond);
-    if (damage->spending) {
+    double counts[2] = {0, 0}; /* bonds, nodes */
+    for (int64_t n = 0; n < damage->n_found; n++) {
+        const struct found *found = &damage->found[n];
+        counts[found->strip < 0] += found->count;
+        if (found->strip < 0)
+            damage->spent[found->place] = 1;
+        else
+            broken_add(damage->body, damage->bonds, &damage->bonds->strips[found->strip],
+                       (int)found->place);
+    }
+    damage->n_found = 0;
+    ranks_sum(counts, 2);
+    if (counts[1] > 0) {
         double broken = break_spent(damage);
         ranks_sum(&broken, 1);
-        damage->broken += broken;
+        counts[0] += broken;
     }
+    damage->broken += counts[0];
+    damage->removed += counts[1];
     broken_shapes(damage->body, damage->see.model->formulation == &formulation_correspondence);
 }

@@ -2,12 +2,14 @@
  *
  * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the
  * configuration that a step has led to: what the body holds less after they have broken is the energy of
- * fracture.  To add a law: one file, one line in the table of damage_rules.c. */
+ * fracture.  Of nodes, also what their stress loses before that (ductile.c).  To add a law: one file, one line in the
+ * table of damage_rules.c. */
 #ifndef HS_DAMAGE_H
 #define HS_DAMAGE_H
 
 #include "bonds.h"
 #include "deck.h"
+#include "integrity.h"
 #include "model.h"
 
 #include <stdbool.h>
@@ -22,11 +24,13 @@ struct damage_view {
 
 struct damage_law {
     const char *name;
-    const char *unit; /* of its value */
-    double most;      /* largest value */
+    const char *unit; /* of a law of bonds: of its value, and the largest one */
+    double most;
+    /* Of nodes: reads the plastic strains beyond which one degrades, INFINITY for never, and at which it is gone; NULL:
+     * a law of bonds. */
+    void (*read_range)(struct deck_node entry, double spacing, double range[2]);
     /* Of bonds: how far [m] the ends of each bond of a strip may still move apart before it breaks, below 0
-     * where it has to break now, 0 where only a test can tell.  NULL: a law of nodes, whose bonds all break
-     * once their equivalent plastic strain is beyond the value. */
+     * where it has to break now, 0 where only a test can tell. */
     void (*room)(const struct damage_view *see, const struct bond_strip *strip,
                  const struct bond_view *bond, const double *value, double *room);
     /* The value that a fracture energy [J/m^2] stands for, at bonds between two phases; dies where the
@@ -37,16 +41,20 @@ struct damage_law {
     void (*check)(const struct damage_view *see, struct deck_node where);
 };
 
-extern const struct damage_law damage_critical_stretch, damage_bond_energy, damage_plastic_strain;
+extern const struct damage_law damage_critical_stretch, damage_bond_energy, damage_plastic_strain,
+    damage_ductile;
 
 /* The deck's section, read for the phases of the domain. */
 struct damage_rules {
     int n_phases;
     const struct damage_law *
-        *law;               /* [n_phases^2] of the bonds of each pair, NULL: they never break */
-    double *value;          /* [n_phases^2] */
-    double *plastic_strain; /* [n_phases] of nodes, or INFINITY */
-    bool bonds, nodes;      /* whether there is any rule of either kind */
+        *law;      /* [n_phases^2] of the bonds of each pair, NULL: they never break */
+    double *value; /* [n_phases^2] */
+    double *onset,
+        *full; /* [n_phases] plastic strains beyond which a node degrades, and is gone, or INFINITY */
+    enum combination *integrity; /* [n_phases^2] of the bonds between two phases */
+    bool bonds, nodes;           /* whether there is any rule of either kind */
+    bool degrading;              /* whether some of the nodes' do so by degrees */
 };
 
 /* section.index may be 0: nothing breaks. */
@@ -62,16 +70,28 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
                           struct bonds *bonds);
 void damage_free(struct damage *damage);
 
-/* Finds what has to break at the body's u and plastic strain: whether there is anything anywhere.  Then it is
- * to be broken, and the force found again.  Collective, both. */
+/* Finds what has to break at the body's u and plastic strain: whether there is anything anywhere.  It does so when
+ * it is broken; then the force is to be found again.  Collective, both. */
 bool damage_find(struct damage *damage);
 void damage_break(struct damage *damage);
+
+/* Between the two: of what has been found only the worst are left, that many, with all that are as bad as the last
+ * one (symmetric bodies stay so).  Collective. */
+void damage_choose(struct damage *damage, double most);
+
+/* Moves the integrity of the nodes (integrity.h) on to what their committed plastic strain makes of it: the
+ * largest change anywhere.  To be called once a state has been accepted, and nowhere else: forces in between
+ * are those of damage that stands still.  Collective. */
+double damage_grow(struct damage *damage);
 
 /* Bonds of the whole body broken so far, without those that cracks cut. */
 double damage_broken_bonds(const struct damage *damage);
 
+/* Nodes of the whole body that laws of nodes have removed. */
+double damage_removed_nodes(const struct damage *damage);
+
 /* index[site] = 1 - (volume of the family still bonded)/(volume of the family) at owned nodes, cuts by cracks
- * included. */
+ * included, or 1 - integrity where that is more. */
 void damage_index(const struct damage *damage, double *index);
 
 /* For tests: no strip of bonds is passed over. */

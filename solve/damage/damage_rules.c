@@ -7,29 +7,11 @@
 #include <stdlib.h>
 
 static const struct damage_law *const table[] = {&damage_critical_stretch, &damage_bond_energy,
-                                                 &damage_plastic_strain};
+                                                 &damage_plastic_strain, &damage_ductile};
 enum { LAWS = sizeof table / sizeof *table };
 
 /* How the bonds between two phases get their value from those within each. */
-static double smaller(double a, double b)
-{
-    return fmin(a, b);
-}
-static double larger(double a, double b)
-{
-    return fmax(a, b);
-}
-static double mean(double a, double b)
-{
-    return 0.5 * (a + b);
-}
-static double harmonic(double a, double b)
-{
-    return 2 * a * b / (a + b);
-}
-static const char *const combinations[] = {"min", "max", "mean", "harmonic"};
-static double (*const combine[])(double, double) = {smaller, larger, mean, harmonic};
-enum { COMBINATIONS = sizeof combine / sizeof *combine };
+static const char *const combinations[COMBINATIONS] = {"min", "max", "mean", "harmonic"};
 
 static int read_phase(struct deck_node node, const struct materials *materials)
 {
@@ -56,6 +38,8 @@ static const struct damage_law *read_law(struct deck_node entry, const struct da
     for (int k = 0; k < LAWS; k++) names[k] = table[k]->name;
     struct deck_node node = deck_get(entry, "law");
     const struct damage_law *law = table[deck_choice(node, names, LAWS)];
+    if (law->read_range && !see->materials->formulation->plastic_strain)
+        deck_error(node, "%s materials have no plastic strain", see->materials->formulation->name);
     if (law->check) law->check(see, node);
     return law;
 }
@@ -74,19 +58,22 @@ static double read_value(struct deck_node entry, const struct damage_law *law,
 static void read_node_law(struct damage_rules *rules, struct deck_node entry,
                           const struct damage_view *see)
 {
-    deck_keys(entry, (const char *const[]){"phase", "law", "value", NULL});
+    double range[2];
     const int phase = read_phase(deck_get(entry, "phase"), see->materials);
     const struct damage_law *law = read_law(entry, see);
-    if (law->room)
+    if (!law->read_range)
         deck_error(deck_get(entry, "law"), "%s is a law of bonds: it goes with 'pair: [A, B]'",
                    law->name);
     if (!see->materials->items[phase].yields)
         deck_error(deck_get(entry, "phase"), "phase '%s' does not yield",
                    see->materials->items[phase].name);
-    if (isfinite(rules->plastic_strain[phase]))
+    if (isfinite(rules->full[phase]))
         deck_error(entry, "phase '%s' is named twice", see->materials->items[phase].name);
-    rules->plastic_strain[phase] = deck_number(deck_get(entry, "value"), law->unit, 0, law->most);
+    law->read_range(entry, see->body->lattice->spacing, range);
+    rules->onset[phase] = range[0];
+    rules->full[phase] = range[1];
     rules->nodes = true;
+    rules->degrading |= isfinite(range[0]);
 }
 
 static void read_bond_law(struct damage_rules *rules, struct deck_node entry,
@@ -101,12 +88,20 @@ static void read_bond_law(struct damage_rules *rules, struct deck_node entry,
     if (deck_has(entry, "rule")) return;
     deck_keys(entry, (const char *const[]){"pair", "law", "value", "fracture_energy", NULL});
     const struct damage_law *law = read_law(entry, see);
-    if (!law->room)
+    if (law->read_range)
         deck_error(deck_get(entry, "law"), "%s is a law of nodes: it goes with 'phase: NAME'",
                    law->name);
     rules->law[a * n + b] = rules->law[b * n + a] = law;
     rules->value[a * n + b] = rules->value[b * n + a] = read_value(entry, law, see, a, b);
     rules->bonds = true;
+}
+
+/* Whether bonds between two phases have an integrity of their own that a rule may be for. */
+static bool bonds_degrade(const struct damage_rules *rules, const struct damage_view *see, int a,
+                          int b)
+{
+    return see->materials->formulation == &formulation_correspondence &&
+           (isfinite(rules->onset[a]) || isfinite(rules->onset[b]));
 }
 
 /* Entries with a rule come after all those with a law, wherever they stand. */
@@ -123,10 +118,15 @@ static void read_rule(struct damage_rules *rules, struct deck_node entry,
     if (a == b) deck_error(entry, "a rule is for two different phases, not '%s' twice", first);
     if (rules->law[a * n + b])
         deck_error(entry, "the pair '%s', '%s' is named twice", first, second);
+    if (bonds_degrade(rules, see, a, b)) {
+        rules->integrity[a * n + b] = rules->integrity[b * n + a] = (enum combination)chosen;
+        if (!of_a || of_a != of_b) return;
+    }
     if (!of_a || of_a != of_b)
         deck_error(entry, "a rule needs the pairs [%s, %s] and [%s, %s] with the same law", first,
                    first, second, second);
-    const double value = combine[chosen](rules->value[a * n + a], rules->value[b * n + b]);
+    const double value =
+        combine((enum combination)chosen, rules->value[a * n + a], rules->value[b * n + b]);
     rules->law[a * n + b] = rules->law[b * n + a] = of_a;
     rules->value[a * n + b] = rules->value[b * n + a] = value;
 }
@@ -148,8 +148,8 @@ static void tell_weak(const struct damage_rules *rules, const struct materials *
     if (materials->formulation == &formulation_correspondence && !rules->nodes)
         warn("damage: broken bonds alone hardly unload a correspondence material, since the "
              "families "
-             "left take over; '%s' does",
-             damage_plastic_strain.name);
+             "left take over; '%s' or '%s' does",
+             damage_ductile.name, damage_plastic_strain.name);
 }
 
 struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see)
@@ -158,8 +158,10 @@ struct damage_rules damage_rules_read(struct deck_node section, const struct dam
     struct damage_rules rules = {.n_phases = n};
     rules.law = memory_new((size_t)(n * n), sizeof *rules.law);
     rules.value = memory_new((size_t)(n * n), sizeof *rules.value);
-    rules.plastic_strain = memory_new((size_t)n, sizeof *rules.plastic_strain);
-    for (int p = 0; p < n; p++) rules.plastic_strain[p] = INFINITY;
+    rules.onset = memory_new((size_t)n, sizeof *rules.onset);
+    rules.full = memory_new((size_t)n, sizeof *rules.full);
+    rules.integrity = memory_new((size_t)(n * n), sizeof *rules.integrity); /* of the smaller */
+    for (int p = 0; p < n; p++) rules.onset[p] = rules.full[p] = INFINITY;
     if (section.index == 0) return rules;
     if (!deck_is_list(section)) deck_error(section, "damage is a list of laws");
     for (int i = 0; i < deck_count(section); i++) {
@@ -182,6 +184,8 @@ void damage_rules_free(struct damage_rules *rules)
 {
     free(rules->law);
     free(rules->value);
-    free(rules->plastic_strain);
+    free(rules->onset);
+    free(rules->full);
+    free(rules->integrity);
     *rules = (struct damage_rules){0};
 }

@@ -1,15 +1,17 @@
 /* plastic_strain.c - (plastic_strain.1): all bonds of a node break once its equivalent plastic strain is beyond a value. */
 #include "damage.h"
 
-static void check(const struct damage_view *see, struct deck_node where)
+#include <math.h>
+
+static void read_range(struct deck_node entry, double spacing, double range[2])
 {
-    if (!see->materials->formulation->plastic_strain)
-        deck_error(where, "%s materials have no plastic strain", see->materials->formulation->name);
+    (void)spacing;
+    deck_keys(entry, (const char *const[]){"phase", "law", "value", NULL});
+    range[0] = INFINITY;
+    range[1] = deck_number(deck_get(entry, "value"), "1", 0, 100);
 }
 
 const struct damage_law damage_plastic_strain = {
     .name = "plastic_strain",
-    .unit = "1",
-    .most = 100,
-    .check = check,
+    .read_range = read_range,
 };

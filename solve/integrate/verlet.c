@@ -108,6 +108,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
                       (struct force_mode){.commit = true, .energy = energies, .axial = axial},
                       &energy);
     break_bonds(integration, body, model, axial, energies, &energy);
+    if (integration->damage) damage_grow(integration->damage);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     half_kick(integration, body);
     if (integration->damping > 0)

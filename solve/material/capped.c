@@ -7,12 +7,14 @@
  *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
  *   beyond it the slip takes the excess but 2 %: zeta += Fbar^-1 (excess)
  *
- * The slip is kept in the reference configuration, so that it turns with the material.
+ * Where nodes degrade, tau and the energy are multiplied by the integrity that the ends give the bond (integrity.h);
+ * the cap is that of the sound material.  The slip is kept in the reference configuration, so that it turns with the material.
  *
  * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
  * it does not act as a strain-gradient stiffness in plastic flow. */
 #include "broken.h"
+#include "integrity.h"
 #include "j2.h"
 #include "memory.h"
 #include "stabilisation.h"
@@ -25,8 +27,9 @@ enum { STATE = 4 };
 struct capped {
     double stiffness, cap; /* G, C */
     const struct materials *materials;
-    double shape;  /* kappa_0 in lattice units */
-    double *state; /* strip by strip: zeta [m], then the energy lost so far [J/m^3] */
+    double shape;   /* kappa_0 in lattice units */
+    double *state;  /* strip by strip: zeta [m], then the energy lost so far [J/m^3] */
+    double *before; /* integrity at the last commit; NULL: no node degrades */
 };
 
 static const char *const keys[] = {"stiffness", "cap", NULL};
@@ -63,7 +66,11 @@ static void capped_start(void *self, const struct body *body, const struct strip
         if (body->lattice->dimensions == 2 && offset->step[2] != 0) continue;
         c->shape += 2 * offset->weight * offset->step[0] * offset->step[0];
     }
-    c->state = memory_new((size_t)body->bonds->points * STATE, sizeof *c->state);
+    const size_t points = (size_t)body->bonds->points;
+    c->state = memory_new(points * STATE, sizeof *c->state);
+    if (!body->integrity) return;
+    c->before = memory_new(points, sizeof *c->before);
+    for (size_t k = 0; k < points; k++) c->before[k] = 1;
 }
 
 static double capped_node_share(const void *self)
@@ -245,6 +252,27 @@ static void add_to_end(const struct springs *s, struct body *body, const struct 
     }
 }
 
+static void degrade(struct springs *s, const double *left)
+{
+    for (int k = 0; k < s->count; k++) {
+        s->stiffness[k] *= left[k];
+        s->at_lower[k] *= left[k];
+        s->at_upper[k] *= left[k];
+    }
+}
+
+/* What degrading since the last commit has released, as (degradation.2); sound: stiffness without damage. */
+static void add_released(const struct springs *s, const double *sound, const double *left,
+                         double *before, double *lost)
+{
+    for (int k = 0; k < s->count; k++) {
+        const double square =
+            s->z[0][k] * s->z[0][k] + s->z[1][k] * s->z[1][k] + s->z[2][k] * s->z[2][k];
+        lost[k] += 0.5 * sound[k] * square * (before[k] - left[k]);
+        before[k] = left[k];
+    }
+}
+
 static void capped_energy(const struct body *body, const struct springs *s,
                           const struct bond_view *view, const double *lost,
                           struct force_energy *energy)
@@ -269,10 +297,15 @@ static void capped_add(void *self, struct body *body, const struct bond_strip *s
     double *const zeta[3] = {state, state + view.stride, state + 2 * view.stride};
     struct springs s = {.count = view.count};
     find_caps(c, &s, body, &view, flow);
+    double buffer[LANES], sound[LANES];
+    const double *left = integrity_of_bonds(body, &view, buffer);
+    memcpy(sound, s.stiffness, (size_t)s.count * sizeof *sound);
+    if (left) degrade(&s, left);
     find_z(&s, body, &view, zeta);
     int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
     add_to_end(&s, body, &view, false, zeta);
     add_to_end(&s, body, &view, true, zeta);
+    if (left && mode.commit) add_released(&s, sound, left, c->before + strip->store, lost);
     if (any && mode.commit) commit_slip(&s, body, &view, zeta);
     if (mode.energy) capped_energy(body, &s, &view, lost, energy);
 }
@@ -281,6 +314,7 @@ static void capped_free(void *self)
 {
     struct capped *c = self;
     free(c->state);
+    free(c->before);
     free(c);
 }
 

@@ -8,8 +8,10 @@
  * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
  * deformation gradient carries no stress and keeps its plastic state. */
 #include "broken.h"
+#include "degradation.h"
 #include "die.h"
 #include "gradient.h"
+#include "integrity.h"
 #include "j2.h"
 #include "memory.h"
 #include "model.h"
@@ -38,8 +40,9 @@ struct correspondence {
     const struct strips *nodes; /* body->owned or body->near */
     int64_t n_tasks, n_sites;
     struct task *tasks;
-    double *state; /* of the nodes, strip by strip */
-    double *flow;  /* [n_sites] flow stress, where the stabilisation wants it */
+    double *state;       /* of the nodes, strip by strip */
+    double *degradation; /* their records; NULL: none degrades */
+    double *flow;        /* [n_sites] flow stress, where the stabilisation wants it */
 };
 
 static int compare_tasks(const void *a, const void *b)
@@ -124,6 +127,7 @@ static void correspondence_start(void *self, const struct body *body, struct bon
     model->near_nodes = model->stabilisation->add_family != NULL;
     model->nodes = model->near_nodes ? &body->near : &body->owned;
     model->state = j2_state_new(model->nodes);
+    if (body->integrity) model->degradation = degradation_new(model->nodes);
     if (model->near_nodes) {
         model->flow = memory_new((size_t)model->n_sites, sizeof(double));
         model->stabilisation->start(model->self, body, NULL);
@@ -138,6 +142,7 @@ static void correspondence_free(void *self)
     model->stabilisation->free(model->self);
     free(model->tasks);
     free(model->state);
+    free(model->degradation);
     free(model->flow);
     free(model);
 }
@@ -170,6 +175,15 @@ static void load_nodes(const struct correspondence *model, const struct body *bo
     }
 }
 
+static void update_nodes(struct correspondence *model, const struct body *body,
+                         const struct strip *strip, struct j2_mode mode, struct j2_strip *j2)
+{
+    double *record = model->degradation ? model->degradation + DEGRADATION * strip->store : NULL;
+    degradation_update(j2, model->state + J2_STATE * strip->store, strip->stride,
+                       model->materials->curves.table, mode,
+                       integrity_of_nodes(body, strip->site, strip->count), record);
+}
+
 static void correspondence_prepare(void *self, struct body *body, double *axial)
 {
     (void)self, (void)body, (void)axial; /* the force has filled it, with the share of the bonds */
@@ -181,8 +195,7 @@ static void correspondence_observe(void *self, const struct body *body, const st
     struct correspondence *model = self;
     struct j2_strip j2;
     load_nodes(model, body, strip, &j2);
-    j2_update(&j2, model->state + J2_STATE * strip->store, strip->stride,
-              model->materials->curves.table, (struct j2_mode){.frozen = true});
+    update_nodes(model, body, strip, (struct j2_mode){.frozen = true}, &j2);
     j2_cauchy(&j2, node->cauchy);
     const size_t bytes = (size_t)strip->count * sizeof(double);
     node->count = strip->count;
@@ -203,8 +216,7 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     const int64_t site = strip->site;
     struct j2_strip j2;
     load_nodes(model, body, strip, &j2);
-    j2_update(&j2, model->state + J2_STATE * strip->store, strip->stride, all->curves.table,
-              (struct j2_mode){mode.commit, mode.frozen, mode.energy});
+    update_nodes(model, body, strip, (struct j2_mode){mode.commit, mode.frozen, mode.energy}, &j2);
     const size_t bytes = (size_t)strip->count * sizeof(double);
     for (int k = 0; k < TENSOR; k++)
         write_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);

@@ -12,9 +12,12 @@
  * the material.  A uniform uniaxial stress stays exact at free surfaces for any weights g that depend
  * on the section alone, since both sums of the virtual work cancel by translation along the bar.
  *
- * A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
+ * Where nodes degrade a bond does, too, its stress being multiplied by the integrity that its ends give it
+ * (integrity.h).  A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
  * its plastic state; the weights g stay those of the whole body, so that no other bond gains energy. */
 #include "broken.h"
+#include "degradation.h"
+#include "integrity.h"
 #include "j2.h"
 #include "memory.h"
 #include "stabilisation.h"
@@ -25,9 +28,10 @@
 struct mix {
     double share; /* a */
     const struct materials *materials;
-    int number[3];       /* of each axis among the half offsets */
-    double *share_of[3]; /* g_ib of either bond of the site along each axis (box field) */
-    double *state[3];    /* of the bonds along each axis, strip by strip */
+    int number[3];          /* of each axis among the half offsets */
+    double *share_of[3];    /* g_ib of either bond of the site along each axis (box field) */
+    double *state[3];       /* of the bonds along each axis, strip by strip */
+    double *degradation[3]; /* their records; NULL: none degrades */
 };
 
 static const struct offset axes[3] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, 1}, 1}};
@@ -75,6 +79,7 @@ static void mix_start(void *self, const struct body *body, const struct strips b
         mix->number[a] = family_number(body->family, axes[a].step);
         mix->share_of[a] = memory_new(sites, sizeof(double));
         mix->state[a] = j2_state_new(&bonds[a]);
+        if (body->integrity) mix->degradation[a] = degradation_new(&bonds[a]);
     }
     find_shares(mix, body);
 }
@@ -201,8 +206,12 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     const int n_off = find_off(mix, body, axis, strip, j, off);
     find_shift(body, i, j, &j2);
     for (int k = 0; k < n_off; k++) j2_switch_off(&j2, off[k]);
-    j2_update(&j2, mix->state[axis] + J2_STATE * strip->store, strip->stride,
-              materials->curves.table, (struct j2_mode){mode.commit, mode.frozen, mode.energy});
+    const struct bond_view ends = {.count = count, .i = i, .j = j};
+    double left[LANES], *record = mix->degradation[axis];
+    degradation_update(
+        &j2, mix->state[axis] + J2_STATE * strip->store, strip->stride, materials->curves.table,
+        (struct j2_mode){mode.commit, mode.frozen, mode.energy},
+        integrity_of_bonds(body, &ends, left), record ? record + DEGRADATION * strip->store : NULL);
 
     const double *gi = mix->share_of[axis] + i, *gj = mix->share_of[axis] + j;
     for (int k = 0; k < count; k++) beta[k] = gi[k] + gj[k];
@@ -228,6 +237,7 @@ static void mix_free(void *self)
     for (int a = 0; a < 3; a++) {
         free(mix->share_of[a]);
         free(mix->state[a]);
+        free(mix->degradation[a]);
     }
     free(mix);
 }

@@ -2,6 +2,7 @@
 #include "ordinary.h"
 
 #include "gradient.h"
+#include "integrity.h"
 #include "memory.h"
 #include "opening.h"
 
@@ -298,8 +299,10 @@ static void settle_flow(struct ordinary *model, const struct body *body)
     double *const *node = model->node;
     for (int64_t i = 0; i < body->grid.n_sites; i++) {
         if (!(node[NODE_FLOW][i] > 0)) continue;
-        node[NODE_PULL][i] -= model->distortion[i] * node[NODE_FLOW][i] * node[NODE_CENTRE][i];
-        node[NODE_SPRING][i] = model->distortion[i];
+        const double left = body->integrity ? body->integrity->node[i] : 1,
+                     spring = left * model->distortion[i];
+        node[NODE_PULL][i] -= spring * node[NODE_FLOW][i] * node[NODE_CENTRE][i];
+        node[NODE_SPRING][i] = spring;
         node[NODE_FLOW][i] = 0;
     }
 }

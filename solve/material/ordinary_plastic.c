@@ -13,7 +13,9 @@
  * incremental potential, of which the force is the gradient in a broken family, too.
  *
  * The sum of squares needs no pass of its own: sum w (q - c |xi|)^2 V = sum w q^2 V - c sum w |xi| q V. */
+#include "degradation.h"
 #include "flow_curve.h"
+#include "integrity.h"
 #include "memory.h"
 #include "ordinary.h"
 #include "radial_return.h"
@@ -22,16 +24,23 @@
 #include <stdlib.h>
 
 struct ordinary_plastic {
-    double *strain; /* p, a box field */
-    double **store; /* [strips of bonds] e^p, or NULL */
+    double *strain;      /* p, a box field */
+    double *degradation; /* records of all sites; NULL: no node degrades */
+    double **store;      /* [strips of bonds] e^p, or NULL */
     int64_t count;
 };
 
 struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model)
 {
     struct ordinary_plastic *plastic = memory_new(1, sizeof *plastic);
+    const struct body *body = model->bonds->body;
+    const size_t sites = (size_t)body->grid.n_sites;
     plastic->count = model->bonds->count;
-    plastic->strain = memory_new((size_t)model->bonds->body->grid.n_sites, sizeof(double));
+    plastic->strain = memory_new(sites, sizeof(double));
+    if (body->integrity) {
+        plastic->degradation = memory_new(DEGRADATION * sites, sizeof(double));
+        for (size_t i = 0; i < sites; i++) plastic->degradation[i] = 1; /* LAST_INTEGRITY */
+    }
     plastic->store = memory_new((size_t)plastic->count, sizeof *plastic->store);
     return plastic;
 }
@@ -41,6 +50,7 @@ void ordinary_plastic_free(struct ordinary_plastic *plastic)
     for (int64_t s = 0; s < plastic->count; s++) free(plastic->store[s]);
     free(plastic->store);
     free(plastic->strain);
+    free(plastic->degradation);
     free(plastic);
 }
 
@@ -120,12 +130,11 @@ HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
     }
 }
 
-static void add_energy(const struct ordinary *model, const struct body *body,
-                       const struct strip *strip, const struct strip_state *s,
-                       struct force_energy *energy)
+/* Stored energy and plastic work of sound nodes, per volume. */
+static void find_energy(const struct ordinary *model, const struct strip *strip,
+                        const struct strip_state *s, double *stored, double *plastic)
 {
     const double *table = model->materials->curves.table;
-    double stored[LANES], plastic[LANES];
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
         const double along = model->sum[SUM_EXTENSION][i] - model->sum[SUM_PLASTIC][i],
@@ -135,6 +144,31 @@ static void add_energy(const struct ordinary *model, const struct body *body,
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
         plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
     }
+}
+
+/* Degrades what write_nodes and find_energy have found: (degradation.1) with the force states for P. */
+static void degrade(struct ordinary *model, const struct strip *strip, const struct strip_state *s,
+                    const double *left, bool commit, double *stored, double *plastic)
+{
+    const double *table = model->materials->curves.table;
+    const int64_t i = strip->site, stride = model->bonds->body->grid.n_sites;
+    double work[LANES], *record = model->plastic->degradation + i;
+    for (int k = 0; k < strip->count; k++) {
+        const double p = model->plastic->strain[i + k];
+        work[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
+    }
+    if (commit) degradation_book(strip->count, left, work, plastic, stored, record, stride);
+    for (int k = 0; k < strip->count; k++) {
+        model->node[NODE_PULL][i + k] *= left[k];
+        model->node[NODE_SPRING][i + k] *= left[k];
+        stored[k] *= left[k];
+        plastic[k] -= record[k + WITHHELD * stride];
+    }
+}
+
+static void add_energy(const struct body *body, const struct strip *strip, double *stored,
+                       double *plastic, struct force_energy *energy)
+{
     body_times_volume(body, strip->site, strip->count, stored);
     body_times_volume(body, strip->site, strip->count, plastic);
     exact_sum_add_strip(&energy->stored, strip->count, stored, 1);
@@ -163,8 +197,13 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
     write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
                 sum[SUM_EXTENSION] + i, sum[SUM_PLASTIC] + i, &s, node[NODE_PULL] + i,
                 node[NODE_SPRING] + i, node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
-    if (energy) add_energy(model, body, strip, &s, energy);
-    if (mode.commit && !mode.frozen)
+    double stored[LANES], plastic[LANES];
+    const double *left = integrity_of_nodes(body, i, strip->count);
+    const bool commit = mode.commit && !mode.frozen;
+    if (energy || left) find_energy(model, strip, &s, stored, plastic);
+    if (left) degrade(model, strip, &s, left, commit, stored, plastic);
+    if (energy) add_energy(body, strip, stored, plastic, energy);
+    if (commit)
         for (int k = 0; k < strip->count; k++) p[k] += s.grown[k];
 }
 

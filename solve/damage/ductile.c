@@ -1,0 +1,31 @@
+/* ductile.c - the stress of a node is degraded by its equivalent plastic strain, until the node is removed.
+ *
+ *   D = min((p - p_c)/(p_f - p_c), 1) beyond p_c, 0 before                               (ductile.1)
+ *   p_f = onset + (full - onset) length/dx,  p_c = onset                                  (ductile.2)
+ *
+ * The stress is (1 - D) times that of the sound material, which flows on (degradation.h); beyond p_f all bonds of the
+ * node break.  D is that of the state committed last, so that it stands still while a force is evaluated, an
+ * equilibrium sought.  Without a length p_f is full.  Strain that softens gathers in a band as wide as the
+ * lattice can resolve, some spacings; with (ductile.2) what the band takes up between p_c and p_f, width times
+ * strain, and so the energy to open it, does not depend on the spacing: the crack band of Bazant, Oh, Mater.
+ * Constr. 16 (1983) 155, applied to the plastic strain.  D linear in p: Lemaitre, J. Eng. Mater. Technol. 107 (1985)
+ * 83, for constant triaxiality. */
+#include "damage.h"
+
+static void read_range(struct deck_node entry, double spacing, double range[2])
+{
+    deck_keys(entry, (const char *const[]){"phase", "law", "onset", "full", "length", NULL});
+    struct deck_node full = deck_get(entry, "full");
+    range[0] = deck_number(deck_get(entry, "onset"), "1", 0, 100);
+    range[1] = deck_number(full, "1", 0, 100);
+    if (!(range[1] > range[0]))
+        deck_error(full, "%g: the node has to be gone beyond 'onset' (%g)", range[1], range[0]);
+    if (!deck_has(entry, "length")) return;
+    range[1] = range[0] + (range[1] - range[0]) *
+                              deck_length(deck_get(entry, "length"), spacing, 1e-12, 1e3) / spacing;
+}
+
+const struct damage_law damage_ductile = {
+    .name = "ductile",
+    .read_range = read_range,
+};
