@@ -27,7 +27,9 @@ static void read_start(struct scene *scene, struct deck_node solver)
     "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
         "end_strain", "end_time", "end_steps", "start", "energy_tolerance"
 #define EXPLICIT_KEYS "safety", "damping"
-#define STATIC_KEYS   "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations"
+#define STATIC_KEYS                                                                                \
+    "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations",              \
+        "break_at_once"
 static const char *const explicit_keys[] = {COMMON_KEYS, EXPLICIT_KEYS, "ramp", NULL};
 static const char *const static_keys[] = {COMMON_KEYS, STATIC_KEYS, NULL};
 static const char *const hybrid_keys[] = {
@@ -106,6 +108,10 @@ static void read_static(struct scene *scene, struct deck_node solver)
     if (deck_has(solver, "most_evaluations"))
         statics->most_evaluations =
             deck_integer(deck_get(solver, "most_evaluations"), 10, 1000000000);
+    statics->break_at_once = 10;
+    if (deck_has(solver, "break_at_once"))
+        statics->break_at_once =
+            (double)deck_integer(deck_get(solver, "break_at_once"), 1, 1000000000);
     if (deck_has(solver, "method"))
         statics->method =
             deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);

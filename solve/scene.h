@@ -18,6 +18,7 @@ struct scene_static {
     double first_step, largest_step, smallest_step;
     double tolerance; /* of the residual */
     int64_t most_evaluations;
+    double break_at_once; /* bonds and nodes, the worst ones */
 };
 
 /* When a hybrid solver goes over to explicit steps, beside where no equilibrium is found; and back. */

@@ -24,7 +24,8 @@ static const char *event(struct simulation *s)
     const struct scene_hybrid *hybrid = &s->scene.hybrid;
     const double now = load(s);
     s->highest_load = fmax(s->highest_load, now);
-    if (hybrid->at_damage && damage_find(s->damage)) return "something breaks";
+    if (hybrid->at_damage && (damage_grow(s->damage) > 0 || damage_find(s->damage)))
+        return "something breaks";
     if (hybrid->at_maximum && now < (1 - 1e-4) * s->highest_load) return "the load falls";
     if (s->strain >= hybrid->strain) return "the strain is reached";
     return NULL;
@@ -107,9 +108,12 @@ static void hybrid_advance(struct simulation *s)
         return;
     }
     const char *reason = event(s);
-    if (!reason) return;
-    find_rate(s);
-    begin_explicit(s, reason);
+    if (reason) {
+        find_rate(s);
+        begin_explicit(s, reason);
+    } else {
+        simulation_settle(s);
+    }
 }
 
 const struct course course_hybrid = {.advance = hybrid_advance};

@@ -50,6 +50,7 @@ struct simulation {
         checked_deformation;          /* as of the last record, and of the last critical step */
     double n_bonds, checked_broken;   /* bonds at the start; broken as of the last critical step */
     double drift;                     /* of the energy balance when it was last looked at */
+    bool framing;                     /* the load step ends at a frame */
     double quiet_since, quiet_broken; /* since when the motion is small; bonds broken by then */
     double highest_load;              /* of the grips so far, N */
     double disturbed; /* time at which the body was last known not to be at equilibrium, s */
@@ -65,6 +66,9 @@ void simulation_start_static(struct simulation *simulation);
 
 /* A load step with its record; false where there is no equilibrium, and all is as before. */
 bool simulation_load(struct simulation *simulation);
+
+/* What follows such a step: damage, frame, stepped loads. */
+void simulation_settle(struct simulation *simulation);
 
 /* The stable step from here on [s], or where nothing acts on anything the one before. */
 void simulation_find_step(struct simulation *simulation);

@@ -22,30 +22,62 @@ void simulation_start_static(struct simulation *s)
                          simulation_load_step(s, statics->smallest_step));
 }
 
-/* Leaves the step in vain where there is no equilibrium. */
+static char *no_equilibrium(const struct simulation *s, const char *what)
+{
+    return memory_print(
+        "no equilibrium %s, at t = %.4g s, gauge strain %.4g, after %lld load steps "
+        "(residual %.2g, tolerance %g)",
+        what, s->integration.time, s->strain, (long long)s->integration.step,
+        equilibrium_residual(s->equilibrium), s->equilibrium->tolerance);
+}
+
+/* Nothing has changed where there is no equilibrium. */
 bool simulation_load(struct simulation *s)
 {
     struct integration *integration = &s->integration;
     if (s->scene.end_time > 0)
         integration->dt = fmin(integration->dt, s->end_time - integration->time);
-    const bool framing = simulation_frame_due(s);
+    s->framing = simulation_frame_due(s);
     memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
     if (!quasi_static_step(s->quasi_static, s->axial)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
-    if (framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
-    loads_raise(&s->boundary.loads, integration->step, true);
     return true;
+}
+
+/* The step was too long where a node lost more than a tenth of its integrity in it. */
+static void shorten_step(struct simulation *s, double degradation)
+{
+    enum { MOST_PARTS = 10 };
+    double *dt = &s->integration.dt;
+    if (degradation * MOST_PARTS > 1) *dt = fmax(0.5 * *dt, s->quasi_static->smallest);
+}
+
+void simulation_settle(struct simulation *s)
+{
+    struct quasi_static_damage damage = {.most = s->scene.statics.break_at_once};
+    if (!quasi_static_break(s->quasi_static, &damage, s->axial)) {
+        s->failure = no_equilibrium(s, "after something broke");
+        return;
+    }
+    shorten_step(s, damage.degradation);
+    if (damage.rounds > 0) {
+        /* A force with the integrities of the step before is no point of the curve; one at which bonds
+         * break is. */
+        if (damage.degradation > 0) recorder_forget(&s->recorder);
+        s->drift = energy_drift(&s->integration.balance);
+        simulation_record(s);
+    }
+    if (s->framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
+    loads_raise(&s->boundary.loads, s->integration.step, true);
 }
 
 static void static_advance(struct simulation *s)
 {
-    if (simulation_load(s)) return;
-    s->failure =
-        memory_print("no equilibrium with the smallest step, at t = %.4g s after %lld load "
-                     "steps (residual %.2g, tolerance %g)",
-                     s->integration.time, (long long)s->integration.step,
-                     equilibrium_residual(s->equilibrium), s->equilibrium->tolerance);
+    if (simulation_load(s))
+        simulation_settle(s);
+    else
+        s->failure = no_equilibrium(s, "with the smallest step");
 }
 
 const struct course course_static = {.advance = static_advance};

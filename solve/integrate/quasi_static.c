@@ -10,6 +10,9 @@
 /* Evaluations below which the next step grows. */
 enum { EASY = 200 };
 
+/* Change of a node's integrity that needs no new equilibrium. */
+static const double SETTLED = 1e-3;
+
 static bool work_depends_on_place(const struct boundary *boundary)
 {
     bool depends = boundary->loads.count > 0;
@@ -183,11 +186,29 @@ double quasi_static_settle(struct quasi_static *q, double *axial)
     struct equilibrium *e = q->equilibrium;
     const double before = energy_internal(&e->integration->balance);
     vector_take(&e->unknowns, e->body->u, 1, e->x);
-    vector_scale(&e->unknowns, 0, q->rate);
     if (!equilibrium_solve(e)) return INFINITY;
     const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
     struct force_energy energy = commit(e, axial);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
     balance_step(e->integration, e->body, e->boundary, &energy, &none);
     return before - energy_internal(&e->integration->balance);
+}
+
+bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *record, double *axial)
+{
+    struct integration *integration = q->equilibrium->integration;
+    struct damage *damage = integration->damage;
+    for (record->rounds = 0;; record->rounds++) {
+        const double change = damage_grow(damage);
+        const bool breaking = damage_find(damage);
+        if (record->rounds == 0) record->degradation = change;
+        if (!breaking && change < SETTLED) return true;
+        if (breaking) {
+            damage_choose(damage, record->most);
+            damage_break(damage);
+        }
+        const double lost = quasi_static_settle(q, axial);
+        if (!isfinite(lost)) return false;
+        if (breaking) integration->balance.fracture += lost;
+    }
 }

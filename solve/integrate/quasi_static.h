@@ -31,7 +31,18 @@ bool quasi_static_step(struct quasi_static *quasi_static, double *axial);
 void quasi_static_velocities(const struct quasi_static *quasi_static);
 
 /* The body comes to rest where it is held now: what it loses is returned, J; INFINITY where no equilibrium is
- * found.  The next step starts without a guess.  Collective. */
+ * found.  Collective. */
 double quasi_static_settle(struct quasi_static *quasi_static, double *axial);
+
+/* Damage catches up with an accepted state while the held components stand still: nodes degrade, the worst `most`
+ * of what has to break does so, the body comes to rest again, until nothing changes.  What it loses by
+ * broken bonds counts as fracture, the rest is booked by the material.  False where no equilibrium is found. */
+struct quasi_static_damage {
+    double most;        /* bonds and nodes at once */
+    int64_t rounds;     /* equilibria it took */
+    double degradation; /* largest change of a node's integrity in the first round */
+};
+bool quasi_static_break(struct quasi_static *quasi_static, struct quasi_static_damage *damage,
+                        double *axial);
 
 #endif

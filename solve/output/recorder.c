@@ -115,6 +115,11 @@ static double *new_record(struct recorder *recorder, double time)
     return history->values + (size_t)history->n_records++ * columns;
 }
 
+void recorder_forget(struct recorder *recorder)
+{
+    if (recorder->history.n_records > 0) recorder->history.n_records--;
+}
+
 /* Nodes without a deformation gradient: from the start, or since their bonds broke. */
 static double body_unsupported(const struct body *body)
 {

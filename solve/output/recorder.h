@@ -28,4 +28,7 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      const struct boundary *boundary, struct model *model, struct body *body,
                      double *axial);
 
+/* Takes the last record back. */
+void recorder_forget(struct recorder *recorder);
+
 #endif
