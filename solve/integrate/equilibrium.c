@@ -136,7 +136,8 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
 
 double equilibrium_residual(const struct equilibrium *e)
 {
-    return e->norm > 0 ? e->norm / e->reference : e->norm;
+    const double reference = fmax(e->reference, 0.01 * e->largest);
+    return e->norm > 0 ? e->norm / reference : e->norm;
 }
 
 bool equilibrium_reached(const struct equilibrium *e)
@@ -157,5 +158,7 @@ bool equilibrium_solve(struct equilibrium *e)
     e->evaluations = 0;
     e->loads = norm_of_loads(e);
     equilibrium_evaluate(e, e->x, e->g);
-    return equilibrium_reached(e) || e->method->solve(e->self, e);
+    if (!equilibrium_reached(e) && !e->method->solve(e->self, e)) return false;
+    e->largest = fmax(e->largest, e->reference);
+    return true;
 }

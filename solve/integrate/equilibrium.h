@@ -3,6 +3,9 @@
  *   g(u) = - (f(u) + b) V / mean V = 0 at the free components                          (equilibrium.1)
  *   residual = |g_free| / (|g_held|^2 + |b_free|^2)^1/2                                (equilibrium.2)
  *
+ * What a falling body still carries is no measure of its forces: the denominator of (equilibrium.2) is at least a
+ * hundredth of the largest one so far.
+ *
  * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
  * grow.  To add a method: one file, one line in the table of equilibrium.c. */
 #ifndef HS_EQUILIBRIUM_H
@@ -38,6 +41,7 @@ struct equilibrium {
     struct members held;         /* nodes with held components */
     double *x, *g;               /* m, N/m^3 */
     double norm, reference;      /* of g; of (equilibrium.2) */
+    double largest;              /* reference at any equilibrium so far */
     double loads;                /* |b_free| */
     int64_t evaluations;         /* of this solution so far */
 };
