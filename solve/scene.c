@@ -104,7 +104,10 @@ static void read_static(struct scene *scene, struct deck_node solver)
         deck_error(deck_get(solver, "smallest_step"), "%g is over the first step, %g",
                    statics->smallest_step, statics->first_step);
     statics->tolerance = number_or(solver, "tolerance", "1", 1e-10, 1e-2, 1e-6);
-    statics->most_evaluations = 2000;
+    if (deck_has(solver, "method"))
+        statics->method =
+            deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
+    statics->most_evaluations = equilibrium_usual_evaluations(statics->method);
     if (deck_has(solver, "most_evaluations"))
         statics->most_evaluations =
             deck_integer(deck_get(solver, "most_evaluations"), 10, 1000000000);
@@ -112,9 +115,6 @@ static void read_static(struct scene *scene, struct deck_node solver)
     if (deck_has(solver, "break_at_once"))
         statics->break_at_once =
             (double)deck_integer(deck_get(solver, "break_at_once"), 1, 1000000000);
-    if (deck_has(solver, "method"))
-        statics->method =
-            deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
 }
 
 static void read_hybrid(struct scene *scene, struct deck_node solver)

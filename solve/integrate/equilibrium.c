@@ -1,13 +1,15 @@
 #include "equilibrium.h"
 
 #include "memory.h"
+#include "stable_step.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const struct equilibrium_method *const table[] = {&equilibrium_lbfgs};
-const char *const equilibrium_methods[] = {"lbfgs"};
+static const struct equilibrium_method *const table[] = {&equilibrium_lbfgs, &equilibrium_newton,
+                                                         &equilibrium_relaxation};
+const char *const equilibrium_methods[] = {"lbfgs", "newton", "relaxation"};
 const int equilibrium_method_count = sizeof table / sizeof *table;
 
 static int most_common_phase(const struct lattice *lattice)
@@ -30,6 +32,30 @@ static struct members held_nodes(const struct body *body, const struct boundary 
     return held;
 }
 
+int64_t equilibrium_usual_evaluations(int method)
+{
+    return table[method]->usual_evaluations;
+}
+
+/* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only softens. */
+static double *bound_new(const struct equilibrium *e, const struct materials *materials)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const struct body *body = e->body;
+    const double dt = stable_step(e->model, e->body, materials), scale = 1.2 / (dt * dt);
+    double *bound = vector_new(unknowns);
+    int64_t node = 0;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++, node++) {
+            const int64_t site = body->owned.items[s].site + i;
+            const double density = materials->items[body->grid.phase[site]].density;
+            for (int a = 0; a < 3; a++)
+                bound[a * unknowns->n_nodes + node] =
+                    scale * density * (body_volume(body, site) / body->volume);
+        }
+    return bound;
+}
+
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials)
@@ -41,12 +67,14 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     e->model = model;
     e->method = table[method];
     e->tolerance = 1e-6;
-    e->most_evaluations = 1000;
+    e->most_evaluations = e->method->usual_evaluations;
     e->unknowns = unknowns_new(body, boundary);
     e->held = held_nodes(body, boundary);
     e->x = vector_new(&e->unknowns);
     e->g = vector_new(&e->unknowns);
-    if (!body->lattice->point[0]) {
+    const bool scattered = body->lattice->point[0] != NULL;
+    if (scattered || e->method->needs_bound) e->bound = bound_new(e, materials);
+    if (!scattered) {
         e->symbol = symbol_new(solver, body->family, materials, body->lattice,
                                most_common_phase(body->lattice));
         e->transform = transform_new(&e->unknowns, &e->symbol);
@@ -63,6 +91,7 @@ void equilibrium_free(struct equilibrium *e)
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
+    free(e->bound);
     free(e->x);
     free(e->g);
     free(e);
@@ -150,7 +179,7 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
     if (e->transform)
         transform_apply(e->transform, g, z);
     else
-        memcpy(z, g, (size_t)e->unknowns.length * sizeof *z);
+        for (int64_t i = 0; i < e->unknowns.length; i++) z[i] = g[i] / e->bound[i];
 }
 
 bool equilibrium_solve(struct equilibrium *e)
