@@ -72,13 +72,11 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     e->held = held_nodes(body, boundary);
     e->x = vector_new(&e->unknowns);
     e->g = vector_new(&e->unknowns);
-    const bool scattered = body->lattice->point[0] != NULL;
-    if (scattered || e->method->needs_bound) e->bound = bound_new(e, materials);
-    if (!scattered) {
-        e->symbol = symbol_new(solver, body->family, materials, body->lattice,
-                               most_common_phase(body->lattice));
-        e->transform = transform_new(&e->unknowns, &e->symbol);
-    }
+    e->symbol = symbol_new(solver, body->family, materials, body->lattice,
+                           most_common_phase(body->lattice));
+    e->transform = transform_new(&e->unknowns, &e->symbol);
+    if (transform_is_crowded(e->transform) || e->method->needs_bound)
+        e->bound = bound_new(e, materials);
     e->self = e->method->start(e);
     return e;
 }
@@ -87,7 +85,7 @@ void equilibrium_free(struct equilibrium *e)
 {
     if (!e) return;
     e->method->free(e->self);
-    if (e->transform) transform_free(e->transform);
+    transform_free(e->transform);
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
@@ -176,10 +174,8 @@ bool equilibrium_reached(const struct equilibrium *e)
 
 void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 {
-    if (e->transform)
-        transform_apply(e->transform, g, z);
-    else
-        for (int64_t i = 0; i < e->unknowns.length; i++) z[i] = g[i] / e->bound[i];
+    transform_apply(e->transform, g, z);
+    for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
 }
 
 bool equilibrium_solve(struct equilibrium *e)

@@ -41,14 +41,14 @@ struct equilibrium {
     int64_t most_evaluations; /* of one solution */
     struct unknowns unknowns;
     struct symbol symbol;
-    struct transform *transform; /* NULL: particles that lie on no lattice */
-    double *bound;               /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
-    struct members held;         /* nodes with held components */
-    double *x, *g;               /* m, N/m^3 */
-    double norm, reference;      /* of g; of (equilibrium.2) */
-    double largest;              /* reference at any equilibrium so far */
-    double loads;                /* |b_free| */
-    int64_t evaluations;         /* of this solution so far */
+    struct transform *transform;
+    double *bound;          /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
+    struct members held;    /* nodes with held components */
+    double *x, *g;          /* m, N/m^3 */
+    double norm, reference; /* of g; of (equilibrium.2) */
+    double largest;         /* reference at any equilibrium so far */
+    double loads;           /* |b_free| */
+    int64_t evaluations;    /* of this solution so far */
 };
 
 /* The method of that number in equilibrium_methods.  Collective. */
@@ -68,7 +68,7 @@ double equilibrium_residual(const struct equilibrium *equilibrium);
 
 /* For methods: g at x, and its norm; sets the reference.  Collective, both. */
 double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
-/* z = M^-1 g: with waves, or, off the lattice, by (equilibrium.3). */
+/* z = M^-1 g (transform.h), and what (equilibrium.3) gives where particles share a site. */
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
