@@ -72,20 +72,21 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     e->held = held_nodes(body, boundary);
     e->x = vector_new(&e->unknowns);
     e->g = vector_new(&e->unknowns);
-    e->symbol = symbol_new(solver, body->family, materials, body->lattice,
-                           most_common_phase(body->lattice));
-    e->transform = transform_new(&e->unknowns, &e->symbol);
-    if (transform_is_crowded(e->transform) || e->method->needs_bound)
-        e->bound = bound_new(e, materials);
-    e->self = e->method->start(e);
+    if (e->method->preconditions) {
+        e->symbol = symbol_new(solver, body->family, materials, body->lattice,
+                               most_common_phase(body->lattice));
+        e->transform = transform_new(&e->unknowns, &e->symbol);
+    }
+    if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
     return e;
 }
 
 void equilibrium_free(struct equilibrium *e)
 {
     if (!e) return;
-    e->method->free(e->self);
-    transform_free(e->transform);
+    if (e->self) e->method->free(e->self);
+    if (e->next) e->method->next->free(e->next);
+    if (e->transform) transform_free(e->transform);
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
@@ -178,12 +179,22 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
     for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
 }
 
+static bool solve_by(struct equilibrium *e, const struct equilibrium_method *method, void **self)
+{
+    if (!method) return false;
+    if (!*self) *self = method->start(e);
+    e->last = e->evaluations + e->most_evaluations;
+    return method->solve(*self, e);
+}
+
 bool equilibrium_solve(struct equilibrium *e)
 {
     e->evaluations = 0;
     e->loads = norm_of_loads(e);
     equilibrium_evaluate(e, e->x, e->g);
-    if (!equilibrium_reached(e) && !e->method->solve(e->self, e)) return false;
+    if (!equilibrium_reached(e) && !solve_by(e, e->method, &e->self) &&
+        !solve_by(e, e->method->next, &e->next))
+        return false;
     e->largest = fmax(e->largest, e->reference);
     return true;
 }

@@ -22,7 +22,8 @@ struct equilibrium;
 struct equilibrium_method {
     const char *name;
     int64_t usual_evaluations; /* at most, of one solution, where nobody says another number */
-    bool needs_bound;
+    bool preconditions;        /* else it takes equilibrium->bound */
+    const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
     void *(*start)(const struct equilibrium *equilibrium);
     /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance (true), or no
      * more evaluations are left, or the motion goes astray.  The force is then that of x. */
@@ -36,19 +37,20 @@ struct equilibrium {
     struct boundary *boundary;
     struct model *model;
     const struct equilibrium_method *method;
-    void *self;
+    void *self, *next; /* of the method and the next; NULL: not needed so far */
     double tolerance;
-    int64_t most_evaluations; /* of one solution */
+    int64_t most_evaluations; /* of one method for one solution */
     struct unknowns unknowns;
     struct symbol symbol;
-    struct transform *transform;
-    double *bound;          /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
-    struct members held;    /* nodes with held components */
-    double *x, *g;          /* m, N/m^3 */
-    double norm, reference; /* of g; of (equilibrium.2) */
-    double largest;         /* reference at any equilibrium so far */
-    double loads;           /* |b_free| */
-    int64_t evaluations;    /* of this solution so far */
+    struct transform *transform; /* NULL: the method does not precondition */
+    double *bound;               /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
+    struct members held;         /* nodes with held components */
+    double *x, *g;               /* m, N/m^3 */
+    double norm, reference;      /* of g; of (equilibrium.2) */
+    double largest;              /* reference at any equilibrium so far */
+    double loads;                /* |b_free| */
+    int64_t evaluations;         /* of this solution so far */
+    int64_t last;                /* evaluation at which a method gives up */
 };
 
 /* The method of that number in equilibrium_methods.  Collective. */

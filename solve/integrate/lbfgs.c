@@ -133,7 +133,7 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
     self->count = 0;
     equilibrium_precondition(e, e->g, self->w);
     while (!equilibrium_reached(e)) {
-        if (e->evaluations >= e->most_evaluations || !isfinite(e->norm)) return false;
+        if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         if (self->count == MEMORY) drop_oldest(self);
         double *d = self->s[self->count], *y = self->y;
         direction(self, e, d);
@@ -177,6 +177,8 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
 const struct equilibrium_method equilibrium_lbfgs = {
     .name = "lbfgs",
     .usual_evaluations = 2000,
+    .preconditions = true,
+    .next = &equilibrium_newton,
     .start = lbfgs_start,
     .solve = lbfgs_solve,
     .free = lbfgs_free,

@@ -70,7 +70,7 @@ static void find_direction(struct newton *self, struct equilibrium *e)
     equilibrium_precondition(e, self->r, self->z);
     memcpy(self->p, self->z, bytes);
     double rz = vector_product(unknowns, self->r, self->z);
-    for (int k = 0; e->evaluations < e->most_evaluations; k++) {
+    for (int k = 0; e->evaluations < e->last; k++) {
         multiply(self, e);
         const double stiffness = vector_product(unknowns, self->p, self->Kp);
         if (!(stiffness > 0)) {
@@ -107,7 +107,7 @@ static bool newton_solve(void *object, struct equilibrium *e)
 {
     struct newton *self = object;
     while (!equilibrium_reached(e)) {
-        if (e->evaluations >= e->most_evaluations || !isfinite(e->norm)) return false;
+        if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         find_direction(self, e);
         if (!go(self, e)) return false;
     }
@@ -117,6 +117,7 @@ static bool newton_solve(void *object, struct equilibrium *e)
 const struct equilibrium_method equilibrium_newton = {
     .name = "newton",
     .usual_evaluations = 2000,
+    .preconditions = true,
     .start = newton_start,
     .solve = newton_solve,
     .free = newton_free,

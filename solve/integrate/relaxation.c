@@ -55,7 +55,7 @@ static bool relaxation_solve(void *object, struct equilibrium *e)
     bool at_rest = true;
     double c = 0;
     while (!equilibrium_reached(e)) {
-        if (e->evaluations >= e->most_evaluations || !isfinite(e->norm)) return false;
+        if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         for (int64_t i = 0; i < length; i++) {
             const double pull = e->g[i] / (self->heavier * e->bound[i]);
             self->v[i] = at_rest ? -0.5 * pull : ((2 - c) * self->v[i] - 2 * pull) / (2 + c);
@@ -75,7 +75,6 @@ static bool relaxation_solve(void *object, struct equilibrium *e)
 const struct equilibrium_method equilibrium_relaxation = {
     .name = "relaxation",
     .usual_evaluations = 20000,
-    .needs_bound = true,
     .start = relaxation_start,
     .solve = relaxation_solve,
     .free = relaxation_free,
