@@ -79,6 +79,9 @@ bool simulation_frame_due(const struct simulation *simulation);
 bool simulation_is_end(const struct simulation *simulation, int64_t step, double time);
 bool simulation_at_end(const struct simulation *simulation);
 
+/* Mean of the forces of both grips, N; 0 without grips. */
+double simulation_grip_load(const struct simulation *simulation);
+
 void simulation_record(struct simulation *simulation);
 void simulation_write_frame(struct simulation *simulation);
 
