@@ -12,6 +12,8 @@
  * 83, for constant triaxiality. */
 #include "damage.h"
 
+#include <math.h>
+
 static void read_range(struct deck_node entry, double spacing, double range[2])
 {
     deck_keys(entry, (const char *const[]){"phase", "law", "onset", "full", "length", NULL});
@@ -21,8 +23,8 @@ static void read_range(struct deck_node entry, double spacing, double range[2])
     if (!(range[1] > range[0]))
         deck_error(full, "%g: the node has to be gone beyond 'onset' (%g)", range[1], range[0]);
     if (!deck_has(entry, "length")) return;
-    range[1] = range[0] + (range[1] - range[0]) *
-                              deck_length(deck_get(entry, "length"), spacing, 1e-12, 1e3) / spacing;
+    const double length = deck_length(deck_get(entry, "length"), spacing, 1e-12, 1e3);
+    range[1] = log(exp(range[0]) + (exp(range[1]) - exp(range[0])) * length / spacing);
 }
 
 const struct damage_law damage_ductile = {
