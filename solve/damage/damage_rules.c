@@ -72,6 +72,7 @@ static void read_node_law(struct damage_rules *rules, struct deck_node entry,
     law->read_range(entry, see->body->lattice->spacing, range);
     rules->onset[phase] = range[0];
     rules->full[phase] = range[1];
+    rules->least = fmin(rules->least, fmin(range[0], range[1]));
     rules->nodes = true;
     rules->degrading |= isfinite(range[0]);
 }
@@ -155,7 +156,7 @@ static void tell_weak(const struct damage_rules *rules, const struct materials *
 struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see)
 {
     const int n = see->materials->count;
-    struct damage_rules rules = {.n_phases = n};
+    struct damage_rules rules = {.n_phases = n, .least = INFINITY};
     rules.law = memory_new((size_t)(n * n), sizeof *rules.law);
     rules.value = memory_new((size_t)(n * n), sizeof *rules.value);
     rules.onset = memory_new((size_t)n, sizeof *rules.onset);
