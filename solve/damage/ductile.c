@@ -12,6 +12,7 @@
  * stretch of a band in uniaxial flow: with (ductile.2) the band lengthens between p_c and p_f by the same at any
  * spacing, as the crack band of Bazant, Oh, Mater. Constr. 16 (1983) 155, whose softening is scaled by its width. */
 #include "damage.h"
+#include "die.h"
 
 #include <math.h>
 
@@ -26,6 +27,8 @@ static void read_range(struct deck_node entry, double spacing, double range[2])
     if (!deck_has(entry, "length")) return;
     const double length = deck_length(deck_get(entry, "length"), spacing, 1e-12, 1e3);
     range[1] = log(exp(range[0]) + (exp(range[1]) - exp(range[0])) * length / spacing);
+    note("damage: nodes of '%s' are removed at a plastic strain of %.4g",
+         deck_string(deck_get(entry, "phase")), range[1]);
 }
 
 const struct damage_law damage_ductile = {
