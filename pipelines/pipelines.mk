@@ -16,6 +16,7 @@
 #   make crack                 a crack in glass that runs and branches: its speed
 #   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
 #   make thesis-boundary       four ways to hold a plate: which are asymmetric
+#   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
@@ -25,7 +26,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary
+.PHONY: errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -238,3 +239,20 @@ $(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nod
 	{ echo variant,mean_percent,most_percent,mean_von_mises_MPa,asymmetry_x_percent,asymmetry_y_percent,asymmetry_turned_percent; \
 	for name in $(HOLDS); do awk -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
 	awk -f pipelines/thesis-boundary/check.awk $@
+
+# Bars that part: phase, m/s of a grip, spacing in um, and whether the interval of damage is scaled by a length.
+PARTING := $(foreach m,cg ufg,$(foreach v,25 5,$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(v)-$(s)-$(k)))))
+fracture-spacing: $(RESULTS)/fracture-spacing/table.csv $(RESULTS)/fracture-spacing/figure.svg
+parting_ufg = $(if $(filter ufg,$(1)),-e 's/phase: CG/phase: UFG/' -e 's/onset: 0.4$(comma) full: 0.6/onset: 0.15$(comma) full: 0.3/' -e 's/end_strain: 0.55/end_strain: 0.14/')
+parting_vary = -e 's/^title: .*/title: $*/' $(call parting_ufg,$(1)) -e 's/25 m.s/$(word 2,$(1)) m\/s/' \
+	-e 's/spacing: 25 um/spacing: $(subst 16.7,16.6666666667,$(word 3,$(1))) um/' $(if $(filter local,$(1)),-e 's/$(comma) length: 25 um//')
+$(PARTING:%=$(RESULTS)/fracture-spacing/%/study.yaml): $(RESULTS)/fracture-spacing/%/study.yaml: pipelines/fracture-spacing/study.yaml
+	$(call VARY,$(call parting_vary,$(subst -, ,$*)))
+$(RESULTS)/fracture-spacing/%/columns.csv: $(RESULTS)/fracture-spacing/%/study.yaml | all
+	hsgen $< | hssolve -j $(RANKS) 2> >(tee $(@D)/hssolve.log >&2) | hspost --columns > $@
+$(RESULTS)/fracture-spacing/table.csv: $(PARTING:%=$(RESULTS)/fracture-spacing/%/columns.csv) $(wildcard pipelines/fracture-spacing/*.awk)
+	{ echo phase,velocity_m_per_s,spacing_um,damage,peak_MPa,first_damage_strain,fracture_strain,opening_um,dissipated_mJ,dissipated_after_peak_mJ,damaged_um,removed_nodes,drift; \
+	for name in $(PARTING); do awk -v name=$$name -f pipelines/fracture-spacing/measure.awk $(@D)/$$name/columns.csv; done; } > $@
+	awk -f pipelines/fracture-spacing/check.awk $@
+$(RESULTS)/fracture-spacing/figure.svg: $(RESULTS)/fracture-spacing/table.csv pipelines/fracture-spacing/figure.gp
+	gnuplot -c pipelines/fracture-spacing/figure.gp $(@D) $@
