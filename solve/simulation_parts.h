@@ -53,6 +53,7 @@ struct simulation {
     bool framing;                     /* the load step ends at a frame */
     double quiet_since, quiet_broken; /* since when the motion is small; bonds broken by then */
     double highest_load;              /* of the grips so far, N */
+    bool fallen;      /* as of the last record the body is broken and carries next to nothing */
     double disturbed; /* time at which the body was last known not to be at equilibrium, s */
     int64_t n_steps;  /* expected */
     double wall;      /* s */

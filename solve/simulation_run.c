@@ -75,7 +75,9 @@ double simulation_grip_load(const struct simulation *s)
 
 void simulation_record(struct simulation *s)
 {
-    s->highest_load = fmax(s->highest_load, simulation_grip_load(s));
+    const double load = simulation_grip_load(s);
+    s->highest_load = fmax(s->highest_load, load);
+    s->fallen = damage_broken_bonds(s->damage) > 0 && load < s->scene.end_load * s->highest_load;
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
                               s->model, &s->body, s->axial);
     s->deformation = s->gauge ? s->strain : mean_deformation(s);
@@ -104,16 +106,9 @@ bool simulation_is_end(const struct simulation *s, int64_t step, double time)
     return time >= 4 * s->end_time;
 }
 
-/* Whether the body is broken and carries next to nothing. */
-static bool has_fallen(const struct simulation *s)
-{
-    return s->scene.end_load > 0 && damage_broken_bonds(s->damage) > 0 &&
-           simulation_grip_load(s) < s->scene.end_load * s->highest_load;
-}
-
 bool simulation_at_end(const struct simulation *s)
 {
-    return has_fallen(s) || (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
+    return s->fallen || (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
            simulation_is_end(s, s->integration.step, s->integration.time);
 }
 
@@ -141,7 +136,7 @@ const char *simulation_run(struct simulation *s)
         progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
     }
-    if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !has_fallen(s))
+    if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !s->fallen)
         s->failure =
             memory_print("gauge strain %.4f of %.4f after four times the steps expected: the "
                          "specimen deforms outside of the gauge",
