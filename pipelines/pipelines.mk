@@ -16,6 +16,7 @@
 #   make crack                 a crack in glass that runs and branches: its speed
 #   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
 #   make thesis-boundary       four ways to hold a plate: which are asymmetric
+#   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
@@ -25,7 +26,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary
+.PHONY: necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -238,3 +239,95 @@ $(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nod
 	{ echo variant,mean_percent,most_percent,mean_von_mises_MPa,asymmetry_x_percent,asymmetry_y_percent,asymmetry_turned_percent; \
 	for name in $(HOLDS); do awk -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
 	awk -f pipelines/thesis-boundary/check.awk $@
+
+# Bars that part: phase, m/s of a grip, spacing in um, and whether the interval of damage is scaled by a length.
+PARTING := $(foreach m,cg ufg,$(foreach v,25 5,$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(v)-$(s)-$(k)))))
+fracture-spacing: $(RESULTS)/fracture-spacing/table.csv $(RESULTS)/fracture-spacing/figure.svg
+parting_ufg = $(if $(filter ufg,$(1)),-e 's/phase: CG/phase: UFG/' -e 's/onset: 0.4$(comma) full: 0.6/onset: 0.15$(comma) full: 0.3/' -e 's/end_strain: 0.55/end_strain: 0.14/')
+parting_vary = -e 's/^title: .*/title: $*/' $(call parting_ufg,$(1)) -e 's/25 m.s/$(word 2,$(1)) m\/s/' \
+	-e 's/spacing: 25 um/spacing: $(subst 16.7,16.6666666667,$(word 3,$(1))) um/' $(if $(filter local,$(1)),-e 's/$(comma) length: 25 um//')
+$(PARTING:%=$(RESULTS)/fracture-spacing/%/study.yaml): $(RESULTS)/fracture-spacing/%/study.yaml: pipelines/fracture-spacing/study.yaml
+	$(call VARY,$(call parting_vary,$(subst -, ,$*)))
+$(RESULTS)/fracture-spacing/%/columns.csv: $(RESULTS)/fracture-spacing/%/study.yaml | all
+	hsgen $< | hssolve -j $(RANKS) 2> >(tee $(@D)/hssolve.log >&2) | hspost --columns > $@
+$(RESULTS)/fracture-spacing/table.csv: $(PARTING:%=$(RESULTS)/fracture-spacing/%/columns.csv) $(wildcard pipelines/fracture-spacing/*.awk)
+	{ echo phase,velocity_m_per_s,spacing_um,damage,peak_MPa,first_damage_strain,fracture_strain,opening_um,dissipated_mJ,dissipated_after_peak_mJ,damaged_um,removed_nodes,drift; \
+	for name in $(PARTING); do awk -v name=$$name -f pipelines/fracture-spacing/measure.awk $(@D)/$$name/columns.csv; done; } > $@
+	awk -f pipelines/fracture-spacing/check.awk $@
+$(RESULTS)/fracture-spacing/figure.svg: $(RESULTS)/fracture-spacing/table.csv pipelines/fracture-spacing/figure.gp
+	gnuplot -c pipelines/fracture-spacing/figure.gp $(@D) $@
+
+# Runs of which the history is all that counts.
+define HISTORY
+@mkdir -p $(@D)
+hsgen -q $< | hssolve -j $(RANKS) -H $@ 2> >(tee $(@D)/hssolve.log >&2)
+endef
+
+# Bars that neck: laws, horizons, spacings, the other stabilisation.
+NECKS := cg cg-16um cg-12um cg-horizon2 cg-horizon3 cg-capped ufg linear power
+necking: $(RESULTS)/necking/table.csv
+neck_fine = -e 's/spacing: .*/spacing: $(1)/'
+neck_law = -e 's/hardening: .*/hardening: {law: $(1)}/' -e 's/ step: .*/ step: $(2)/' -e 's/end_strain: .*/end_strain: $(3)/'
+neck_cg :=
+neck_cg-16um = $(call neck_fine,16.6666666666666667 um)
+neck_cg-12um = $(call neck_fine,12.5 um)
+neck_cg-horizon2 = -e 's/horizon: 1/horizon: 2/' -e 's/share: 0.1/share: 0.2/'
+neck_cg-horizon3 = -e 's/horizon: 1/horizon: 3/' -e 's/share: 0.1/share: 0.2/'
+neck_cg-capped = -e 's/law: mix, share: 0.1/law: capped/'
+neck_ufg = $(call neck_law,voce$(comma) yield: 1259.8 MPa$(comma) saturation: 564.5 MPa$(comma) rate: 238.5,0.001,0.05) -e 's/reduction: 0.01/reduction: 0.003/'
+neck_linear = $(call neck_law,linear$(comma) yield: 185 MPa$(comma) modulus: 898 MPa,0.02,1.4)
+neck_power = $(call neck_law,swift$(comma) yield: 300 MPa$(comma) strength: 4356 MPa$(comma) exponent: 0.302,0.01,0.5)
+exact_cg := -v law=voce -v a=182.1 -v b=513.0 -v c=5.320
+exact_ufg := -v law=voce -v a=1259.8 -v b=564.5 -v c=238.5
+exact_linear := -v law=linear -v a=185 -v b=898
+exact_power := -v law=swift -v a=300 -v b=4356 -v c=0.302
+$(NECKS:%=$(RESULTS)/necking/%/study.yaml): $(RESULTS)/necking/%/study.yaml: pipelines/necking/study.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' $(neck_$*))
+$(NECKS:%=$(RESULTS)/necking/%/history.e): %/history.e: %/study.yaml | all
+	$(HISTORY)
+$(NECKS:%=$(RESULTS)/necking/%/row.csv): $(RESULTS)/necking/%/row.csv: $(RESULTS)/necking/%/history.e pipelines/necking/measure.awk
+	hspost -q --columns $< | awk -v name=$* -v section=0.04 $(exact_$(firstword $(subst -, ,$*))) -f pipelines/necking/measure.awk > $@
+$(RESULTS)/necking/table.csv: $(NECKS:%=$(RESULTS)/necking/%/row.csv) pipelines/necking/check.awk
+	{ echo bar,largest_stress_MPa,strain_there,considere_MPa,considere_strain,stress_error_percent,strain_error_percent,end_strain,load_left,section_ratio,largest_plastic_strain,force_evaluations; \
+	cat $(filter %.csv,$^); } > $@
+	awk -f pipelines/necking/check.awk $@
+
+# CG, UFG, HS40 and R40 pulled apart.
+BREAKS := cg ufg hs40 r40
+fracture: $(RESULTS)/fracture/table.csv $(RESULTS)/fracture/figure.svg $(BREAKS:%=$(RESULTS)/fracture/%/broken.png)
+$(BREAKS:%=$(RESULTS)/fracture/%/study.yaml): $(RESULTS)/fracture/%/study.yaml: pipelines/fracture/%.yaml
+	@mkdir -p $(@D) && cp $< $@
+$(BREAKS:%=$(RESULTS)/fracture/%/fields.e): %/fields.e: %/study.yaml | all
+	$(FRAMES)
+$(BREAKS:%=$(RESULTS)/fracture/%/curve.csv): %/curve.csv: %/fields.e
+	hspost $(@D)/history.e -p $(@D)/properties.csv --plot $(@D)/curve.svg > $@
+$(BREAKS:%=$(RESULTS)/fracture/%/row.csv): $(RESULTS)/fracture/%/row.csv: $(RESULTS)/fracture/%/fields.e pipelines/fracture/measure.awk pipelines/fracture/starts.awk
+	hspost -q --columns $(@D)/history.e | awk -v name=$* -f pipelines/fracture/measure.awk > $(@D)/numbers.csv
+	for frame in $$(hspost --frames $< | awk -F, '/^[0-9]/ {print $$1}'); do hspost --frames $< --frame $$frame --csv --variables Damage,Phase; done \
+	| awk -f pipelines/fracture/starts.awk | paste -d, $(@D)/numbers.csv - > $@
+$(RESULTS)/fracture/table.csv: $(BREAKS:%=$(RESULTS)/fracture/%/row.csv) pipelines/fracture/check.awk
+	{ echo bar,Rm_MPa,strain_at_Rm,strain_broken,grip_strain_broken,work_MJ_per_m3,grips_apart_until_Rm_percent,grips_apart_percent,nodes_gone,energy_drift,forces_at_rest,forces_in_motion,first_gone,first_gone_x_mm,first_gone_ufg_share,first_degraded_phase; \
+	cat $(filter %.csv,$^); } > $@
+	awk -f pipelines/fracture/check.awk $@
+$(RESULTS)/fracture/figure.svg: $(BREAKS:%=$(RESULTS)/fracture/%/curve.csv) pipelines/fracture/figure.gp
+	gnuplot -c pipelines/fracture/figure.gp $(@D) $@
+$(RESULTS)/fracture/%/broken.png: $(RESULTS)/fracture/%/fields.e
+	hspost --frames $< --frame last --picture $@ --variables EquivalentPlasticStrain,Damage,Phase --slice z --deformed 1
+
+# The same plate by load steps, explicit steps, and both.
+SWITCHES := static-0.001 static-0.005 static-0.01 hybrid explicit-10 explicit-4 explicit-2
+solver-switch: $(RESULTS)/solver-switch/table.csv
+switch_static = -e 's/ step: .*/ step: $(1)/'
+switch_hybrid = -e 's/type: .*/type: hybrid\n  explicit_strain: 0.05/' -e 's/2 m.s/4 m\/s/'
+switch_explicit = -e 's/type: .*/type: explicit/' -e '/ step: /d' -e 's/2 m.s/$(1) m\/s/'
+$(SWITCHES:%=$(RESULTS)/solver-switch/%/study.yaml): $(RESULTS)/solver-switch/%/study.yaml: pipelines/solver-switch/study.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' $(call switch_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))))
+$(SWITCHES:%=$(RESULTS)/solver-switch/%/history.e): %/history.e: %/study.yaml | all
+	hsgen -q $< -o $(@D)/domain.g
+	{ time -p hssolve -i $(@D)/domain.g -H $@; } 2> $(@D)/time
+$(SWITCHES:%=$(RESULTS)/solver-switch/%/curve.csv): %/curve.csv: %/history.e
+	hspost -q $< > $@
+$(RESULTS)/solver-switch/table.csv: $(SWITCHES:%=$(RESULTS)/solver-switch/%/curve.csv) $(wildcard pipelines/solver-switch/*.awk)
+	{ echo run,mean_deviation_percent,largest_deviation_percent,at_half_a_percent,at_two_percent,force_evaluations,cpu_s; \
+	for name in $(SWITCHES); do awk -v name=$$name -f pipelines/solver-switch/measure.awk $(@D)/static-0.001/curve.csv $(@D)/$$name/curve.csv $(@D)/$$name/time; done; } > $@
+	awk -f pipelines/solver-switch/check.awk $@

@@ -25,7 +25,7 @@ static void read_start(struct scene *scene, struct deck_node solver)
 /* Keys of every solver, and those that only some have. */
 #define COMMON_KEYS                                                                                \
     "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
-        "end_strain", "end_time", "end_steps"
+        "end_strain", "end_time", "end_steps", "end_load"
 #define EXPLICIT_KEYS "safety", "damping", "energy_tolerance"
 #define STATIC_KEYS                                                                                \
     "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations",              \
@@ -75,6 +75,7 @@ static void read_end(struct scene *scene, struct deck_node solver)
         deck_error(solver, "give one of end_strain, end_time and end_steps");
     scene->end_strain = number_or(solver, "end_strain", "1", 1e-9, 10, 0);
     scene->end_time = number_or(solver, "end_time", "s", 1e-15, 1e12, 0);
+    scene->end_load = number_or(solver, "end_load", "1", 0, 1, 0);
     if (deck_has(solver, "end_steps"))
         scene->end_steps = deck_integer(deck_get(solver, "end_steps"), 1, 1000000000000);
 }

@@ -85,6 +85,7 @@ struct scene {
     struct scene_entry *boundary, *initial;
     double end_strain, end_time; /* s */
     int64_t end_steps;           /* one of the three; the others are 0 */
+    double end_load; /* share of the largest load below which a broken body ends the run; 0: none */
     double safety;
     enum scene_start start;
     double ramp;             /* s */

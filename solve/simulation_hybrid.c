@@ -11,22 +11,14 @@
 #include <math.h>
 #include <string.h>
 
-static double load(const struct simulation *s)
-{
-    if (!boundary_has_grips(&s->boundary)) return 0;
-    const struct boundary_set *sets = s->boundary.sets;
-    return 0.5 * (sets[s->boundary.right].total_force - sets[s->boundary.left].total_force);
-}
-
 /* What calls for explicit steps, or NULL. */
 static const char *event(struct simulation *s)
 {
     const struct scene_hybrid *hybrid = &s->scene.hybrid;
-    const double now = load(s);
-    s->highest_load = fmax(s->highest_load, now);
     if (hybrid->at_damage && (damage_grow(s->damage) > 0 || damage_find(s->damage)))
         return "something breaks";
-    if (hybrid->at_maximum && now < (1 - 1e-4) * s->highest_load) return "the load falls";
+    if (hybrid->at_maximum && simulation_grip_load(s) < (1 - 1e-4) * s->highest_load)
+        return "the load falls";
     if (s->strain >= hybrid->strain) return "the strain is reached";
     return NULL;
 }
@@ -90,7 +82,7 @@ static void begin_static(struct simulation *s)
     integration->balance.damping += lost;
     integration->dt = simulation_load_step(s, s->scene.statics.first_step);
     simulation_record(s);
-    s->highest_load = load(s);
+    s->highest_load = simulation_grip_load(s);
     if (s->ranks.rank == 0)
         note("load steps from strain %.4g, t = %.4g s, %.0f forces", s->strain, integration->time,
              (double)integration->evaluations);

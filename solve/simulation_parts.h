@@ -53,6 +53,7 @@ struct simulation {
     bool framing;                     /* the load step ends at a frame */
     double quiet_since, quiet_broken; /* since when the motion is small; bonds broken by then */
     double highest_load;              /* of the grips so far, N */
+    bool fallen;      /* as of the last record the body is broken and carries next to nothing */
     double disturbed; /* time at which the body was last known not to be at equilibrium, s */
     int64_t n_steps;  /* expected */
     double wall;      /* s */
@@ -78,6 +79,9 @@ bool simulation_frame_due(const struct simulation *simulation);
 /* Whether a number of steps, or a time, is the end; whether the run has come to it. */
 bool simulation_is_end(const struct simulation *simulation, int64_t step, double time);
 bool simulation_at_end(const struct simulation *simulation);
+
+/* Mean of the forces of both grips, N; 0 without grips. */
+double simulation_grip_load(const struct simulation *simulation);
 
 void simulation_record(struct simulation *simulation);
 void simulation_write_frame(struct simulation *simulation);

@@ -66,8 +66,18 @@ static double mean_deformation(const struct simulation *s)
     return sqrt(total / (double)s->lattice.n_nodes);
 }
 
+double simulation_grip_load(const struct simulation *s)
+{
+    if (!boundary_has_grips(&s->boundary)) return 0;
+    const struct boundary_set *sets = s->boundary.sets;
+    return 0.5 * (sets[s->boundary.right].total_force - sets[s->boundary.left].total_force);
+}
+
 void simulation_record(struct simulation *s)
 {
+    const double load = simulation_grip_load(s);
+    s->highest_load = fmax(s->highest_load, load);
+    s->fallen = damage_broken_bonds(s->damage) > 0 && load < s->scene.end_load * s->highest_load;
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
                               s->model, &s->body, s->axial);
     s->deformation = s->gauge ? s->strain : mean_deformation(s);
@@ -98,17 +108,14 @@ bool simulation_is_end(const struct simulation *s, int64_t step, double time)
 
 bool simulation_at_end(const struct simulation *s)
 {
-    return (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
+    return s->fallen || (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
            simulation_is_end(s, s->integration.step, s->integration.time);
 }
 
 static double gauge_stress(const struct simulation *s)
 {
-    if (!boundary_has_grips(&s->boundary)) return 0;
-    const struct boundary_set *sets = s->boundary.sets;
-    double force = 0.5 * (sets[s->boundary.right].total_force - sets[s->boundary.left].total_force);
     double section = attributes_number(&s->domain.attributes, "section_m2", 0);
-    return section > 0 ? force / section : 0;
+    return section > 0 ? simulation_grip_load(s) / section : 0;
 }
 
 static double share_done(const struct simulation *s)
@@ -129,7 +136,7 @@ const char *simulation_run(struct simulation *s)
         progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
     }
-    if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain)
+    if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !s->fallen)
         s->failure =
             memory_print("gauge strain %.4f of %.4f after four times the steps expected: the "
                          "specimen deforms outside of the gauge",

@@ -200,6 +200,13 @@ static void test_bonds(struct damage *damage)
         if (damage->travelled > damage->due[s] || damage->test_all) test_strip(damage, s);
 }
 
+HS_SIMD static int64_t any_beyond(int count, const double *restrict p, double limit)
+{
+    int64_t any = 0;
+    for (int i = 0; i < count; i++) any |= p[i] > limit;
+    return any;
+}
+
 /* The integrities of the nodes of a strip from p: minus the largest change. */
 static double degrade(struct damage *damage, const struct strip *strip, const double *p)
 {
@@ -228,7 +235,8 @@ double damage_grow(struct damage *damage)
     double change = 0;
     for (int64_t s = 0; s < strips->count; s++) {
         const double *p = model->formulation->plastic_strain(model->self, &strips->items[s]);
-        if (p) change = fmin(change, degrade(damage, &strips->items[s], p));
+        if (p && any_beyond(strips->items[s].count, p, damage->rules.least))
+            change = fmin(change, degrade(damage, &strips->items[s], p));
     }
     ranks_minimum(&change, 1);
     if (!(change < 0)) return 0;
@@ -246,7 +254,8 @@ static void find_spent(struct damage *damage)
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         const double *p = model->formulation->plastic_strain(model->self, strip);
-        for (int i = 0; p && i < strip->count; i++) {
+        if (!p || !any_beyond(strip->count, p, damage->rules.least)) continue;
+        for (int i = 0; i < strip->count; i++) {
             const int64_t site = strip->site + i;
             const double full = damage->rules.full[body->grid.phase[site]];
             if (!(p[i] > full)) continue;

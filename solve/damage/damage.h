@@ -50,8 +50,8 @@ struct damage_rules {
     const struct damage_law *
         *law;      /* [n_phases^2] of the bonds of each pair, NULL: they never break */
     double *value; /* [n_phases^2] */
-    double *onset,
-        *full; /* [n_phases] plastic strains beyond which a node degrades, and is gone, or INFINITY */
+    /* [n_phases] Plastic strains beyond which a node degrades, and is gone, or INFINITY; least: of all of them. */
+    double *onset, *full, least;
     enum combination *integrity; /* [n_phases^2] of the bonds between two phases */
     bool bonds, nodes;           /* whether there is any rule of either kind */
     bool degrading;              /* whether some of the nodes' do so by degrees */

@@ -72,6 +72,7 @@ static void read_node_law(struct damage_rules *rules, struct deck_node entry,
     law->read_range(entry, see->body->lattice->spacing, range);
     rules->onset[phase] = range[0];
     rules->full[phase] = range[1];
+    rules->least = fmin(rules->least, fmin(range[0], range[1]));
     rules->nodes = true;
     rules->degrading |= isfinite(range[0]);
 }
@@ -116,7 +117,7 @@ static void read_rule(struct damage_rules *rules, struct deck_node entry,
     const struct damage_law *of_a = rules->law[a * n + a], *of_b = rules->law[b * n + b];
     const int chosen = deck_choice(deck_get(entry, "rule"), combinations, COMBINATIONS);
     if (a == b) deck_error(entry, "a rule is for two different phases, not '%s' twice", first);
-    if (rules->law[a * n + b])
+    if (rules->law[a * n + b] || rules->integrity[a * n + b] != COMBINATIONS)
         deck_error(entry, "the pair '%s', '%s' is named twice", first, second);
     if (bonds_degrade(rules, see, a, b)) {
         rules->integrity[a * n + b] = rules->integrity[b * n + a] = (enum combination)chosen;
@@ -155,12 +156,13 @@ static void tell_weak(const struct damage_rules *rules, const struct materials *
 struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see)
 {
     const int n = see->materials->count;
-    struct damage_rules rules = {.n_phases = n};
+    struct damage_rules rules = {.n_phases = n, .least = INFINITY};
     rules.law = memory_new((size_t)(n * n), sizeof *rules.law);
     rules.value = memory_new((size_t)(n * n), sizeof *rules.value);
     rules.onset = memory_new((size_t)n, sizeof *rules.onset);
     rules.full = memory_new((size_t)n, sizeof *rules.full);
-    rules.integrity = memory_new((size_t)(n * n), sizeof *rules.integrity); /* of the smaller */
+    rules.integrity = memory_new((size_t)(n * n), sizeof *rules.integrity);
+    for (int k = 0; k < n * n; k++) rules.integrity[k] = COMBINATIONS; /* no rule */
     for (int p = 0; p < n; p++) rules.onset[p] = rules.full[p] = INFINITY;
     if (section.index == 0) return rules;
     if (!deck_is_list(section)) deck_error(section, "damage is a list of laws");
@@ -173,6 +175,8 @@ struct damage_rules damage_rules_read(struct deck_node section, const struct dam
     }
     for (int i = 0; i < deck_count(section); i++)
         if (deck_has(deck_item(section, i), "rule")) read_rule(&rules, deck_item(section, i), see);
+    for (int k = 0; k < n * n; k++)
+        if (rules.integrity[k] == COMBINATIONS) rules.integrity[k] = COMBINE_SMALLER;
     if (rules.bonds && see->body->ranks.rank == 0) {
         tell_unbroken(&rules, see->materials);
         tell_weak(&rules, see->materials);

@@ -188,7 +188,9 @@ double quasi_static_settle(struct quasi_static *q, double *axial)
     struct equilibrium *e = q->equilibrium;
     const double before = energy_internal(&e->integration->balance);
     vector_take(&e->unknowns, e->body->u, 1, e->x);
-    if (!equilibrium_solve(e)) return INFINITY;
+    /* There is no smaller step to take: more evaluations are all that helps, as long as they do. */
+    for (double residual = INFINITY; !equilibrium_solve(e); residual = equilibrium_residual(e))
+        if (!(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
     const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
     struct force_energy energy = commit(e, axial);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;

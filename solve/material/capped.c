@@ -7,8 +7,9 @@
  *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
  *   beyond it the slip takes the excess but 2 %: zeta += Fbar^-1 (excess)
  *
- * Where nodes degrade, tau and the energy are multiplied by the integrity that the ends give the bond (integrity.h);
- * the cap is that of the sound material.  The slip is kept in the reference configuration, so that it turns with the material.
+ * The slip is kept in the reference configuration, so that it turns with the material.  Where nodes degrade,
+ * tau and the energy are multiplied by the integrity that the ends give the bond (integrity.h); the cap is that of
+ * the sound material.
  *
  * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that

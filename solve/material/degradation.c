@@ -13,26 +13,35 @@ double *degradation_new(const struct strips *strips)
 }
 
 /* Plastic work of the sound material up to p, as in j2.c. */
-static void flow_works(const struct j2_strip *s, const double *p, const double *table, double *work)
+HS_SIMD static void flow_works(int count, const struct j2_strip *restrict s,
+                               const double *restrict p, const double *restrict table,
+                               double *restrict work)
 {
-    for (int i = 0; i < s->count; i++)
+    for (int i = 0; i < count; i++)
         work[i] = flow_work(table, flow_cell(s->curve[i], p[i]), p[i]) + s->shift[i] * p[i];
 }
 
-/* (degradation.2) over a step. */
+/* (degradation.2) over a step.  The first loss is a small one, and nothing may depend on what was noted of sound
+ * points. */
+HS_SIMD static void book(int count, const double *restrict left, const double *restrict work,
+                         const double *restrict plastic, const double *restrict stored,
+                         double *restrict last, double *restrict before, double *restrict withheld)
+{
+    for (int i = 0; i < count; i++) {
+        const double mean = 0.5 * (before[i] + stored[i]);
+        const double energy = last[i] < 1 ? mean : stored[i];
+        withheld[i] +=
+            (1 - 0.5 * (last[i] + left[i])) * (plastic[i] - work[i]) + energy * (left[i] - last[i]);
+        last[i] = left[i];
+        before[i] = stored[i];
+    }
+}
+
 void degradation_book(int count, const double *left, const double *work, const double *plastic,
                       const double *stored, double *record, int64_t stride)
 {
-    for (int i = 0; i < count; i++) {
-        double *last = record + i + LAST_INTEGRITY * stride,
-               *before = record + i + LAST_STORED * stride;
-        /* The first loss is a small one, and nothing may depend on what was noted of sound points. */
-        const double energy = *last < 1 ? 0.5 * (*before + stored[i]) : stored[i];
-        record[i + WITHHELD * stride] +=
-            (1 - 0.5 * (*last + left[i])) * (plastic[i] - work[i]) + energy * (left[i] - *last);
-        *last = left[i];
-        *before = stored[i];
-    }
+    book(count, left, work, plastic, stored, record + LAST_INTEGRITY * stride,
+         record + LAST_STORED * stride, record + WITHHELD * stride);
 }
 
 /* (degradation.1) */
@@ -55,7 +64,7 @@ void degradation_update(struct j2_strip *s, double *state, int64_t stride, const
         j2_update(s, state, stride, table, mode);
         return;
     }
-    if (mode.commit) flow_works(s, state + (J2_STATE - 1) * stride, table, work);
+    if (mode.commit) flow_works(s->count, s, state + (J2_STATE - 1) * stride, table, work);
     mode.energy = true;
     j2_update(s, state, stride, table, mode);
     if (mode.commit) degradation_book(s->count, left, work, s->plastic, s->stored, record, stride);

@@ -12,8 +12,8 @@
  * the material.  A uniform uniaxial stress stays exact at free surfaces for any weights g that depend
  * on the section alone, since both sums of the virtual work cancel by translation along the bar.
  *
- * Where nodes degrade a bond does, too, its stress being multiplied by the integrity that its ends give it
- * (integrity.h).  A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
+ * Where nodes degrade, the stress of a bond is multiplied by the integrity that its ends give it (integrity.h).
+ * A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
  * its plastic state; the weights g stay those of the whole body, so that no other bond gains energy. */
 #include "broken.h"
 #include "degradation.h"

@@ -124,6 +124,35 @@ $cracks" 60 0.5
     compare 100 3 8
 }
 
+# The rule between the phases is none of those that either end would give alone.
+ductile='damage:
+  - {phase: CG, law: ductile, onset: 0.04, full: 0.12}
+  - {phase: UFG, law: ductile, onset: 0.02, full: 0.05, length: 30 um}'
+between='  - {pair: [CG, UFG], rule: harmonic}'
+
+@test "correspondence, mix, ductile: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "model: correspondence, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: correspondence, $elastic, $hard" \
+        'horizon: 1, stabilisation: {law: mix}' "$ductile
+$between" 60 0.6
+    compare 100 2 3 4 8
+    holds "$(last 1/history.e removed_nodes) > 10 && $(last 1/history.e removed_nodes) < 400"
+}
+
+@test "correspondence, capped, ductile and a crack: 3 ranks give the bits of one" {
+    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+        'horizon: 2, stabilisation: {law: capped}' "$ductile
+$between
+$cracks" 60 0.6
+    compare 100 3
+}
+
+@test "ordinary, Mitchell's plasticity, ductile: 3 ranks give the bits of one" {
+    study "model: ordinary_plastic, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: ordinary_plastic, $elastic, $hard" 'horizon: 2.2' "$ductile" 60 0.5
+    compare 100 3
+}
+
 @test "flat, the a, b, d form, partial volumes and a crack: 3 and 8 ranks give the bits of one" {
     FLAT=yes study "model: madenci_oterkus, $elastic" "model: madenci_oterkus, youngs_modulus: 190 GPa, poissons_ratio: 0.3" \
         'plane: stress, horizon: 2.2, volumes: partial, safety: 0.4' "damage:
@@ -167,7 +196,9 @@ damage:
   - $3
 cracks:
   - {rectangle: [[0, -0.05 mm, -0.05 mm], [0, 0.03 mm, 0], [0, 0, 0.1 mm]]}
-output: {history: 600}
+output:
+  history: 600
+  quantities: [{name: worst, quantity: damage, reduce: max, where: "y > 0"}]
 END
     hsgen -q bar.yaml | hssolve -q >history.e 2>messages || { cat messages && false; }
     ! grep 'cut no bond' messages
@@ -194,4 +225,25 @@ fracture $(last history.e fracture_energy_J) J of $(last history.e external_work
 @test "a bar of correspondence with capped separates, and the grips let go" {
     separates "model: correspondence, $elastic, $plastic" \
         'horizon: 2, stabilisation: {law: capped}' '{phase: CG, law: plastic_strain, value: 0.15}' 16
+}
+
+# What the energy balance goes wrong by, in J, from the last record without damage in the ligament to the end.
+wrong_energy() {
+    paste <(values history.e energy_drift) <(values history.e external_work_J) <(values history.e worst) |
+        awk '$3 == 0 { before = $1 * $2 } { wrong = $1 * $2 } END { print (wrong > before ? wrong - before : before - wrong) }'
+}
+
+# The scheme is of second order: half the step leaves a quarter, for which a half leaves room.
+@test "bars whose nodes degrade separate, and the energy is kept the better the shorter the step" {
+    for law in mix capped; do
+        for safety in 0.8 0.4; do
+            separates "model: correspondence, $elastic, $plastic" \
+                "horizon: 1, stabilisation: {law: $law}, safety: $safety" \
+                '{phase: CG, law: ductile, onset: 0.1, full: 0.2}' 16
+            holds "$(last history.e removed_nodes) > 5"
+            wrong[${safety#0.}]=$(wrong_energy)
+            echo "$law, safety $safety: energy wrong by ${wrong[${safety#0.}]} J"
+        done
+        holds "${wrong[4]} < 0.5 * ${wrong[8]} && ${wrong[8]} < 1e-3 * $(last history.e external_work_J)"
+    done
 }

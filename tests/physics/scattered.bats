@@ -71,6 +71,14 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
     compare 3
 }
 
+@test "scattered, correspondence, degrading: 3 ranks give the bits of one" {
+    particles 0.3
+    deck "correspondence, $elastic, poissons_ratio: 0.3, $hardening" \
+        'horizon: 1.6, stabilisation: {law: capped}' \
+        '{phase: A, law: ductile, onset: 0.03, full: 0.1}'
+    compare 3
+}
+
 @test "a lattice among the particles of a file, in any order, runs as one" {
     particles 0
     deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'

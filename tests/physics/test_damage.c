@@ -329,6 +329,7 @@ static struct flight fly(const struct bar *bar, double dt, int steps, bool test_
 #define ELASTIC "density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31"
 #define VOCE    "hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}"
 #define SPENT   "damage: [{phase: A, law: plastic_strain, value: 0.02}]"
+#define DUCTILE "damage: [{phase: A, law: ductile, onset: 0.005, full: 0.02}]"
 
 /* The error of velocity Verlet, (omega dt)^2, and nothing of first order in dt from the breaking: a quarter at
  * half the step, for which less than 0.4 leaves room for bonds that then break elsewhere. */
@@ -344,6 +345,9 @@ static void test_energy_balance_through_fracture(void **state)
         {"{A: {model: ordinary_plastic, " ELASTIC ", " VOCE "}}", 3, NULL, SPENT},
         {"{A: {model: correspondence, " ELASTIC ", " VOCE "}}", 0, small_mix, SPENT},
         {"{A: {model: correspondence, " ELASTIC ", " VOCE "}}", 0, small_capped, SPENT},
+        {"{A: {model: ordinary_plastic, " ELASTIC ", " VOCE "}}", 3, NULL, DUCTILE},
+        {"{A: {model: correspondence, " ELASTIC ", " VOCE "}}", 0, small_mix, DUCTILE},
+        {"{A: {model: correspondence, " ELASTIC ", " VOCE "}}", 0, small_capped, DUCTILE},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         const struct bar *bar = &cases[k];

@@ -1,0 +1,30 @@
+# A row of the table from a history (hspost --columns):
+#   Rm in MPa, gauge strain there, gauge strain and grip strain where the load has fallen below 5 % of its largest, work per volume until
+#   there in MJ/m3, largest difference of both grips' forces until Rm and in all over Rm in per cent, nodes gone, drift of the
+#   energy balance, evaluations of the force: at rest and in motion
+#   awk -v name=cg -f measure.awk history.csv
+
+BEGIN { FS = ","; length_m = 1.2e-3; section = 0.08e-6; between_grips = 1.5e-3 }
+/^#/ { next }
+!n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
+{
+    f = $column["force_right_N"]
+    apart = f + $column["force_left_N"]
+    apart = apart < 0 ? -apart : apart
+    x = $column["extension_m"] / length_m
+    if (f > most) { most = f; at = x; until_most = apart > until_most ? apart : until_most }
+    all = apart > all ? apart : all
+    if (!broken && $column["broken_bonds"] > 0 && f < 0.05 * most) {
+        broken = x
+        grips = $column["grip_extension_m"] / between_grips
+        work = $column["external_work_J"]
+    }
+    if ($column["quasi_static"]) at_rest = $column["force_evaluations"]
+    forces = $column["force_evaluations"]
+    gone = $column["removed_nodes"]
+    drift = $column["energy_drift"]
+}
+END {
+    printf "%s,%.1f,%.4f,%.4f,%.4f,%.1f,%.3f,%.2f,%d,%.1e,%d,%d\n", name, 1e-6 * most / section, at, broken, grips, \
+        work / (section * between_grips) * 1e-6, 100 * until_most / most, 100 * all / most, gone, drift, at_rest, forces - at_rest
+}
