@@ -26,7 +26,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
+.PHONY: finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -274,7 +274,7 @@ neck_cg-12um = $(call neck_fine,12.5 um)
 neck_cg-horizon2 = -e 's/horizon: 1/horizon: 2/' -e 's/share: 0.1/share: 0.2/'
 neck_cg-horizon3 = -e 's/horizon: 1/horizon: 3/' -e 's/share: 0.1/share: 0.2/'
 neck_cg-capped = -e 's/law: mix, share: 0.1/law: capped/'
-neck_ufg = $(call neck_law,voce$(comma) yield: 1259.8 MPa$(comma) saturation: 564.5 MPa$(comma) rate: 238.5,0.001,0.05) -e 's/reduction: 0.01/reduction: 0.003/'
+neck_ufg = $(call neck_law,voce$(comma) yield: 1259.8 MPa$(comma) saturation: 564.5 MPa$(comma) rate: 238.5,0.001,0.05)
 neck_linear = $(call neck_law,linear$(comma) yield: 185 MPa$(comma) modulus: 898 MPa,0.02,1.4)
 neck_power = $(call neck_law,swift$(comma) yield: 300 MPa$(comma) strength: 4356 MPa$(comma) exponent: 0.302,0.01,0.5)
 exact_cg := -v law=voce -v a=182.1 -v b=513.0 -v c=5.320
@@ -331,3 +331,25 @@ $(RESULTS)/solver-switch/table.csv: $(SWITCHES:%=$(RESULTS)/solver-switch/%/curv
 	{ echo run,mean_deviation_percent,largest_deviation_percent,at_half_a_percent,at_two_percent,force_evaluations,cpu_s; \
 	for name in $(SWITCHES); do awk -v name=$$name -f pipelines/solver-switch/measure.awk $(@D)/static-0.001/curve.csv $(@D)/$$name/curve.csv $(@D)/$$name/time; done; } > $@
 	awk -f pipelines/solver-switch/check.awk $@
+
+# A bar of CG by explicit steps of many kinds, against the exact curve.
+RATES_OF := static hybrid explicit-5 explicit-10 explicit-20 explicit-40 ramp-5 mass-10 mass-100 mass-1000 viscous-1e6 viscous-1e7 local-0.2 local-0.5 local-0.8
+rates: $(RESULTS)/rates/table.csv
+rate_static = -e 's/type: .*/type: quasi_static/'
+rate_hybrid = -e 's/type: .*/type: hybrid\n  explicit_strain: 0.03/'
+rate_explicit = -e 's/10 m.s/$(1) m\/s/'
+rate_ramp = -e 's/10 m.s/$(1) m\/s/' -e 's/start: affine/start: ramp\n  ramp: 5 us/'
+rate_mass = -e 's/10 m.s/5 m\/s/' -e 's/start: affine/&\n  mass_scaling: $(1)/'
+rate_viscous = -e 's/start: affine/&\n  damping: $(1) 1\/s/'
+rate_local = -e 's/start: affine/&\n  local_damping: $(1)/'
+$(RATES_OF:%=$(RESULTS)/rates/%/study.yaml): $(RESULTS)/rates/%/study.yaml: pipelines/rates/study.yaml
+	$(call VARY,-e 's/^title: .*/title: $*/' $(call rate_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))))
+$(RATES_OF:%=$(RESULTS)/rates/%/history.e): %/history.e: %/study.yaml | all
+	hsgen -q $< -o $(@D)/domain.g
+	{ time -p hssolve -i $(@D)/domain.g -H $@; } 2> $(@D)/log
+$(RATES_OF:%=$(RESULTS)/rates/%/row.csv): $(RESULTS)/rates/%/row.csv: $(RESULTS)/rates/%/history.e pipelines/rates/measure.awk
+	hspost -q --columns $< | awk -v name=$* -f pipelines/rates/measure.awk - $(@D)/log > $@
+$(RESULTS)/rates/table.csv: $(RATES_OF:%=$(RESULTS)/rates/%/row.csv) pipelines/rates/check.awk
+	{ echo run,E_error_percent,stress_error_at_1_percent,at_2_percent,at_5_percent,at_10_percent,largest_kinetic_percent,forces,cpu_s; \
+	cat $(filter %.csv,$^); } > $@
+	awk -f pipelines/rates/check.awk $@

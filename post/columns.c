@@ -15,6 +15,12 @@ void columns_write(const char *file, const char *output, const char *maker)
     fputs(maker, out.file);
     fprintf(out.file, "# input: %s, %ld bytes, cksum %lu\n", input.name, input.bytes,
             (unsigned long)input.checksum);
+    /* What makes strains and stresses of displacements and forces. */
+    static const char *const sizes[] = {"gauge_length_m", "section_m2"};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        const double size = attributes_number(&input.attributes, sizes[k], NAN);
+        if (!isnan(size)) fprintf(out.file, "# %s: %.17g\n", sizes[k], size);
+    }
     for (int j = 0; j < table->n_columns; j++)
         fprintf(out.file, "%s%s", j ? "," : "", table->columns[j].name);
     fputc('\n', out.file);

@@ -26,7 +26,7 @@ static void read_start(struct scene *scene, struct deck_node solver)
 #define COMMON_KEYS                                                                                \
     "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
         "end_strain", "end_time", "end_steps", "end_load"
-#define EXPLICIT_KEYS "safety", "damping", "energy_tolerance"
+#define EXPLICIT_KEYS "safety", "damping", "local_damping", "mass_scaling", "energy_tolerance"
 #define STATIC_KEYS                                                                                \
     "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations",              \
         "break_at_once"
@@ -144,6 +144,8 @@ static void read_solver(struct scene *scene, struct deck_node solver)
     read_body(scene, solver);
     read_end(scene, solver);
     scene->safety = number_or(solver, "safety", "1", 1e-3, 10, 0.8);
+    scene->local_damping = number_or(solver, "local_damping", "1", 0, 0.95, 0);
+    scene->mass_scaling = number_or(solver, "mass_scaling", "1", 1e-6, 1e12, 1);
     scene->damping = number_or(solver, "damping", "1/s", 0, 1e15, 0);
     scene->energy_tolerance = number_or(solver, "energy_tolerance", "1", 1e-12, 1e6, 0.01);
     read_start(scene, solver);

@@ -90,6 +90,8 @@ struct scene {
     enum scene_start start;
     double ramp;             /* s */
     double damping;          /* 1/s */
+    double local_damping;    /* share of the force on a node */
+    double mass_scaling;     /* of the inertia alone */
     double energy_tolerance; /* of the balance, relative */
     int history;             /* records */
     int n_quantities;

@@ -40,6 +40,8 @@ static void read_model(struct simulation *s)
     const struct scene *scene = &s->scene;
     s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), s->domain.n_phases,
                                   s->domain.phase_names, scene->plane);
+    for (int p = 0; p < s->materials.count; p++)
+        s->materials.items[p].density *= scene->mass_scaling;
     int influence = scene->influence >= 0 ? scene->influence
                                           : family_influence(s->materials.formulation->influence);
     s->family = family_new(scene->horizon, influence, scene->partial_volumes);
@@ -218,6 +220,7 @@ static void plan_time(struct simulation *s)
     s->integration = integration_new(moving, dt, s->scene.damping, &s->materials, &s->body,
                                      &s->boundary, s->model);
     s->integration.damage = s->damage;
+    s->integration.local_damping = s->scene.local_damping;
     static const struct course *const courses[SOLVER_TYPES] = {&course_explicit, &course_static,
                                                                &course_hybrid};
     s->course = courses[s->scene.type];
@@ -257,12 +260,15 @@ void simulation_announce(struct simulation *s)
         boundary_has_grips(&s->boundary)
             ? memory_print("strain rate %.3g 1/s, ", boundary_full_strain_rate(&s->boundary))
             : memory_text("");
+    char *scaled = s->scene.mass_scaling != 1
+                       ? memory_print("inertia times %g, ", s->scene.mass_scaling)
+                       : memory_text("");
     char *steps =
         s->integration.moving
             ? memory_print("step %.3g s (%.2f of the critical %.3g s), about %lld steps to %.3g s; "
-                           "%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
+                           "%s%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
                            s->integration.dt, s->scene.safety, s->critical_step,
-                           (long long)s->n_steps, s->end_time, rate,
+                           (long long)s->n_steps, s->end_time, rate, scaled,
                            materials_wave_speed(&s->materials), memory * 1e-6,
                            1.15 * force * (double)s->n_steps)
             : memory_print(
@@ -274,6 +280,7 @@ void simulation_announce(struct simulation *s)
     note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
          (long long)s->n_bonds, s->ranks.size, steps);
     free(steps);
+    free(scaled);
     free(rate);
     if (s->body.unsupported > 0 && needs_gradient(s))
         warn("%lld nodes have too few neighbours for a deformation gradient and carry no stress",

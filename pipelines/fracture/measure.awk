@@ -4,14 +4,15 @@
 #   energy balance, evaluations of the force: at rest and in motion
 #   awk -v name=cg -f measure.awk history.csv
 
-BEGIN { FS = ","; length_m = 1.2e-3; section = 0.08e-6; between_grips = 1.5e-3 }
+BEGIN { FS = ","; section = 0.08e-6; between_grips = 1.5e-3 }
+/^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^#/ { next }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
     f = $column["force_right_N"]
     apart = f + $column["force_left_N"]
     apart = apart < 0 ? -apart : apart
-    x = $column["extension_m"] / length_m
+    x = $column["extension_m"] / gauge
     if (f > most) { most = f; at = x; until_most = apart > until_most ? apart : until_most }
     all = apart > all ? apart : all
     if (!broken && $column["broken_bonds"] > 0 && f < 0.05 * most) {

@@ -21,11 +21,12 @@ function considere(   p, h, s) {
 }
 
 BEGIN { FS = ","; E = 210e3; considere() }
+/^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^#/ { next }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
     records++
-    x[records] = $column["extension_m"] / 0.8e-3
+    x[records] = $column["extension_m"] / gauge
     f[records] = 1e-6 * $column["force_right_N"] / (section * 1e-6)
     if (f[records] > f[top]) top = records
     ratio = $column["minimum_section_ratio"]

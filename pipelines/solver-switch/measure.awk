@@ -1,16 +1,16 @@
 # A curve beside the reference (both of hspost): mean and largest deviation of the stress between 1 and 9.5 % of strain, that at 0.5 and
-# 2 %, all in per cent, forces evaluated, CPU seconds (of time -p, the third file).
+# 2 %, all in per cent, forces evaluated, CPU seconds (of the log of
+# `time -p hssolve`, the third file).
 #   awk -v name=run -f measure.awk reference.csv curve.csv time
 
 FNR == 1 { files++; delete column }
 /^#/ { next }
-files == 3 { if ($1 == "user") seconds = $2; next }
+files == 3 { if ($1 == "user") seconds = $2; if (match($0, /[0-9]+ forces:/)) forces = substr($0, RSTART) + 0; next }
 { n = split($0, value, ",") }
 !("engineering_strain" in column) { for (i = 1; i <= n; i++) column[value[i]] = i; next }
 files == 1 { x[++count] = value[column["engineering_strain"]]; s[count] = value[column["engineering_stress_MPa"]]; next }
 {
     strain = value[column["engineering_strain"]]
-    forces = value[column["force_evaluations"]]
     if (strain <= x[1] || strain > 0.095) next
     for (i = 2; i < count && x[i] < strain; i++);
     w = (strain - x[i - 1]) / (x[i] - x[i - 1])

@@ -34,6 +34,18 @@ static void affine_velocity(const struct affine *affine, const struct body *body
     }
 }
 
+/* What a velocity beyond the affine one loses of itself in half a step: a share, then the speed that a force of
+ * `force` [N/m^3] gives in that time, and no more than there is. */
+static double damped(const struct integration *integration, double beyond, double keep,
+                     double force, double inverse_density)
+{
+    const double left = keep * beyond;
+    if (!(integration->local_damping > 0)) return left;
+    const double speed =
+        integration->local_damping * fabs(force) * inverse_density * 0.5 * integration->dt;
+    return copysign(fmax(fabs(left) - speed, 0), left);
+}
+
 void damping_apply(const struct integration *integration, struct body *body,
                    const struct boundary *boundary, double time, struct exact_sum *lost)
 {
@@ -42,12 +54,15 @@ void damping_apply(const struct integration *integration, struct body *body,
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;
+            const double inverse_density = integration->inverse_density[body->grid.phase[site]];
             double target[3];
             affine_velocity(&affine, body, site, target);
             for (int a = 0; a < 3; a++) {
                 if (boundary->held && (boundary->held[site] >> a & 1)) continue;
-                double before = body->v[a][site];
-                double after = target[a] + keep * (before - target[a]);
+                const double before = body->v[a][site],
+                             force = body->f[a][site] + (body->b[a] ? body->b[a][site] : 0);
+                const double after = target[a] + damped(integration, before - target[a], keep,
+                                                        force, inverse_density);
                 body->v[a][site] = after;
                 exact_sum_add(lost, 0.5 * integration_node_mass(integration, body, site) *
                                         (before * before - after * after));

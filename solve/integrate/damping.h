@@ -1,8 +1,21 @@
-/* damping.h - the uniform motion between the grips, and damping of what goes beyond it. */
+/* damping.h - the uniform motion between the grips, and damping of what goes beyond it.
+ *
+ *   v' = v_affine + e^(-c dt/2) (v - v_affine)                                               (damping.1)
+ *   the same, less alpha |f + b|/rho dt/2 of its magnitude, and not below 0                  (damping.2)
+ *
+ * over half a step: viscous damping with one rate c for all motions, and local damping, a share alpha of the force on
+ * each node against its motion (Cundall, in Brown (ed.), Analytical and Computational Methods in Engineering Rock
+ * Mechanics (1987) 129), which damps all frequencies alike and vanishes at equilibrium.  Both leave the
+ * affine motion alone: what drags on that would be a force of the test. */
 #ifndef HS_DAMPING_H
 #define HS_DAMPING_H
 
 #include "integration.h"
+
+static inline bool damping_acts(const struct integration *integration)
+{
+    return integration->damping > 0 || integration->local_damping > 0;
+}
 
 /* Velocities decay towards the affine motion between the grips (towards rest, where there are none) over half
  * a step; prescribed components do not.  lost takes the energy [J]. */

@@ -14,6 +14,7 @@ struct integration {
     int64_t evaluations;      /* of the force so far */
     double residual;          /* of the last equilibrium, relative; 0 after an explicit step */
     double damping;           /* 1/s */
+    double local_damping;     /* share of the force on a node */
     double *inverse_density;  /* [phases] m^3/kg */
     struct force_energy zero; /* empty sums with their extractors */
     struct exact_sum kinetic_zero;

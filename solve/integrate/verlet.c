@@ -95,7 +95,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     struct force_energy energy = integration->zero;
 
     half_kick(integration, body);
-    if (integration->damping > 0)
+    if (damping_acts(integration))
         damping_apply(integration, body, boundary, integration->time, &sums.damped);
     boundary_set_ways(boundary, body, integration->time, integration->dt);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
@@ -111,7 +111,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     if (integration->damage) damage_grow(integration->damage);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     half_kick(integration, body);
-    if (integration->damping > 0)
+    if (damping_acts(integration))
         damping_apply(integration, body, boundary, integration->time, &sums.damped);
     boundary_set_velocities(boundary, body, integration->time, integration->dt);
 
