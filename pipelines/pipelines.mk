@@ -26,7 +26,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
+.PHONY: spacings finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -353,3 +353,43 @@ $(RESULTS)/rates/table.csv: $(RATES_OF:%=$(RESULTS)/rates/%/row.csv) pipelines/r
 	{ echo run,E_error_percent,stress_error_at_1_percent,at_2_percent,at_5_percent,at_10_percent,largest_kinetic_percent,forces,cpu_s; \
 	cat $(filter %.csv,$^); } > $@
 	awk -f pipelines/rates/check.awk $@
+
+# A harmonic slice here and in CalculiX, on the same voxels, each cut into n^3.  The results of CalculiX are kept in fe.csv; with ccx
+# installed (Debian: calculix-ccx) `make finite-elements-mesh` makes them anew, in about half an hour.
+SLICES := 1 2 3
+ELEMENTS := C3D8-1 C3D8I-1 C3D8I-2 C3D8I-3 C3D20R-1 C3D20R-2
+.PHONY: spacings finite-elements-mesh
+finite-elements: $(RESULTS)/finite-elements/hstools.csv pipelines/finite-elements/fe.csv
+	awk -f pipelines/finite-elements/check.awk pipelines/finite-elements/fe.csv $<
+$(RESULTS)/finite-elements/slice-1.txt: pipelines/finite-elements/study.yaml | all
+	@mkdir -p $(@D)
+	hsgen -q $< -o $(@D)/domain.g --peridigm $(basename $@)
+$(RESULTS)/finite-elements/slice-2.txt $(RESULTS)/finite-elements/slice-3.txt: $(RESULTS)/finite-elements/slice-%.txt: $(RESULTS)/finite-elements/slice-1.txt
+	awk -v n=$* -v spacing=25e-6 -f pipelines/finite-elements/refine.awk $< > $@
+$(SLICES:%=$(RESULTS)/finite-elements/history-%.e): $(RESULTS)/finite-elements/history-%.e: $(RESULTS)/finite-elements/slice-%.txt pipelines/finite-elements/study.yaml
+	{ time -p hssolve -i $< -d pipelines/finite-elements/study.yaml -H $@; } 2> $(@D)/time-$*
+$(RESULTS)/finite-elements/hstools.csv: $(SLICES:%=$(RESULTS)/finite-elements/history-%.e) $(wildcard pipelines/finite-elements/*.awk)
+	{ echo code,refined,at_0.5_percent_MPa,at_1_percent,at_2_percent,at_3_percent,at_5_percent,cpu_s; for n in $(SLICES); do \
+	hspost -q --columns $(@D)/history-$$n.e | awk -f pipelines/finite-elements/columns.awk > $(@D)/curve-$$n.csv; \
+	awk -v name=hstools -v refined=$$n -f pipelines/finite-elements/at.awk $(@D)/curve-$$n.csv $(@D)/time-$$n; done; } > $@
+$(ELEMENTS:%=$(RESULTS)/finite-elements/%/curve.csv): $(RESULTS)/finite-elements/%/curve.csv: $(SLICES:%=$(RESULTS)/finite-elements/slice-%.txt) pipelines/finite-elements/mesh.awk
+	@command -v ccx > /dev/null || { echo "finite-elements-mesh needs ccx (Debian: calculix-ccx)" >&2; exit 1; }
+	@mkdir -p $(@D)
+	awk -v type=$(word 1,$(subst -, ,$*)) -v n=$(word 2,$(subst -, ,$*)) -v spacing=$$(awk 'BEGIN {print 0.025/$(word 2,$(subst -, ,$*))}') -v grip=0.05 -v gauge=0.2 -v end=0.02 \
+	-v increments=25 -f pipelines/finite-elements/mesh.awk $(RESULTS)/finite-elements/slice-$(word 2,$(subst -, ,$*)).txt > $(@D)/model.inp
+	cd $(@D) && { time -p OMP_NUM_THREADS=1 ccx model > log; } 2> time
+	awk -f pipelines/finite-elements/read.awk $(@D)/model.dat > $@
+finite-elements-mesh: $(ELEMENTS:%=$(RESULTS)/finite-elements/%/curve.csv)
+	{ echo element,refined,at_0.5_percent_MPa,at_1_percent,at_2_percent,at_3_percent,at_5_percent,cpu_s; for name in $(ELEMENTS); do \
+	awk -v name=$${name%-*} -v refined=$${name#*-} -f pipelines/finite-elements/at.awk $(RESULTS)/finite-elements/$$name/curve.csv $(RESULTS)/finite-elements/$$name/time; done; } > pipelines/finite-elements/fe.csv
+
+# One harmonic geometry at three spacings, by load steps to 10 %.
+FINER := 25um 12.5um 8.33um
+spacings: $(RESULTS)/spacings/table.csv
+spacing_25um := -e 's/^title: HS40, spacings/&: 25 um/'
+spacing_12.5um := -e 's/spacing: 25 um/spacing: 12.5 um/'
+spacing_8.33um := -e 's/spacing: 25 um/spacing: 8.333333333333333 um/'
+$(FINER:%=$(RESULTS)/spacings/%/study.yaml): $(RESULTS)/spacings/%/study.yaml: pipelines/spacings/study.yaml
+	$(call VARY,$(spacing_$*))
+$(RESULTS)/spacings/table.csv: $(FINER:%=$(RESULTS)/spacings/%/curve.csv) pipelines/spacings/table.awk
+	awk -f pipelines/spacings/table.awk $(filter %.csv,$^) > $@
