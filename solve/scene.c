@@ -25,12 +25,12 @@ static void read_start(struct scene *scene, struct deck_node solver)
 /* Keys of every solver, and those that only some have. */
 #define COMMON_KEYS                                                                                \
     "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
-        "end_strain", "end_time", "end_steps", "end_load", "start", "energy_tolerance"
-#define EXPLICIT_KEYS "safety", "damping", "local_damping", "mass_scaling"
+        "end_strain", "end_time", "end_steps", "end_load"
+#define EXPLICIT_KEYS "safety", "damping", "local_damping", "mass_scaling", "energy_tolerance"
 #define STATIC_KEYS                                                                                \
     "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations",              \
         "break_at_once"
-static const char *const explicit_keys[] = {COMMON_KEYS, EXPLICIT_KEYS, "ramp", NULL};
+static const char *const explicit_keys[] = {COMMON_KEYS, EXPLICIT_KEYS, "start", "ramp", NULL};
 static const char *const static_keys[] = {COMMON_KEYS, STATIC_KEYS, NULL};
 static const char *const hybrid_keys[] = {
     COMMON_KEYS,       EXPLICIT_KEYS, STATIC_KEYS, "explicit_when",
@@ -94,10 +94,12 @@ static void read_static(struct scene *scene, struct deck_node solver)
                          : scene->end_time > 0 ? scene->end_time / 100
                                                : 1;
     statics->largest_step = step_or(scene, "step", usual);
-    /* Records must be dense where the elastic slope is measured; steps of loads are all alike. */
-    const double share = scene->end_strain > 0 ? 0.02 : 1;
-    statics->first_step = step_or(scene, "first_step", share * statics->largest_step);
-    statics->smallest_step = step_or(scene, "smallest_step", 1e-4 * statics->largest_step);
+    /* Three records lie where the elastic slope of the softest metals is measured; steps of loads are all alike. */
+    const double first =
+        scene->end_strain > 0 ? fmin(5e-6, statics->largest_step) : statics->largest_step;
+    statics->first_step = step_or(scene, "first_step", first);
+    statics->smallest_step =
+        step_or(scene, "smallest_step", fmin(1e-4 * statics->largest_step, statics->first_step));
     if (statics->first_step > statics->largest_step)
         deck_error(deck_get(solver, "first_step"), "%g is over the largest step, %g",
                    statics->first_step, statics->largest_step);
@@ -105,7 +107,10 @@ static void read_static(struct scene *scene, struct deck_node solver)
         deck_error(deck_get(solver, "smallest_step"), "%g is over the first step, %g",
                    statics->smallest_step, statics->first_step);
     statics->tolerance = number_or(solver, "tolerance", "1", 1e-10, 1e-2, 1e-6);
-    statics->most_evaluations = 2000;
+    if (deck_has(solver, "method"))
+        statics->method =
+            deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
+    statics->most_evaluations = equilibrium_usual_evaluations(statics->method);
     if (deck_has(solver, "most_evaluations"))
         statics->most_evaluations =
             deck_integer(deck_get(solver, "most_evaluations"), 10, 1000000000);
@@ -113,9 +118,6 @@ static void read_static(struct scene *scene, struct deck_node solver)
     if (deck_has(solver, "break_at_once"))
         statics->break_at_once =
             (double)deck_integer(deck_get(solver, "break_at_once"), 1, 1000000000);
-    if (deck_has(solver, "method"))
-        statics->method =
-            deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
 }
 
 static void read_hybrid(struct scene *scene, struct deck_node solver)

@@ -255,6 +255,7 @@ void simulation_announce(struct simulation *s)
     double force = ranks_clock() - start;
     double memory = ranks_memory();
     if (s->ranks.rank != 0) return;
+    const struct scene_static *statics = &s->scene.statics;
     char *rate =
         boundary_has_grips(&s->boundary)
             ? memory_print("strain rate %.3g 1/s, ", boundary_full_strain_rate(&s->boundary))
@@ -270,8 +271,12 @@ void simulation_announce(struct simulation *s)
                            (long long)s->n_steps, s->end_time, rate, scaled,
                            materials_wave_speed(&s->materials), memory * 1e-6,
                            1.15 * force * (double)s->n_steps)
-            : memory_print("load steps by %s; %.0f MB; %.3g s each evaluation of the force",
-                           s->equilibrium->method->name, memory * 1e-6, force);
+            : memory_print(
+                  "load steps from %g up to %g %s by %s, residual under %g; %.0f MB; %.2g s each "
+                  "evaluation of the force",
+                  statics->first_step, statics->largest_step,
+                  s->scene.end_strain > 0 ? "of strain" : "s", s->equilibrium->method->name,
+                  statics->tolerance, memory * 1e-6, force);
     note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
          (long long)s->n_bonds, s->ranks.size, steps);
     free(steps);

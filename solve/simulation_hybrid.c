@@ -80,7 +80,9 @@ static void begin_static(struct simulation *s)
         return;
     }
     integration->balance.damping += lost;
-    integration->dt = simulation_load_step(s, s->scene.statics.first_step);
+    const struct scene_static *statics = &s->scene.statics;
+    integration->dt =
+        simulation_load_step(s, fmax(statics->first_step, 0.02 * statics->largest_step));
     simulation_record(s);
     s->highest_load = simulation_grip_load(s);
     if (s->ranks.rank == 0)

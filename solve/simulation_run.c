@@ -77,7 +77,8 @@ void simulation_record(struct simulation *s)
 {
     const double load = simulation_grip_load(s);
     s->highest_load = fmax(s->highest_load, load);
-    s->fallen = damage_broken_bonds(s->damage) > 0 && load < s->scene.end_load * s->highest_load;
+    s->fallen = s->scene.end_load > 0 && damage_broken_bonds(s->damage) > 0 &&
+                load < s->scene.end_load * s->highest_load;
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
                               s->model, &s->body, s->axial);
     s->deformation = s->gauge ? s->strain : mean_deformation(s);

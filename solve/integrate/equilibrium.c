@@ -1,13 +1,15 @@
 #include "equilibrium.h"
 
 #include "memory.h"
+#include "stable_step.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const struct equilibrium_method *const table[] = {&equilibrium_lbfgs};
-const char *const equilibrium_methods[] = {"lbfgs"};
+static const struct equilibrium_method *const table[] = {&equilibrium_lbfgs, &equilibrium_newton,
+                                                         &equilibrium_relaxation};
+const char *const equilibrium_methods[] = {"lbfgs", "newton", "relaxation"};
 const int equilibrium_method_count = sizeof table / sizeof *table;
 
 static int most_common_phase(const struct lattice *lattice)
@@ -30,6 +32,30 @@ static struct members held_nodes(const struct body *body, const struct boundary 
     return held;
 }
 
+int64_t equilibrium_usual_evaluations(int method)
+{
+    return table[method]->usual_evaluations;
+}
+
+/* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only softens. */
+static double *bound_new(const struct equilibrium *e, const struct materials *materials)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const struct body *body = e->body;
+    const double dt = stable_step(e->model, e->body, materials), scale = 1.2 / (dt * dt);
+    double *bound = vector_new(unknowns);
+    int64_t node = 0;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++, node++) {
+            const int64_t site = body->owned.items[s].site + i;
+            const double density = materials->items[body->grid.phase[site]].density;
+            for (int a = 0; a < 3; a++)
+                bound[a * unknowns->n_nodes + node] =
+                    scale * density * (body_volume(body, site) / body->volume);
+        }
+    return bound;
+}
+
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials)
@@ -41,28 +67,30 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     e->model = model;
     e->method = table[method];
     e->tolerance = 1e-6;
-    e->most_evaluations = 1000;
+    e->most_evaluations = e->method->usual_evaluations;
     e->unknowns = unknowns_new(body, boundary);
     e->held = held_nodes(body, boundary);
     e->x = vector_new(&e->unknowns);
     e->g = vector_new(&e->unknowns);
-    if (!body->lattice->point[0]) {
+    if (e->method->preconditions) {
         e->symbol = symbol_new(solver, body->family, materials, body->lattice,
                                most_common_phase(body->lattice));
         e->transform = transform_new(&e->unknowns, &e->symbol);
     }
-    e->self = e->method->start(e);
+    if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
     return e;
 }
 
 void equilibrium_free(struct equilibrium *e)
 {
     if (!e) return;
-    e->method->free(e->self);
+    if (e->self) e->method->free(e->self);
+    if (e->next) e->method->next->free(e->next);
     if (e->transform) transform_free(e->transform);
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
+    free(e->bound);
     free(e->x);
     free(e->g);
     free(e);
@@ -147,10 +175,16 @@ bool equilibrium_reached(const struct equilibrium *e)
 
 void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 {
-    if (e->transform)
-        transform_apply(e->transform, g, z);
-    else
-        memcpy(z, g, (size_t)e->unknowns.length * sizeof *z);
+    transform_apply(e->transform, g, z);
+    for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
+}
+
+static bool solve_by(struct equilibrium *e, const struct equilibrium_method *method, void **self)
+{
+    if (!method) return false;
+    if (!*self) *self = method->start(e);
+    e->last = e->evaluations + e->most_evaluations;
+    return method->solve(*self, e);
 }
 
 bool equilibrium_solve(struct equilibrium *e)
@@ -158,7 +192,9 @@ bool equilibrium_solve(struct equilibrium *e)
     e->evaluations = 0;
     e->loads = norm_of_loads(e);
     equilibrium_evaluate(e, e->x, e->g);
-    if (!equilibrium_reached(e) && !e->method->solve(e->self, e)) return false;
+    if (!equilibrium_reached(e) && !solve_by(e, e->method, &e->self) &&
+        !solve_by(e, e->method->next, &e->next))
+        return false;
     e->largest = fmax(e->largest, e->reference);
     return true;
 }

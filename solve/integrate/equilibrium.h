@@ -6,6 +6,8 @@
  * What a falling body still carries is no measure of its forces: the denominator of (equilibrium.2) is at least a
  * hundredth of the largest one so far.
  *
+ *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho          (equilibrium.3)
+ *
  * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
  * grow.  To add a method: one file, one line in the table of equilibrium.c. */
 #ifndef HS_EQUILIBRIUM_H
@@ -19,6 +21,9 @@ struct equilibrium;
 
 struct equilibrium_method {
     const char *name;
+    int64_t usual_evaluations; /* at most, of one solution, where nobody says another number */
+    bool preconditions;        /* else it takes equilibrium->bound */
+    const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
     void *(*start)(const struct equilibrium *equilibrium);
     /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance (true), or no
      * more evaluations are left, or the motion goes astray.  The force is then that of x. */
@@ -32,18 +37,20 @@ struct equilibrium {
     struct boundary *boundary;
     struct model *model;
     const struct equilibrium_method *method;
-    void *self;
+    void *self, *next; /* of the method and the next; NULL: not needed so far */
     double tolerance;
-    int64_t most_evaluations; /* of one solution */
+    int64_t most_evaluations; /* of one method for one solution */
     struct unknowns unknowns;
     struct symbol symbol;
-    struct transform *transform; /* NULL: particles that lie on no lattice */
+    struct transform *transform; /* NULL: the method does not precondition */
+    double *bound;               /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
     struct members held;         /* nodes with held components */
     double *x, *g;               /* m, N/m^3 */
     double norm, reference;      /* of g; of (equilibrium.2) */
     double largest;              /* reference at any equilibrium so far */
     double loads;                /* |b_free| */
     int64_t evaluations;         /* of this solution so far */
+    int64_t last;                /* evaluation at which a method gives up */
 };
 
 /* The method of that number in equilibrium_methods.  Collective. */
@@ -52,6 +59,7 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                     struct deck_node solver, const struct materials *materials);
 void equilibrium_free(struct equilibrium *equilibrium);
 extern const char *const equilibrium_methods[];
+int64_t equilibrium_usual_evaluations(int method);
 extern const int equilibrium_method_count;
 
 /* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
@@ -62,10 +70,11 @@ double equilibrium_residual(const struct equilibrium *equilibrium);
 
 /* For methods: g at x, and its norm; sets the reference.  Collective, both. */
 double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
-/* z = M^-1 g: with waves, or, off the lattice, by the stiffness of a single node. */
+/* z = M^-1 g (transform.h), and what (equilibrium.3) gives where particles share a site. */
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
-extern const struct equilibrium_method equilibrium_lbfgs;
+extern const struct equilibrium_method equilibrium_lbfgs, equilibrium_newton,
+    equilibrium_relaxation;
 
 #endif

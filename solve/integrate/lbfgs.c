@@ -1,11 +1,13 @@
 /* lbfgs.c - equilibrium by the limited-memory BFGS method (Nocedal, Math. Comput. 35 (1980) 773), whose first
- * guess of the inverse stiffness is the preconditioner.
+ * guess of the inverse stiffness is the preconditioner, scaled to what the last step has shown (Liu, Nocedal,
+ * Math. Program. 45 (1989) 503).
  *
  *   d = -H g by the two loops over the pairs s = x' - x, y = g' - g;  x' = x + t d
+ *   H_0 = c M^-1,  c = s.y/(y.M^-1 y)
  *
- * The products s_i . y_j that the loops need are differences of s_i . g between iterations: an iteration makes
- * two rounds of products, each in one pass and one message.  The step t = 1 stands where the slope g . d has
- * fallen enough; else one secant step follows. */
+ * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and all products that the
+ * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message.  The
+ * step t = 1 stands where the slope g.d has fallen enough; else one secant step follows. */
 #include "equilibrium.h"
 #include "memory.h"
 
@@ -16,86 +18,110 @@
 enum { MEMORY = 6 };
 
 struct lbfgs {
-    int count; /* pairs, oldest first */
-    double *s[MEMORY + 1], *y[MEMORY + 1], *spare;
-    double s_norm[MEMORY + 1], y_norm[MEMORY + 1];
-    double sg[MEMORY + 1];             /* s_i . g */
-    double sy[MEMORY + 1][MEMORY + 1]; /* s_i . y_j, i <= j */
+    int count;    /* pairs, oldest first */
+    double scale; /* c */
+    double *s[MEMORY], *z[MEMORY], *w, *y;
+    double s_norm[MEMORY], z_norm[MEMORY];
+    double sg[MEMORY], zg[MEMORY]; /* s_i.g, z_i.g */
+    double sy[MEMORY][MEMORY];     /* s_i.y_j, i <= j */
+    double zy[MEMORY][MEMORY];     /* z_i.y_j, symmetric */
 };
 
 static void *lbfgs_start(const struct equilibrium *e)
 {
     struct lbfgs *self = memory_new(1, sizeof *self);
-    for (int k = 0; k <= MEMORY; k++) {
+    for (int k = 0; k < MEMORY; k++) {
         self->s[k] = vector_new(&e->unknowns);
-        self->y[k] = vector_new(&e->unknowns);
+        self->z[k] = vector_new(&e->unknowns);
     }
-    self->spare = vector_new(&e->unknowns);
+    self->w = vector_new(&e->unknowns);
+    self->y = vector_new(&e->unknowns);
+    self->scale = 1;
     return self;
 }
 
 static void lbfgs_free(void *object)
 {
     struct lbfgs *self = object;
-    for (int k = 0; k <= MEMORY; k++) {
+    for (int k = 0; k < MEMORY; k++) {
         free(self->s[k]);
-        free(self->y[k]);
+        free(self->z[k]);
     }
-    free(self->spare);
+    free(self->w);
+    free(self->y);
     free(self);
 }
 
 /* d = -H g */
-static void direction(struct lbfgs *self, struct equilibrium *e, double *d)
+static void direction(const struct lbfgs *self, const struct equilibrium *e, double *d)
 {
-    const struct unknowns *unknowns = &e->unknowns;
     const int n = self->count;
-    double alpha[MEMORY + 1], minus[MEMORY + 1], products[MEMORY + 1], gain[MEMORY + 1];
-    double *q = self->spare;
-    memcpy(q, e->g, (size_t)unknowns->length * sizeof *q);
+    double alpha[MEMORY], minus[MEMORY], gain[MEMORY];
     for (int i = n - 1; i >= 0; i--) {
         double sq = self->sg[i];
         for (int j = i + 1; j < n; j++) sq -= alpha[j] * self->sy[i][j];
         alpha[i] = sq / self->sy[i][i];
         minus[i] = -alpha[i];
     }
-    vector_add_all(unknowns, n, minus, self->y, q);
-    equilibrium_precondition(e, q, d);
-    const double norm = vector_norm(unknowns, d);
-    vector_products(unknowns, n, self->y, self->y_norm, d, norm, products);
     for (int i = 0; i < n; i++) {
-        double yr = products[i];
+        double yr = self->zg[i];
+        for (int j = 0; j < n; j++) yr -= alpha[j] * self->zy[i][j];
+        yr *= self->scale;
         for (int j = 0; j < i; j++) yr += gain[j] * self->sy[j][i];
         gain[i] = alpha[i] - yr / self->sy[i][i];
     }
-    vector_add_all(unknowns, n, gain, self->s, d);
-    vector_scale(unknowns, -1, d);
+    memcpy(d, self->w, (size_t)e->unknowns.length * sizeof *d);
+    vector_add_all(&e->unknowns, n, minus, self->z, d);
+    vector_scale(&e->unknowns, self->scale, d);
+    vector_add_all(&e->unknowns, n, gain, self->s, d);
+    vector_scale(&e->unknowns, -1, d);
 }
 
 static void drop_oldest(struct lbfgs *self)
 {
-    double *s = self->s[0], *y = self->y[0];
+    double *s = self->s[0], *z = self->z[0];
     for (int i = 1; i < self->count; i++) {
         self->s[i - 1] = self->s[i];
-        self->y[i - 1] = self->y[i];
+        self->z[i - 1] = self->z[i];
         self->s_norm[i - 1] = self->s_norm[i];
-        self->y_norm[i - 1] = self->y_norm[i];
+        self->z_norm[i - 1] = self->z_norm[i];
         self->sg[i - 1] = self->sg[i];
-        for (int j = i; j < self->count; j++) self->sy[i - 1][j - 1] = self->sy[i][j];
+        self->zg[i - 1] = self->zg[i];
+        for (int j = 1; j < self->count; j++) {
+            self->sy[i - 1][j - 1] = self->sy[i][j];
+            self->zy[i - 1][j - 1] = self->zy[i][j];
+        }
     }
     self->count--;
     self->s[self->count] = s;
-    self->y[self->count] = y;
+    self->z[self->count] = z;
 }
 
-/* The products of all s with the new g, and by difference those with the new y. */
-static void update_products(struct lbfgs *self, struct equilibrium *e)
+/* The pair of this number has s and y: finds z and all products.  slope: s.g before. */
+static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slope)
 {
-    const int n = self->count;
-    double before[MEMORY + 1];
-    memcpy(before, self->sg, sizeof before);
-    vector_products(&e->unknowns, n, self->s, self->s_norm, e->g, e->norm, self->sg);
-    for (int i = 0; i < n; i++) self->sy[i][n - 1] = self->sg[i] - before[i];
+    const struct unknowns *unknowns = &e->unknowns;
+    const int k = self->count, n = k + 1;
+    double *z = self->z[k], *vectors[2 * MEMORY], norms[2 * MEMORY], products[2 * MEMORY];
+    memcpy(z, self->w, (size_t)unknowns->length * sizeof *z);
+    equilibrium_precondition(e, e->g, self->w);
+    for (int64_t i = 0; i < unknowns->length; i++) z[i] = self->w[i] - z[i];
+    self->z_norm[k] = vector_norm(unknowns, z);
+    vector_products(unknowns, 1, &z, &self->z_norm[k], self->y, vector_norm(unknowns, self->y),
+                    &self->zy[k][k]);
+    for (int i = 0; i < n; i++) {
+        vectors[i] = self->s[i];
+        norms[i] = self->s_norm[i];
+        vectors[n + i] = self->z[i];
+        norms[n + i] = self->z_norm[i];
+    }
+    vector_products(unknowns, 2 * n, vectors, norms, e->g, e->norm, products);
+    for (int i = 0; i < n; i++) {
+        self->sy[i][k] = products[i] - (i < k ? self->sg[i] : slope);
+        if (i < k) self->zy[i][k] = self->zy[k][i] = products[n + i] - self->zg[i];
+        self->sg[i] = products[i];
+        self->zg[i] = products[n + i];
+    }
 }
 
 static bool lbfgs_solve(void *object, struct equilibrium *e)
@@ -105,10 +131,11 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
     const size_t bytes = (size_t)unknowns->length * sizeof(double);
     const double farthest = 0.5 * e->body->lattice->spacing;
     self->count = 0;
+    equilibrium_precondition(e, e->g, self->w);
     while (!equilibrium_reached(e)) {
-        if (e->evaluations >= e->most_evaluations || !isfinite(e->norm)) return false;
+        if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         if (self->count == MEMORY) drop_oldest(self);
-        double *d = self->s[self->count], *y = self->y[self->count];
+        double *d = self->s[self->count], *y = self->y;
         direction(self, e, d);
         const double d_norm = vector_norm(unknowns, d), far = vector_largest(unknowns, d);
         double slope, end;
@@ -138,19 +165,20 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
         for (int64_t i = 0; i < unknowns->length; i++) y[i] = e->g[i] - y[i];
         vector_scale(unknowns, taken, d);
         self->s_norm[self->count] = fabs(taken) * d_norm;
-        self->y_norm[self->count] = vector_norm(unknowns, y);
-        self->sg[self->count] = taken * slope;
+        complete_pair(self, e, taken * slope);
+        const int k = self->count;
+        if (!(self->sy[k][k] > 1e-10 * self->s_norm[k] * vector_norm(unknowns, y))) continue;
+        if (self->zy[k][k] > 0) self->scale = self->sy[k][k] / self->zy[k][k];
         self->count++;
-        update_products(self, e);
-        const double curvature = self->sy[self->count - 1][self->count - 1];
-        if (!(curvature > 1e-10 * self->s_norm[self->count - 1] * self->y_norm[self->count - 1]))
-            self->count--;
     }
     return true;
 }
 
 const struct equilibrium_method equilibrium_lbfgs = {
     .name = "lbfgs",
+    .usual_evaluations = 2000,
+    .preconditions = true,
+    .next = &equilibrium_newton,
     .start = lbfgs_start,
     .solve = lbfgs_solve,
     .free = lbfgs_free,

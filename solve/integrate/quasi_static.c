@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Evaluations below which the next step grows. */
-enum { EASY = 200 };
+/* Share of the most evaluations up to which the next step grows. */
+static const double EASY = 0.25;
 
 /* Change of a node's integrity that needs no new equilibrium. */
 static const double SETTLED = 1e-3;
@@ -172,7 +172,9 @@ bool quasi_static_step(struct quasi_static *q, double *axial)
         }
     }
     accept(q, dt, axial);
-    e->integration->dt = e->evaluations <= EASY ? fmin(1.5 * dt, q->largest) : dt;
+    e->integration->dt = (double)e->evaluations <= EASY * (double)e->most_evaluations
+                             ? fmin(1.5 * dt, q->largest)
+                             : dt;
     return true;
 }
 

@@ -10,6 +10,8 @@
 static struct lattice block_new(const struct lattice *like, int reach, int phase)
 {
     struct lattice block = *like;
+    block.volume = NULL;
+    for (int a = 0; a < 3; a++) block.point[a] = NULL;
     block.n_sites = 1;
     for (int a = 0; a < 3; a++) {
         block.size[a] = a == 2 && like->dimensions == 2 ? 1 : 2 * (4 * reach + 2) + 1;

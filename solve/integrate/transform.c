@@ -4,6 +4,7 @@
 #include "memory.h"
 
 #include <fftw3.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,17 +24,27 @@ struct transform {
     const struct unknowns *unknowns;
     struct collection *collection;
     int root[3];
+    bool crowded;
     struct box box[3];
 };
+
+/* Place of a site in the lattice, of scattered particles in one of their mean distance. */
+static void find_position(const struct lattice *lattice, int64_t site, int at[3])
+{
+    lattice_position(lattice, site, at);
+    if (!lattice->point[0]) return;
+    for (int b = 0; b < 3; b++)
+        at[b] = (int)floor((lattice->point[b][site] - lattice->origin[b]) / lattice->spacing + 0.5);
+}
 
 static void find_box(struct box *box, const struct lattice *lattice, const int64_t *sites,
                      int64_t n, const double *free)
 {
     int high[3] = {-1, -1, -1}, body_low[3], body_high[3] = {-1, -1, -1};
-    for (int b = 0; b < 3; b++) box->low[b] = body_low[b] = lattice->size[b];
+    for (int b = 0; b < 3; b++) box->low[b] = body_low[b] = INT_MAX;
     for (int64_t i = 0; i < n; i++) {
         int at[3];
-        lattice_position(lattice, sites[i], at);
+        find_position(lattice, sites[i], at);
         for (int b = 0; b < 3; b++) {
             body_low[b] = at[b] < body_low[b] ? at[b] : body_low[b];
             body_high[b] = at[b] > body_high[b] ? at[b] : body_high[b];
@@ -51,17 +62,25 @@ static void find_box(struct box *box, const struct lattice *lattice, const int64
     }
 }
 
-static void find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
-                        int64_t n, const double *free)
+/* Whether two nodes have one place. */
+static bool find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
+                        int64_t n, const double *free_nodes)
 {
+    bool *taken = memory_new((size_t)box->count + 1, sizeof *taken), crowded = false;
     box->place = memory_new((size_t)n, sizeof *box->place);
     for (int64_t i = 0; i < n; i++) {
         int at[3];
-        lattice_position(lattice, sites[i], at);
+        find_position(lattice, sites[i], at);
         for (int b = 0; b < 3; b++) at[b] -= box->low[b];
-        box->place[i] =
-            free[i] > 0 ? ((int64_t)at[2] * box->size[1] + at[1]) * box->size[0] + at[0] : -1;
+        box->place[i] = -1;
+        if (!(free_nodes[i] > 0)) continue;
+        const int64_t place = ((int64_t)at[2] * box->size[1] + at[1]) * box->size[0] + at[0];
+        crowded |= taken[place];
+        taken[place] = true;
+        box->place[i] = place;
     }
+    free(taken);
+    return crowded;
 }
 
 /* Waves along one axis of a box: FFTW's names for them, and their wave numbers per site. */
@@ -108,6 +127,7 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
     transform->unknowns = unknowns;
     transform->collection = collection_new(body);
     const int64_t *sites = collection_sites(transform->collection);
+    bool crowded = false;
     for (int a = 0; a < 3; a++) {
         struct box *box = &transform->box[a];
         double *free_nodes = memory_new(nodes, sizeof *free_nodes);
@@ -116,12 +136,15 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
                           unknowns->free + a * unknowns->n_nodes, free_nodes);
         if (body->ranks.rank == transform->root[a]) {
             find_box(box, body->lattice, sites, body->n_nodes, free_nodes);
-            find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
+            crowded |= find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
             box->all = memory_new(nodes, sizeof *box->all);
             if (box->count > 0) find_inverse(box, symbol, a);
         }
         free(free_nodes);
     }
+    double least = crowded ? -1 : 0;
+    ranks_minimum(&least, 1);
+    transform->crowded = least < 0;
     return transform;
 }
 
@@ -142,12 +165,17 @@ void transform_free(struct transform *transform)
     free(transform);
 }
 
+bool transform_is_crowded(const struct transform *transform)
+{
+    return transform->crowded;
+}
+
 static void invert(struct box *box, int64_t n)
 {
     if (box->count == 0) return;
     memset(box->values, 0, (size_t)box->count * sizeof *box->values);
     for (int64_t i = 0; i < n; i++)
-        if (box->place[i] >= 0) box->values[box->place[i]] = box->all[i];
+        if (box->place[i] >= 0) box->values[box->place[i]] += box->all[i];
     fftw_execute(box->forward);
     for (int64_t i = 0; i < box->count; i++) box->values[i] *= box->inverse[i];
     fftw_execute(box->backward);

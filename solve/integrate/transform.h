@@ -4,7 +4,8 @@
  * the component is held, cosines where it is free (symbol.h has the diagonal).  Inverting that diagonal
  * leaves a number of iterations that grows neither with the number of particles nor with the length of the
  * body.  The waves fill the box around the free components; where the body does not, there is nothing outside,
- * before and after.  Each component is the work of one rank. */
+ * before and after.  A scattered particle counts where the nearest site of a lattice of its mean distance
+ * would be.  Each component is the work of one rank. */
 #ifndef HS_TRANSFORM_H
 #define HS_TRANSFORM_H
 
@@ -13,9 +14,12 @@
 
 struct transform;
 
-/* Of particles on a lattice.  Collective. */
+/* Collective. */
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol);
 void transform_free(struct transform *transform);
+
+/* Whether particles share a site: then M^-1 does not tell them apart. */
+bool transform_is_crowded(const struct transform *transform);
 
 /* z = M^-1 r.  Collective. */
 void transform_apply(struct transform *transform, const double *r, double *z);

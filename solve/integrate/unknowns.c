@@ -160,6 +160,14 @@ double vector_norm(const struct unknowns *unknowns, const double *x)
     return sqrt(square);
 }
 
+double vector_product(const struct unknowns *unknowns, double *x, const double *y)
+{
+    const double x_norm = vector_norm(unknowns, x), y_norm = vector_norm(unknowns, y);
+    double product;
+    vector_products(unknowns, 1, &x, &x_norm, y, y_norm, &product);
+    return product;
+}
+
 double held_norm(const struct unknowns *unknowns, double *const fields[3])
 {
     const struct strips *owned = &unknowns->body->owned;

@@ -36,6 +36,8 @@ void vector_add_all(const struct unknowns *unknowns, int count, const double a[]
 double vector_largest(const struct unknowns *unknowns, const double *x);
 /* Euclidean norm.  Collective. */
 double vector_norm(const struct unknowns *unknowns, const double *x);
+/* x . y.  Collective. */
+double vector_product(const struct unknowns *unknowns, double *x, const double *y);
 /* products[k] = x[k] . y, whose norms are known, norms[k] and norm.  Collective. */
 void vector_products(const struct unknowns *unknowns, int count, double *const x[],
                      const double norms[], const double *y, double norm, double products[]);
