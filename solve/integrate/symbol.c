@@ -35,16 +35,18 @@ static void push(const struct symbol *symbol, struct model *model, struct body *
     for (int b = 0; b < 3; b++) middle[b] = body->lattice->size[b] / 2;
     const int64_t site = grid_site(&body->grid, middle);
     const double way = 1e-7 * body->lattice->spacing;
-    body->u[a][site] = way;
-    model_force(model, body, (struct force_mode){.frozen = true}, NULL);
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        body->u[a][site] = sign * way;
+        model_force(model, body, (struct force_mode){.frozen = true}, NULL);
+        for (int z = 0; z <= symbol->reach[2]; z++)
+            for (int y = 0; y <= symbol->reach[1]; y++)
+                for (int x = 0; x <= symbol->reach[0]; x++) {
+                    const int step[3] = {x, y, z};
+                    answer[corner(symbol, x, y, z)] -=
+                        0.5 * sign * body->f[a][site + grid_shift(&body->grid, step)] / way;
+                }
+    }
     body->u[a][site] = 0;
-    for (int z = 0; z <= symbol->reach[2]; z++)
-        for (int y = 0; y <= symbol->reach[1]; y++)
-            for (int x = 0; x <= symbol->reach[0]; x++) {
-                const int step[3] = {x, y, z};
-                answer[corner(symbol, x, y, z)] =
-                    -body->f[a][site + grid_shift(&body->grid, step)] / way;
-            }
 }
 
 struct symbol symbol_new(struct deck_node solver, const struct family *family,
@@ -55,7 +57,8 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
     struct lattice block = block_new(lattice, family->reach, phase);
     size_t room = 1;
     for (int a = 0; a < 3; a++) {
-        symbol.reach[a] = block.size[a] > 1 ? 2 * family->reach + 1 : 0;
+        /* Force to stress, along a bond of the stabilisation, and to strain. */
+        symbol.reach[a] = block.size[a] > 1 ? 3 * family->reach : 0;
         room *= (size_t)symbol.reach[a] + 1;
     }
     const struct offset *near;
