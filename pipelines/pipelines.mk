@@ -26,7 +26,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
+.PHONY: thesis-calibration spacings finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -353,3 +353,89 @@ $(RESULTS)/rates/table.csv: $(RATES_OF:%=$(RESULTS)/rates/%/row.csv) pipelines/r
 	{ echo run,E_error_percent,stress_error_at_1_percent,at_2_percent,at_5_percent,at_10_percent,largest_kinetic_percent,forces,cpu_s; \
 	cat $(filter %.csv,$^); } > $@
 	awk -f pipelines/rates/check.awk $@
+
+# A harmonic slice here and in CalculiX, on the same voxels, each cut into n^3.  The results of CalculiX are kept in fe.csv; with ccx
+# installed (Debian: calculix-ccx) `make finite-elements-mesh` makes them anew, in about half an hour.
+SLICES := 1 2 3
+ELEMENTS := C3D8-1 C3D8I-1 C3D8I-2 C3D8I-3 C3D20R-1 C3D20R-2
+.PHONY: thesis-calibration spacings finite-elements-mesh
+finite-elements: $(RESULTS)/finite-elements/hstools.csv pipelines/finite-elements/fe.csv
+	awk -f pipelines/finite-elements/check.awk pipelines/finite-elements/fe.csv $<
+$(RESULTS)/finite-elements/slice-1.txt: pipelines/finite-elements/study.yaml | all
+	@mkdir -p $(@D)
+	hsgen -q $< -o $(@D)/domain.g --peridigm $(basename $@)
+$(RESULTS)/finite-elements/slice-2.txt $(RESULTS)/finite-elements/slice-3.txt: $(RESULTS)/finite-elements/slice-%.txt: $(RESULTS)/finite-elements/slice-1.txt
+	awk -v n=$* -v spacing=25e-6 -f pipelines/finite-elements/refine.awk $< > $@
+$(SLICES:%=$(RESULTS)/finite-elements/history-%.e): $(RESULTS)/finite-elements/history-%.e: $(RESULTS)/finite-elements/slice-%.txt pipelines/finite-elements/study.yaml
+	{ time -p hssolve -i $< -d pipelines/finite-elements/study.yaml -H $@; } 2> $(@D)/time-$*
+$(RESULTS)/finite-elements/hstools.csv: $(SLICES:%=$(RESULTS)/finite-elements/history-%.e) $(wildcard pipelines/finite-elements/*.awk)
+	{ echo code,refined,at_0.5_percent_MPa,at_1_percent,at_2_percent,at_3_percent,at_5_percent,cpu_s; for n in $(SLICES); do \
+	hspost -q --columns $(@D)/history-$$n.e | awk -f pipelines/finite-elements/columns.awk > $(@D)/curve-$$n.csv; \
+	awk -v name=hstools -v refined=$$n -f pipelines/finite-elements/at.awk $(@D)/curve-$$n.csv $(@D)/time-$$n; done; } > $@
+$(ELEMENTS:%=$(RESULTS)/finite-elements/%/curve.csv): $(RESULTS)/finite-elements/%/curve.csv: $(SLICES:%=$(RESULTS)/finite-elements/slice-%.txt) pipelines/finite-elements/mesh.awk
+	@command -v ccx > /dev/null || { echo "finite-elements-mesh needs ccx (Debian: calculix-ccx)" >&2; exit 1; }
+	@mkdir -p $(@D)
+	awk -v type=$(word 1,$(subst -, ,$*)) -v n=$(word 2,$(subst -, ,$*)) -v spacing=$$(awk 'BEGIN {print 0.025/$(word 2,$(subst -, ,$*))}') -v grip=0.05 -v gauge=0.2 -v end=0.02 \
+	-v increments=25 -f pipelines/finite-elements/mesh.awk $(RESULTS)/finite-elements/slice-$(word 2,$(subst -, ,$*)).txt > $(@D)/model.inp
+	cd $(@D) && { time -p OMP_NUM_THREADS=1 ccx model > log; } 2> time
+	awk -f pipelines/finite-elements/read.awk $(@D)/model.dat > $@
+finite-elements-mesh: $(ELEMENTS:%=$(RESULTS)/finite-elements/%/curve.csv)
+	{ echo element,refined,at_0.5_percent_MPa,at_1_percent,at_2_percent,at_3_percent,at_5_percent,cpu_s; for name in $(ELEMENTS); do \
+	awk -v name=$${name%-*} -v refined=$${name#*-} -f pipelines/finite-elements/at.awk $(RESULTS)/finite-elements/$$name/curve.csv $(RESULTS)/finite-elements/$$name/time; done; } > pipelines/finite-elements/fe.csv
+
+# One harmonic geometry at three spacings, by load steps to 10 %.
+FINER := 25um 12.5um 8.33um
+spacings: $(RESULTS)/spacings/table.csv
+spacing_25um := -e 's/^title: HS40, spacings/&: 25 um/'
+spacing_12.5um := -e 's/spacing: 25 um/spacing: 12.5 um/'
+spacing_8.33um := -e 's/spacing: 25 um/spacing: 8.333333333333333 um/'
+$(FINER:%=$(RESULTS)/spacings/%/study.yaml): $(RESULTS)/spacings/%/study.yaml: pipelines/spacings/study.yaml
+	$(call VARY,$(spacing_$*))
+$(RESULTS)/spacings/table.csv: $(FINER:%=$(RESULTS)/spacings/%/curve.csv) pipelines/spacings/table.awk
+	awk -f pipelines/spacings/table.awk $(filter %.csv,$^) > $@
+
+# The calibrations of the thesis (table 5), row by row.
+ROWS := 01 02 03 04 05 06 07 08 09 10 11 12 13 14 14-whole 15 15-whole 16 17 18 19 20
+thesis-calibration: $(RESULTS)/thesis-calibration/table.csv
+row_stretch = -e 's/value: 0.002/value: $(1)/' -e 's/ step: 0.0005/ step: $(2)/' -e 's/first_step: 0.00002/first_step: $(3)/'
+row_harder = -e 's/modulus: 898 MPa/modulus: 2100 MPa/'
+row_ufg = -e 's/yield: 185 MPa/yield: 1502 MPa/'
+row_whole = -e '/^damage:/,/critical_stretch/d' -e 's/ step: 0.0005/ step: 0.005/' -e 's/end_strain: 0.05/end_strain: $(1)/'
+row_crack = -e 's/^boundary:/cracks:\n  - {rectangle: [[0, $(1)], [0, $(2), 0], [0, 0, $(3)]]}\n\n&/'
+row_explicit = -e 's/type: quasi_static/type: explicit\n  safety: 0.4/' -e '/step:/d' -e '/break_at_once/d' -e 's/1 mm.s/10 m\/s/'
+# A harmonic plate in place of the specimen, of 25 um and of 25 mm.
+row_structure = -e '/^  specimen:/,/^  grips:/d' -e 's/^domain:/&\n  specimen: plate\n  size: [1.6 $(1), 0.4 $(1), 0.2 $(1)]\n  spacing: 0.025 $(1)\n  topology: harmonic\n  phases: {cg: M, ufg: UFG}\n  lattice: fcc\n  core: cell\n  core_distance: 0.25 $(1)\n  ufg_fraction: 0.40\n  seed: 1\n  grips: {length: 2 spacings, phase: structure}\n  gauge: {length: 0.8 $(1)}/' \
+	-e 's/^damage:/  UFG: {model: correspondence, density: 7850 kg\/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 1502 MPa, modulus: 4356 MPa}}\n\n&/' \
+	-e 's/pair: \[M, M\], law: critical_stretch, value: 0.002/pair: [M, M], law: critical_stretch, value: 0.01/' -e 's/end_strain: 0.05/end_strain: 0.004/'
+row_01 := -e 's/^title: .*/title: row 1/'
+row_02 := $(call row_stretch,0.0005,0.00005,0.00001)
+row_03 := $(call row_stretch,0.0001,0.00001,0.000005)
+row_04 := $(call row_stretch,0.0002,0.00002,0.00001)
+row_05 := $(call row_stretch,0.0002,0.00001,0.000005)
+row_06 := $(row_harder) $(row_04)
+row_07 := $(row_harder) $(call row_stretch,0.00005,0.000005,0.000002)
+row_08 := $(row_harder) $(call row_stretch,0.00005,0.0000025,0.000001)
+row_flaw = $(row_harder) $(call row_stretch,0.001,0.0001,0.00001) -e 's/\(hardening: .*\)/\1\n    flaw: {centre: [0, 0, 0], radius: $(1) mm, reduction: 0.3}/'
+row_09 := $(call row_flaw,0.5)
+row_10 := $(call row_flaw,4)
+row_cracked = $(row_harder) $(call row_stretch,0.0001,0.00001,0.000005) $(1)
+row_11 := $(call row_cracked,$(call row_crack,-3 mm$(comma) -1.3 mm,1.3 mm,1.3 mm))
+row_12 := $(call row_cracked,$(call row_crack,-2 mm$(comma) -0.9 mm,4 mm,1.8 mm))
+row_13 := $(call row_cracked,$(call row_crack,-6 mm$(comma) -2 mm,12 mm,4 mm)) -e 's/end_strain: 0.05/end_steps: 4/' -e 's/ step: 0.00001/ step: 1 ms/' -e 's/first_step: 0.000005/first_step: 1 ms/'
+row_14 := $(row_ufg) $(call row_stretch,0.00425,0.0005,0.00002)
+row_14-whole := $(row_ufg) $(call row_whole,0.02) -e 's/ step: 0.005/ step: 0.0005/'
+row_15 := $(row_ufg) -e 's/modulus: 898/modulus: 4356/' $(call row_stretch,0.02,0.001,0.00002)
+row_15-whole := $(row_ufg) -e 's/modulus: 898/modulus: 4356/' $(call row_whole,0.10)
+row_16 := $(row_harder) $(call row_structure,mm)
+row_17 := $(row_harder) $(call row_structure,m)
+row_18 := $(row_harder) $(row_explicit) -e 's/value: 0.002/value: 0.01/'
+row_19 := -e 's/model: .*/model: correspondence_elastic/' -e '/hardening:/d' $(row_explicit) -e 's/value: 0.002/value: 0.02/'
+row_20 := -e 's/model: .*/model: ordinary/' -e '/hardening:/d' -e '/stabilisation/d' -e 's/horizon: 1 /horizon: 3 /' $(row_explicit) -e 's/value: 0.002/value: 0.02/'
+$(ROWS:%=$(RESULTS)/thesis-calibration/%/study.yaml): $(RESULTS)/thesis-calibration/%/study.yaml: pipelines/thesis-calibration/study.yaml
+	$(call VARY,-e 's/^title: .*/title: row $*/' $(row_$*))
+$(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e): %/history.e: %/study.yaml | all
+	$(HISTORY)
+$(RESULTS)/thesis-calibration/table.csv: $(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e) $(wildcard pipelines/thesis-calibration/*.awk)
+	{ echo row,largest_stress_MPa,strain_there,broken,strain_at_the_end,broken_bonds,energy_drift; for name in $(ROWS); do \
+	hspost -q --columns $(@D)/$$name/history.e | awk -v name=$$name -f pipelines/thesis-calibration/measure.awk; done; } > $@
+	awk -f pipelines/thesis-calibration/check.awk $@

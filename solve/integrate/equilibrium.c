@@ -68,6 +68,9 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     e->method = table[method];
     e->tolerance = 1e-6;
     e->most_evaluations = e->method->usual_evaluations;
+    /* What pulls at nothing has no reactions; a strain of 1e-7 everywhere is as good as none. */
+    e->largest = 1e-5 * materials_stiffest(materials) / body->lattice->spacing *
+                 sqrt(3 * (double)body->n_nodes);
     e->unknowns = unknowns_new(body, boundary);
     e->held = held_nodes(body, boundary);
     e->x = vector_new(&e->unknowns);

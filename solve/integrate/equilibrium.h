@@ -4,7 +4,7 @@
  *   residual = |g_free| / (|g_held|^2 + |b_free|^2)^1/2                                (equilibrium.2)
  *
  * What a falling body still carries is no measure of its forces: the denominator of (equilibrium.2) is at least a
- * hundredth of the largest one so far.
+ * hundredth of the largest one so far, and what a strain of 1e-7 throughout would cause.
  *
  *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho          (equilibrium.3)
  *

@@ -1,0 +1,20 @@
+# A row of the table from a history (hspost --columns): name, largest engineering stress in MPa, gauge strain there, "yes" and the gauge
+# strain of the last record before the load fell below 5 % of that with broken bonds ("no" and the last strain otherwise), broken bonds, drift
+# of the energy balance.
+#   awk -v name=01 -f measure.awk history.csv
+BEGIN { FS = "," }
+/^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
+/^# section_m2/ { split($0, word, ": "); section = word[2] }
+/^#/ { next }
+!n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
+{
+    strain = $column["extension_m"] / gauge
+    stress = 1e-6 * $column["force_right_N"] / section
+    bonds = $column["broken_bonds"]
+    drift = $column["energy_drift"]
+    if (stress > most) { most = stress; at = strain }
+    if (!broken && bonds > 0 && stress < 0.05 * most) { broken = 1; end = before }
+    if (!broken) end = strain
+    before = strain
+}
+END { printf "%s,%.1f,%.5f,%s,%.5f,%d,%.1e\n", name, most, at, broken ? "yes" : "no", end, bonds, drift }
