@@ -254,9 +254,12 @@ struct boundary small_free_boundary(void)
     return boundary;
 }
 
-struct small_point small_point_new(void)
+struct small_point small_point_new(const struct materials *materials)
 {
-    return (struct small_point){.state = {1, 1, 1}};
+    struct small_point point = {.stress = 0};
+    struct j2_strip strip = {.count = 1};
+    j2_start(&strip, point.state, 1, materials->curves.table);
+    return point;
 }
 
 /* P_yy at the lateral strain; P_xx goes to the point. */
