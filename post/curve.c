@@ -181,6 +181,7 @@ struct curve curve_make(const struct input *input, const struct choices *choices
                                            "kinetic_to_internal",
                                            "energy_drift",
                                            "unsteady_to_internal",
+                                           "residual",
                                            "minimum_section_ratio",
                                            "minimum_section_x_m"};
     char *title = title_of(input, choices);

@@ -9,6 +9,7 @@ static const double giga = 1e9, mega = 1e6, percent = 100;
 
 static const double quasi_static_limit = 0.01; /* kinetic over internal energy */
 static const double balance_limit = 0.01;      /* difference of the grip forces over the largest */
+static const double residual_limit = 1e-3;     /* free forces over reactions at rest */
 
 /* Largest size of a column between two rows. */
 static double largest(const double *values, long first, long last)
@@ -305,6 +306,12 @@ static void add_quality(struct properties *list, const struct curve *curve,
                        "from half of Rm to Rm; above 0.01 the test is not quasi-static")
             ->flag = beyond > quasi_static_limit ? "not_quasi_static" : NULL;
     }
+    const double rest = largest(table_find(&curve->table, "residual"), 0, curve->n - 1);
+    if (rest > 0)
+        properties_add(list, "residual", "r", rest, "1", NAN,
+                       "largest residual of a load step: forces out of balance over the reactions; "
+                       "above 0.001 the test is not in equilibrium")
+            ->flag = rest > residual_limit ? "not_in_equilibrium" : NULL;
     properties_add(list, "energy_drift", "", drift, "1", NAN,
                    "largest drift of the energy balance");
 }

@@ -139,6 +139,33 @@ END
     compare 2 3
 }
 
+# at_rest METHOD [MORE]: the study by load steps
+at_rest() {
+    sed -i -e "s/  type: explicit/  type: quasi_static\n  method: $1\n  step: 0.1 us\n${2:-}/" -e '/damping/d' -e '/velocity, /s///' study.yaml
+    hsgen -q study.yaml -o domain.g
+}
+
+@test "plate at rest by L-BFGS: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "$plate" 1 mix
+    at_rest lbfgs
+    compare 2 3 4 8
+}
+
+@test "dog-bone at rest by L-BFGS: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "$dogbone" 1 mix
+    at_rest lbfgs
+    compare 2 3 4 8
+}
+
+@test "dog-bone at rest by Newton's method and by relaxation: 3 ranks give the bits of one" {
+    for method in newton relaxation; do
+        study "$dogbone" 1 capped
+        at_rest $method '  tolerance: 1e-3\n'
+        compare 3
+        rm -r 1 3
+    done
+}
+
 @test "under mpirun as well" {
     study "$plate" 1 capped
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

@@ -79,6 +79,16 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
     compare 3
 }
 
+@test "scattered, at rest, some sharing a place of the preconditioner's lattice: 3 ranks give the bits of one" {
+    particles 0.9
+    deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.5}'
+    sed -i 's/type: explicit/type: quasi_static, step: 5 us/; s/start: affine, //; s/, energy_tolerance: 0.05//; s/displacement, force/force/' study.yaml
+    solve 1
+    solve 3
+    cmp 1/history.e 3/history.e
+    cmp 1/fields.e 3/fields.e
+}
+
 @test "a lattice among the particles of a file, in any order, runs as one" {
     particles 0
     deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'
