@@ -138,6 +138,19 @@ struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *
     return view;
 }
 
+int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view)
+{
+    const struct bond_strip *first = &bonds->strips[s], *end = bonds->strips + bonds->count;
+    *view = bonds_view(bonds, first);
+    if (view->weight_step || !view->apart || first->pair < 0) return 1;
+    const struct bond_strip *next = first + 1;
+    for (; next < end && next->offset == first->offset && next->i == first->i + view->count &&
+           next->pair == first->pair && !next->weight;
+         next++)
+        view->count += next->count;
+    return next - first;
+}
+
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
 {
     bonds->changed = true;

@@ -72,6 +72,10 @@ static inline int bonds_stride(int count)
 
 struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip);
 
+/* The same of strip s and of those after it that lie on the same line side by side, all bonds being alike and apart:
+ * returns how many strips.  Then count may be beyond LANES, and no buffer is needed. */
+int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view);
+
 /* The strip's weights as an array of its own, which may be changed. */
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip);
 

@@ -73,34 +73,35 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
     const double *pi = s->slip_lower, *pj = s->slip_upper;
     double *ei = s->lower[0], *ni = s->lower[1], *mi = s->lower[2], *xi = s->lower[3];
     double *ej = s->upper[0], *nj = s->upper[1], *mj = s->upper[2], *xj = s->upper[3];
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
-        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g], weight = W[k * w];
+        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
+        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;
         y += b;
         z += d;
         double e = longer / (sqrt(x * x + y * y + z * z) + length);
-        double extension = weight * R[k * g] * e;
-        ei[k] += extension * Vj[k * g];
-        ej[k] += extension * Vi[k * g];
+        ei[k] += (weight * reach * volume_j) * e;
+        ej[k] += (weight * reach * volume_i) * e;
         if (depth >= ENERGY) {
             double qi = e, qj = e;
             if (depth == STORED) {
                 qi -= pi[k];
                 qj -= pj[k];
-                xi[k] += weight * length * pi[k] * Vj[k * g];
-                xj[k] += weight * length * pj[k] * Vi[k * g];
+                xi[k] += (weight * length * volume_j) * pi[k];
+                xj[k] += (weight * length * volume_i) * pj[k];
             }
-            ni[k] += weight * qi * qi * Vj[k * g];
-            nj[k] += weight * qj * qj * Vi[k * g];
+            ni[k] += (weight * volume_j) * (qi * qi);
+            nj[k] += (weight * volume_i) * (qj * qj);
         }
         if (depth >= NORM) {
-            double moment = weight * length * length;
-            mi[k] += moment * Vj[k * g];
-            mj[k] += moment * Vi[k * g];
+            mi[k] += weight * length * length * volume_j;
+            mj[k] += weight * length * length * volume_i;
         }
     }
 }
@@ -120,10 +121,13 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
     double *pi = s->slip_lower, *pj = s->slip_upper;
     double *ix = s->force_lower[0], *iy = s->force_lower[1], *iz = s->force_lower[2];
     double *jx = s->force_upper[0], *jy = s->force_upper[1], *jz = s->force_upper[2];
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
-        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g];
+        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
+        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;
@@ -131,10 +135,10 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         z += d;
         double now = sqrt(x * x + y * y + z * z), sum = now + length, inverse = 1 / (sum * now);
         double e = longer * (inverse * now);
-        double force = (Ai[k] + Aj[k]) * R[k * g] + (Bi[k] + Bj[k]) * e;
+        double force = (Ai[k] + Aj[k]) * reach + (Bi[k] + Bj[k]) * e;
         if (depth >= STORED) force -= Bi[k] * pi[k] + Bj[k] * pj[k];
-        force *= W[k * w] * (inverse * sum);
-        double i = force * Vj[k * g], j = force * Vi[k * g];
+        force *= inverse * sum;
+        double i = (weight * volume_j) * force, j = (weight * volume_i) * force;
         ix[k] += i * x;
         iy[k] += i * y;
         iz[k] += i * z;
@@ -195,10 +199,25 @@ static void set_slip(struct pass *pass, double *slip)
     pass->slip_upper = slip ? slip + pass->view->stride : NULL;
 }
 
-static void sum_strip(const struct ordinary *model, const struct body *body, int64_t number,
-                      int depth)
+/* The strip with those that go with it; e^p is kept strip by strip. */
+static int64_t view_line(const struct ordinary *model, int64_t number, bool flows,
+                         struct bond_view *view)
 {
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    const int64_t done = flows ? 1 : bonds_line(model->bonds, number, view);
+    bool stored = flows;
+    for (int64_t s = number; model->plastic && !stored && s < number + done; s++)
+        stored = ordinary_plastic_store(model, s) != NULL;
+    if (!stored) return done;
+    *view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    return 1;
+}
+
+/* Strip number s; returns how many have been done, those after it that are alike included. */
+static int64_t sum_strip(const struct ordinary *model, const struct body *body, int64_t number,
+                         int depth)
+{
+    struct bond_view view;
+    const int64_t done = view_line(model, number, false, &view);
     double displacement[6][LANES], lower[SUM_COUNT][LANES], upper[SUM_COUNT][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     set_slip(&pass, depth == NORM ? ordinary_plastic_store(model, number) : NULL);
@@ -213,11 +232,13 @@ static void sum_strip(const struct ordinary *model, const struct body *body, int
         bond_scatter(&view, false, model->sum[k], lower[k]);
         bond_scatter(&view, true, model->sum[k], upper[k]);
     }
+    return done;
 }
 
-static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
+static int64_t push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
 {
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    struct bond_view view;
+    const int64_t done = view_line(model, number, flows, &view);
     double displacement[6][LANES], gathered[2][NODE_COUNT][LANES], force[2][3][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     int depth = ELASTIC;
@@ -241,6 +262,7 @@ static void push_strip(struct ordinary *model, struct body *body, int64_t number
         bond_scatter(&view, false, body->f[a], force[0][a]);
         bond_scatter(&view, true, body->f[a], force[1][a]);
     }
+    return done;
 }
 
 /* pull = k D theta */
@@ -276,7 +298,7 @@ static void find_nodes(struct ordinary *model, struct body *body, struct force_m
     const int depth = model->plastic ? NORM : energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
     body_clear(body, model->sum, model->plastic ? SUM_COUNT : depth + 1);
-    for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, body, s, depth);
+    for (int64_t s = 0; s < model->bonds->count;) s += sum_strip(model, body, s, depth);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
     else
@@ -314,7 +336,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     find_nodes(model, body, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
+    for (int64_t s = 0; s < model->bonds->count;) s += push_strip(model, body, s, flows);
     if (flows) settle_flow(model, body);
 }
 

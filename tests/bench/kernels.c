@@ -23,8 +23,8 @@ enum { ROUNDS = 7 };
 
 #define ELASTIC "density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31"
 #define PLASTIC(yield)                                                                             \
-    "{A: {model: ordinary_plastic, " ELASTIC                                                       \
-    ", hardening: {law: linear, yield: " yield ", modulus: 898 MPa}}}"
+    "{A: {model: ordinary_plastic, " ELASTIC ", hardening: {law: linear, yield: " yield            \
+    ", modulus: 898 MPa}}}"
 
 static struct kernel {
     const char *name, *materials;
@@ -114,8 +114,8 @@ static double time_force(struct kernel *k, int round)
 static double time_step(struct kernel *k)
 {
     struct boundary boundary = small_free_boundary();
-    struct integration integration = integration_new(
-        true, 1e-10, 0, &k->small.materials, &k->small.body, &boundary, k->small.model);
+    struct integration integration = integration_new(true, 1e-10, 0, &k->small.materials,
+                                                     &k->small.body, &boundary, k->small.model);
     const int calls = (int)ceil(4e7 / k->bonds);
     const double begin = now();
     for (int i = 0; i < calls; i++)
