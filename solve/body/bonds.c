@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Where a strip of a lattice comes in the order of the sums: line by line, by offset, then along x. */
 struct place {
@@ -89,6 +90,8 @@ struct bonds *bonds_new(struct body *body)
     for (int64_t s = 0; s < bonds->count; s++) {
         bonds->strips[s] = places[s].strip;
         bonds->strips[s].store = bonds->points;
+        if (s == 0 || memcmp(places[s].key, places[s - 1].key, 2 * sizeof(int))) bonds->lines++;
+        bonds->strips[s].line = bonds->lines - 1;
         bonds->points += bonds_stride(places[s].strip.count);
     }
     free(places);
@@ -154,6 +157,7 @@ int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view)
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
 {
     bonds->changed = true;
+    bonds->changes++;
     if (strip->weight) return strip->weight;
     strip->weight = memory_new((size_t)bonds_stride(strip->count), sizeof *strip->weight);
     for (int k = 0; k < strip->count; k++) strip->weight[k] = bonds->geometry[strip->offset].weight;

@@ -19,8 +19,9 @@
 
 struct bond_strip {
     int count;
-    int offset;     /* on a lattice: number of the half offset; else -1 */
-    int pair;       /* phase of i times 16 plus phase of j where all bonds have the same, else -1 */
+    int offset; /* on a lattice: number of the half offset; else -1 */
+    int pair;   /* phase of i times 16 plus phase of j where all bonds have the same, else -1 */
+    int line; /* on a lattice: the strips whose lower ends lie on the same line along x; else its own */
     int64_t i;      /* on a lattice: site of the first lower end; else: first entry of the lists */
     int64_t store;  /* sum of the strides before it: room for one number a bond */
     double *weight; /* [count] of its own, or NULL: all have the offset's */
@@ -35,7 +36,9 @@ struct bonds {
     const struct body *body;
     int64_t count;
     int64_t points; /* sum of the strides */
-    bool changed;   /* some weight has changed since the shape tensors were made */
+    int lines;
+    bool changed;    /* some weight has changed since the shape tensors were made */
+    int64_t changes; /* of weights so far */
     struct bond_strip *strips;
     /* Of a lattice. */
     int64_t *shift;                 /* [half offsets] from i to j */

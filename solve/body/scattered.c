@@ -56,6 +56,7 @@ static void add_strip(struct bonds *bonds, const struct body *body, int64_t firs
         free(bonds->strips);
         bonds->strips = longer;
     }
+    strip.line = bonds->lines++;
     bonds->strips[bonds->count++] = strip;
     bonds->points += bonds_stride(count);
 }
