@@ -34,7 +34,6 @@ static void find_geometry(struct bonds *bonds)
 {
     const struct body *body = bonds->body;
     const struct family *family = body->family;
-    bonds->shift = memory_new((size_t)family->n_half, sizeof *bonds->shift);
     bonds->geometry = memory_new((size_t)family->n_half, sizeof *bonds->geometry);
     bonds->volume[0] = body->volume;
     for (int o = 0; o < family->n_half; o++) {
@@ -47,7 +46,8 @@ static void find_geometry(struct bonds *bonds)
         }
         g->length = sqrt(square);
         g->weight = offset->weight;
-        bonds->shift[o] = grid_shift(&body->grid, offset->step);
+        g->shift = grid_shift(&body->grid, offset->step);
+        g->apart = offset->step[1] != 0 || offset->step[2] != 0;
     }
 }
 
@@ -79,7 +79,7 @@ struct bonds *bonds_new(struct body *body)
                 {at[2], at[1], o, at[0]},
                 {.count = strip->count,
                  .offset = o,
-                 .pair = common_pair(grid, strip->site, bonds->shift[o], strip->count),
+                 .pair = common_pair(grid, strip->site, bonds->geometry[o].shift, strip->count),
                  .i = strip->site}};
         }
         strips_free(&strips[o]);
@@ -102,7 +102,6 @@ void bonds_free(struct bonds *bonds)
 {
     for (int64_t s = 0; s < bonds->count; s++) free(bonds->strips[s].weight);
     free(bonds->strips);
-    free(bonds->shift);
     free(bonds->geometry);
     free(bonds->lower);
     free(bonds->upper);
@@ -113,38 +112,55 @@ void bonds_free(struct bonds *bonds)
     free(bonds);
 }
 
-struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip)
+static struct bond_view scattered_view(const struct bonds *bonds, const struct bond_strip *strip)
 {
-    struct bond_view view = {.count = strip->count, .stride = bonds_stride(strip->count)};
     const int64_t i = strip->i;
+    return (struct bond_view){.count = strip->count,
+                              .stride = bonds_stride(strip->count),
+                              .geometry_step = 1,
+                              .weight_step = 1,
+                              .xi = {bonds->xi[0] + i, bonds->xi[1] + i, bonds->xi[2] + i},
+                              .length = bonds->length + i,
+                              .volume_i = bonds->volume_lower + i,
+                              .volume_j = bonds->volume_upper + i,
+                              .weight = strip->weight,
+                              .lower = bonds->lower + i,
+                              .upper = bonds->upper + i};
+}
+
+/* Written where it is wanted: a kernel's call is short. */
+static inline void fill_view(const struct bonds *bonds, const struct bond_strip *strip,
+                             struct bond_view *view)
+{
     if (strip->offset < 0) {
-        view.geometry_step = view.weight_step = 1;
-        for (int a = 0; a < 3; a++) view.xi[a] = bonds->xi[a] + i;
-        view.length = bonds->length + i;
-        view.volume_i = bonds->volume_lower + i;
-        view.volume_j = bonds->volume_upper + i;
-        view.weight = strip->weight;
-        view.lower = bonds->lower + i;
-        view.upper = bonds->upper + i;
-        return view;
+        *view = scattered_view(bonds, strip);
+        return;
     }
     const struct bond_geometry *g = &bonds->geometry[strip->offset];
-    for (int a = 0; a < 3; a++) view.xi[a] = &g->xi[a];
-    view.length = &g->length;
-    view.volume_i = view.volume_j = bonds->volume;
-    view.weight = strip->weight ? strip->weight : &g->weight;
-    view.weight_step = strip->weight ? 1 : 0;
-    view.i = i;
-    view.j = i + bonds->shift[strip->offset];
-    const int *step = bonds->body->family->half[strip->offset].step;
-    view.apart = step[1] != 0 || step[2] != 0; /* the same on all ranks: it groups terms */
+    *view = (struct bond_view){.count = strip->count,
+                               .stride = bonds_stride(strip->count),
+                               .weight_step = strip->weight ? 1 : 0,
+                               .xi = {&g->xi[0], &g->xi[1], &g->xi[2]},
+                               .length = &g->length,
+                               .volume_i = bonds->volume,
+                               .volume_j = bonds->volume,
+                               .weight = strip->weight ? strip->weight : &g->weight,
+                               .i = strip->i,
+                               .j = strip->i + g->shift,
+                               .apart = g->apart};
+}
+
+struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip)
+{
+    struct bond_view view;
+    fill_view(bonds, strip, &view);
     return view;
 }
 
 int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view)
 {
     const struct bond_strip *first = &bonds->strips[s], *end = bonds->strips + bonds->count;
-    *view = bonds_view(bonds, first);
+    fill_view(bonds, first, view);
     if (view->weight_step || !view->apart || first->pair < 0) return 1;
     const struct bond_strip *next = first + 1;
     for (; next < end && next->offset == first->offset && next->i == first->i + view->count &&

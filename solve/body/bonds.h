@@ -30,6 +30,8 @@ struct bond_strip {
 struct bond_geometry {
     double xi[3], length; /* m */
     double weight;
+    int64_t shift; /* from i to j */
+    bool apart;    /* see struct bond_view */
 };
 
 struct bonds {
@@ -41,7 +43,6 @@ struct bonds {
     int64_t changes; /* of weights so far */
     struct bond_strip *strips;
     /* Of a lattice. */
-    int64_t *shift;                 /* [half offsets] from i to j */
     struct bond_geometry *geometry; /* [half offsets] */
     double volume[1];
     /* Between scattered particles: of each bond. */
