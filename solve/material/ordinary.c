@@ -239,11 +239,10 @@ static int64_t push_strip(struct ordinary *model, struct body *body, int64_t num
 }
 
 /* pull = k D theta */
-HS_SIMD static void find_pull(int count, const double *restrict dilatation,
-                              const double *restrict volumetric, const double *restrict extension,
-                              double *restrict pull)
+HS_SIMD static void find_pull(int count, const double *restrict volumetric,
+                              const double *restrict extension, double *restrict pull)
 {
-    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * (dilatation[i] * extension[i]);
+    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * extension[i];
 }
 
 static void elastic_nodes(struct ordinary *model, const struct body *body,
@@ -253,8 +252,8 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
         const int64_t i = body->owned.items[s].site;
         const int count = body->owned.items[s].count;
         double terms[LANES];
-        find_pull(count, model->dilatation + i, model->volumetric + i,
-                  model->sum[SUM_EXTENSION] + i, model->node[NODE_PULL] + i);
+        find_pull(count, model->volumetric + i, model->sum[SUM_EXTENSION] + i,
+                  model->node[NODE_PULL] + i);
         if (!energy) continue;
         for (int k = 0; k < count; k++)
             terms[k] = 0.5 * (model->node[NODE_PULL][i + k] * model->sum[SUM_EXTENSION][i + k] +
@@ -428,10 +427,16 @@ static void find_moduli(struct ordinary *model, const struct body *body)
             const double ratio = corrected ? isotropic[i] / full : 1;
             const struct ordinary_moduli moduli = model->law->moduli(
                 &all->items[body->grid.phase[i]], all->plane, body, moment[i], ratio);
-            model->dilatation[i] = moduli.dilatation;
-            model->volumetric[i] = moduli.volumetric * moduli.dilatation;
+            model->volumetric[i] = moduli.volumetric * moduli.dilatation * moduli.dilatation;
             model->distortion[i] = moduli.distortion;
         }
+}
+
+static bool yields_somewhere(const struct materials *all)
+{
+    for (int p = 0; p < all->count; p++)
+        if (all->items[p].yields) return true;
+    return false;
 }
 
 static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
@@ -440,29 +445,39 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     const size_t n = (size_t)body->grid.n_sites;
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
-    model->dilatation = memory_new(n, sizeof(double));
     model->volumetric = memory_new(n, sizeof(double));
     model->distortion = memory_new(n, sizeof(double));
     model->moment = memory_new(n, sizeof(double));
     for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = memory_new(n, sizeof(double));
-    for (int k = 0; k < NODE_COUNT; k++) model->node[k] = memory_new(n, sizeof(double));
+    model->node[NODE_PULL] = memory_new(n, sizeof(double));
     find_moduli(model, body);
     halo_exchange(body->stress_halo, &model->distortion, 1);
-    memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
-    for (int p = 0; p < model->materials->count && !model->plastic; p++)
-        if (model->materials->items[p].yields) model->plastic = ordinary_plastic_new(model);
+    if (yields_somewhere(model->materials)) {
+        for (int k = NODE_SPRING; k < NODE_COUNT; k++)
+            model->node[k] = memory_new(n, sizeof(double));
+        memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
+        model->plastic = ordinary_plastic_new(model);
+    } else {
+        model->node[NODE_SPRING] = model->distortion;
+        free(model->moment);
+        model->moment = NULL;
+    }
 }
 
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
-    if (model->plastic) ordinary_plastic_free(model->plastic);
-    free(model->dilatation);
+    if (model->plastic) {
+        ordinary_plastic_free(model->plastic);
+        free(model->node[NODE_SPRING]);
+    }
     free(model->volumetric);
     free(model->distortion);
     free(model->moment);
     for (int k = 0; k < SUM_COUNT; k++) free(model->sum[k]);
-    for (int k = 0; k < NODE_COUNT; k++) free(model->node[k]);
+    free(model->node[NODE_PULL]);
+    free(model->node[NODE_FLOW]);
+    free(model->node[NODE_CENTRE]);
     free(model);
 }
 

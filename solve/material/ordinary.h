@@ -56,9 +56,9 @@ struct ordinary {
     enum surface_correction correction;
     struct bonds *bonds;
     /* Box fields. */
-    double *dilatation, *volumetric, *distortion; /* D, k D, b */
+    double *volumetric, *distortion; /* k D^2, b */
     double *sum[SUM_COUNT], *node[NODE_COUNT];
-    double *moment;                   /* sum of w |xi|^2 V_j over the bonds there are */
+    double *moment; /* sum of w |xi|^2 V_j over the bonds there are; NULL where no phase yields */
     int64_t moment_changes;           /* of the bonds' weights that it has seen */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
 };

@@ -138,8 +138,7 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
 }
 
 /* The force after the return: t = k D theta a + b w [scale (e - e^p) + (1 - scale) c |xi|]. */
-HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
-                                const double *restrict volumetric,
+HS_SIMD static void write_nodes(int count, const double *restrict volumetric,
                                 const double *restrict distortion, const double *restrict extension,
                                 const struct strip_state *restrict s, double *restrict pull,
                                 double *restrict spring, double *restrict flow,
@@ -147,8 +146,7 @@ HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
 {
     for (int i = 0; i < count; i++) {
         double flowed = 1 - s->scale[i];
-        pull[i] =
-            volumetric[i] * (dilatation[i] * extension[i]) + distortion[i] * flowed * s->centre[i];
+        pull[i] = volumetric[i] * extension[i] + distortion[i] * flowed * s->centre[i];
         spring[i] = distortion[i] * s->scale[i];
         flow[i] = flowed;
         centre[i] = s->centre[i];
@@ -164,7 +162,7 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
         const int64_t i = strip->site + k;
         const double along = model->sum[SUM_EXTENSION][i],
                      p = model->plastic->strain[i] + s->grown[k];
-        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * along * along +
+        stored[k] = 0.5 * (model->volumetric[i] * along * along +
                            model->distortion[i] *
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
         plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
@@ -218,9 +216,9 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
-    write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
-                sum[SUM_EXTENSION] + i, &s, node[NODE_PULL] + i, node[NODE_SPRING] + i,
-                node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
+    write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_EXTENSION] + i,
+                &s, node[NODE_PULL] + i, node[NODE_SPRING] + i, node[NODE_FLOW] + i,
+                node[NODE_CENTRE] + i);
     double stored[LANES], plastic[LANES];
     const double *left = integrity_of_nodes(body, i, strip->count);
     const bool commit = mode.commit && !mode.frozen;
