@@ -64,7 +64,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-format install uninstall clean format help \
-        first flagship study
+        first flagship study bench-kernels
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -73,7 +73,7 @@ all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
 $(BUILD)/gen/%.o: ALL_CFLAGS += -Igen
 $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
 $(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
-$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests $(SOLVE_INCLUDES) $(MPI_CFLAGS)
+$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/lib/canvas.o: ALL_CFLAGS += $(CAIRO_CFLAGS)
 $(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
 
@@ -109,6 +109,14 @@ $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(addprefix $(BUILD)/tests/physics/
 $(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/physics/small_body.o \
     $(BUILD)/tests/physics/small_static.o $(foreach part,gen solve post lib,$(call archive,$(part)))
 	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+
+# Not a test: times of the kernels beside the bounds of the machine.
+$(BUILD)/tests/bench/kernels: $(BUILD)/tests/bench/kernels.o $(BUILD)/tests/physics/small_body.o \
+    $(foreach part,gen solve post lib,$(call archive,$(part)))
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+
+bench-kernels: $(BUILD)/tests/bench/kernels
+	$<
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 

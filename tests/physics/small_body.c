@@ -181,6 +181,7 @@ void small_body_plastic_range(struct small_body *small, double range[2])
 {
     const struct strips *strips = model_strips(small->model, &small->body);
     struct node_state node;
+    body_need_gradient(&small->body); /* observed, though not prepared */
     range[0] = INFINITY;
     range[1] = 0;
     for (int64_t s = 0; s < strips->count; s++) {

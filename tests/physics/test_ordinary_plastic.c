@@ -56,6 +56,7 @@ static double plastic_strain(struct small_body *small)
     const struct strips *strips = model_strips(small->model, &small->body);
     const int64_t middle = small_body_middle(small);
     struct node_state node;
+    body_need_gradient(&small->body); /* observed, though not prepared */
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         if (middle < strip->site || middle >= strip->site + strip->count) continue;
