@@ -16,6 +16,7 @@
 #   make crack                 a crack in glass that runs and branches: its speed
 #   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
 #   make thesis-boundary       four ways to hold a plate: which are asymmetric
+#   make solvers               evaluations and seconds of load steps, by method, nodes, length, horizon (20 minutes)
 #   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
@@ -26,7 +27,7 @@ RESULTS := $(BUILD)/results
 RANKS ?= 2
 SPACINGS ?= 25um 12.5um
 
-.PHONY: thesis-calibration spacings finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
+.PHONY: solvers thesis-calibration spacings finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
 first plate-cg: %: $(RESULTS)/%/curve.csv
 errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
@@ -331,6 +332,14 @@ $(RESULTS)/solver-switch/table.csv: $(SWITCHES:%=$(RESULTS)/solver-switch/%/curv
 	{ echo run,mean_deviation_percent,largest_deviation_percent,at_half_a_percent,at_two_percent,force_evaluations,cpu_s; \
 	for name in $(SWITCHES); do awk -v name=$$name -f pipelines/solver-switch/measure.awk $(@D)/static-0.001/curve.csv $(@D)/$$name/curve.csv $(@D)/$$name/time; done; } > $@
 	awk -f pipelines/solver-switch/check.awk $@
+
+# What load steps cost.
+solvers: $(RESULTS)/solvers/table.md
+$(RESULTS)/solvers/runs.csv: $(addprefix pipelines/solvers/,run cg.yaml hs40.yaml) | all
+	pipelines/solvers/run $(@D) > $@
+$(RESULTS)/solvers/table.md: $(RESULTS)/solvers/runs.csv $(wildcard pipelines/solvers/*.awk)
+	awk -F, -f pipelines/solvers/table.awk $< > $@
+	awk -F, -f pipelines/solvers/check.awk $<
 
 # A bar of CG by explicit steps of many kinds, against the exact curve.
 RATES_OF := static hybrid explicit-5 explicit-10 explicit-20 explicit-40 ramp-5 mass-10 mass-100 mass-1000 viscous-1e6 viscous-1e7 local-0.2 local-0.5 local-0.8
