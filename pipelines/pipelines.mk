@@ -336,6 +336,7 @@ $(RESULTS)/solver-switch/table.csv: $(SWITCHES:%=$(RESULTS)/solver-switch/%/curv
 # What load steps cost.
 solvers: $(RESULTS)/solvers/table.md
 $(RESULTS)/solvers/runs.csv: $(addprefix pipelines/solvers/,run cg.yaml hs40.yaml) | all
+	@mkdir -p $(@D)
 	pipelines/solvers/run $(@D) > $@
 $(RESULTS)/solvers/table.md: $(RESULTS)/solvers/runs.csv $(wildcard pipelines/solvers/*.awk)
 	awk -F, -f pipelines/solvers/table.awk $< > $@

@@ -1,6 +1,6 @@
 # awk -F, -f table.awk runs.csv: the costs as Markdown, evaluations of the force (CPU seconds) a step.
 
-function number(value) { return value < 9.95 ? sprintf("%.1f", value) : sprintf("%.0f", value) }
+function number(value) { return sprintf(value < 9.95 ? "%.2g" : "%.0f", value) }
 
 $1 == "material" { next }
 {
