@@ -64,7 +64,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-format install uninstall clean format help \
-        first flagship study
+        first flagship study stress bench
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -73,7 +73,7 @@ all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
 $(BUILD)/gen/%.o: ALL_CFLAGS += -Igen
 $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
 $(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
-$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests $(SOLVE_INCLUDES) $(MPI_CFLAGS)
+$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/lib/canvas.o: ALL_CFLAGS += $(CAIRO_CFLAGS)
 $(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
 
@@ -110,10 +110,36 @@ $(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/ph
     $(BUILD)/tests/physics/small_static.o $(foreach part,gen solve post lib,$(call archive,$(part)))
 	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
+# Not a test: times of the kernels beside the bounds of the machine.
+$(BUILD)/tests/bench/kernels: $(BUILD)/tests/bench/kernels.o $(BUILD)/tests/physics/small_body.o \
+    $(foreach part,gen solve post lib,$(call archive,$(part)))
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+
+# QUICK=1: the kernels on 64,000 nodes alone, to standard output.
+BENCH := $(BUILD)/results/bench
+bench: all $(BUILD)/tests/bench/kernels
+	@mkdir -p $(BENCH)
+	@$(BUILD)/tests/bench/kernels > $(BENCH)/measured.csv
+	@tests/bench/lammps > $(BENCH)/lammps.txt
+	@awk -f tests/bench/join.awk $(BENCH)/measured.csv $(BENCH)/lammps.txt > $(BENCH)/kernels.csv
+	@cat $(BENCH)/kernels.csv
+ifndef QUICK
+	@mkdir -p docs/bench
+	$(BUILD)/tests/bench/kernels 500 100 40 > $(BENCH)/large.csv
+	{ cat $(BENCH)/kernels.csv; sed -e 1d -e 's/$$/,/' $(BENCH)/large.csv; } > docs/bench/kernels.csv
+	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
+	gnuplot -c tests/bench/error.gp docs/bench/error.csv docs/bench/error.svg
+	for name in kernels error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
+endif
+
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 
 check: all $(TESTS) check-format
-	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats))
+	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats tests/stress/*.bats))
+
+# Numerical stability: the long form of what check has in short.
+stress: all
+	LONG=1 $(PROVE) $(sort $(wildcard tests/stress/*.bats))
 
 check-unit: $(TESTS)
 	$(PROVE) $(filter $(BUILD)/tests/unit/%,$(TESTS))
@@ -146,7 +172,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,13s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,15s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

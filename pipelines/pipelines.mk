@@ -275,9 +275,9 @@ neck_cg-12um = $(call neck_fine,12.5 um)
 neck_cg-horizon2 = -e 's/horizon: 1/horizon: 2/' -e 's/share: 0.1/share: 0.2/'
 neck_cg-horizon3 = -e 's/horizon: 1/horizon: 3/' -e 's/share: 0.1/share: 0.2/'
 neck_cg-capped = -e 's/law: mix, share: 0.1/law: capped/'
-neck_ufg = $(call neck_law,voce$(comma) yield: 1259.8 MPa$(comma) saturation: 564.5 MPa$(comma) rate: 238.5,0.001,0.05)
+neck_ufg = $(call neck_law,voce$(comma) yield: 1259.8 MPa$(comma) saturation: 564.5 MPa$(comma) rate: 238.5,0.001,0.05) -e 's/reduction: 0.001/reduction: 0.0001/'
 neck_linear = $(call neck_law,linear$(comma) yield: 185 MPa$(comma) modulus: 898 MPa,0.02,1.4)
-neck_power = $(call neck_law,swift$(comma) yield: 300 MPa$(comma) strength: 4356 MPa$(comma) exponent: 0.302,0.01,0.5)
+neck_power = $(call neck_law,swift$(comma) yield: 300 MPa$(comma) strength: 4356 MPa$(comma) exponent: 0.302,0.01,0.5) -e 's/reduction: 0.001/reduction: 0.0001/'
 exact_cg := -v law=voce -v a=182.1 -v b=513.0 -v c=5.320
 exact_ufg := -v law=voce -v a=1259.8 -v b=564.5 -v c=238.5
 exact_linear := -v law=linear -v a=185 -v b=898

@@ -10,11 +10,11 @@ function stress(p) {
     return b * ((a / b) ^ (1 / c) + p) ^ c # swift: yield a, strength b, exponent c
 }
 
-# There the stress is its own slope by logarithmic strain; the law's stress is Kirchhoff's, so that force over first section is
-# stress over stretch.
+# There the stress is its own slope by logarithmic strain, of which s/E is elastic; the law's stress is Kirchhoff's, so that
+# force over first section is stress over stretch.
 function considere(   p, h, s) {
     h = 1e-6
-    for (p = 1e-4; p < 3 && (stress(p + h) - stress(p)) / h > stress(p); p += 2e-5);
+    for (p = 1e-4; p < 3 && 1 / (h / (stress(p + h) - stress(p)) + 1 / E) > stress(p); p += 2e-5);
     s = stress(p)
     exact_strain = exp(p + s / E) - 1
     exact = s * exp(-p - s / E)

@@ -57,17 +57,22 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     make_fields(body.u, 3, body.grid.n_sites);
     make_fields(body.v, 3, body.grid.n_sites);
     make_fields(body.f, 3, body.grid.n_sites);
-    make_fields(body.H, 9, body.grid.n_sites);
-    make_fields(body.S, 9, body.grid.n_sites);
-    make_fields(body.inverse, 6, body.grid.n_sites);
-    make_fields(body.first, 3, body.grid.n_sites);
     if (lattice->point[0]) {
         body.volumes = memory_new((size_t)body.grid.n_sites, sizeof(double));
         memcpy(body.volumes, lattice->volume, (size_t)lattice->n_sites * sizeof(double));
-    } else {
-        shape_tensors(&body);
     }
+    if (n_bonds > 0) body_need_gradient(&body);
     return body;
+}
+
+void body_need_gradient(struct body *body)
+{
+    if (body->H[0]) return;
+    make_fields(body->H, 9, body->grid.n_sites);
+    make_fields(body->S, 9, body->grid.n_sites);
+    make_fields(body->inverse, 6, body->grid.n_sites);
+    make_fields(body->first, 3, body->grid.n_sites);
+    if (!body->lattice->point[0]) shape_tensors(body);
 }
 
 void body_free(struct body *body)

@@ -33,10 +33,11 @@ struct body {
     struct integrity *integrity; /* NULL: no node degrades */
 
     /* Fields over the grid's box. */
-    double *u[3];        /* displacement, m */
-    double *v[3];        /* velocity, m/s */
-    double *f[3];        /* internal force density, N/m^3 */
-    double *b[3];        /* external force density, N/m^3; NULL along axes without loads */
+    double *u[3]; /* displacement, m */
+    double *v[3]; /* velocity, m/s */
+    double *f[3]; /* internal force density, N/m^3 */
+    double *b[3]; /* external force density, N/m^3; NULL along axes without loads */
+    /* Made by body_need_gradient, else NULL. */
     double *H[9];        /* displacement gradient F - 1, row by row; valid at near sites */
     double *S[9];        /* work-conjugate stress, then S K^-1 */
     double *inverse[6];  /* inverse shape tensor, lattice units */
@@ -48,6 +49,10 @@ struct body {
 struct body body_new(const struct lattice *lattice, const struct family *family,
                      const struct offset *bonds, int n_bonds, struct ranks ranks);
 void body_free(struct body *body);
+
+/* Makes the fields of gradients and stresses and counts the unsupported nodes, at the first call: formulations whose
+ * forces come from bonds need them for output and for damage alone.  Collective. */
+void body_need_gradient(struct body *body);
 
 /* Gathers an owned field to rank 0 in node order: out[n_nodes] there (NULL elsewhere).  Collective. */
 void body_gather(const struct body *body, const double *field, double *out);

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Where a strip of a lattice comes in the order of the sums: line by line, by offset, then along x. */
 struct place {
@@ -33,7 +34,6 @@ static void find_geometry(struct bonds *bonds)
 {
     const struct body *body = bonds->body;
     const struct family *family = body->family;
-    bonds->shift = memory_new((size_t)family->n_half, sizeof *bonds->shift);
     bonds->geometry = memory_new((size_t)family->n_half, sizeof *bonds->geometry);
     bonds->volume[0] = body->volume;
     for (int o = 0; o < family->n_half; o++) {
@@ -46,7 +46,8 @@ static void find_geometry(struct bonds *bonds)
         }
         g->length = sqrt(square);
         g->weight = offset->weight;
-        bonds->shift[o] = grid_shift(&body->grid, offset->step);
+        g->shift = grid_shift(&body->grid, offset->step);
+        g->apart = offset->step[1] != 0 || offset->step[2] != 0;
     }
 }
 
@@ -78,7 +79,7 @@ struct bonds *bonds_new(struct body *body)
                 {at[2], at[1], o, at[0]},
                 {.count = strip->count,
                  .offset = o,
-                 .pair = common_pair(grid, strip->site, bonds->shift[o], strip->count),
+                 .pair = common_pair(grid, strip->site, bonds->geometry[o].shift, strip->count),
                  .i = strip->site}};
         }
         strips_free(&strips[o]);
@@ -89,6 +90,8 @@ struct bonds *bonds_new(struct body *body)
     for (int64_t s = 0; s < bonds->count; s++) {
         bonds->strips[s] = places[s].strip;
         bonds->strips[s].store = bonds->points;
+        if (s == 0 || memcmp(places[s].key, places[s - 1].key, 2 * sizeof(int))) bonds->lines++;
+        bonds->strips[s].line = bonds->lines - 1;
         bonds->points += bonds_stride(places[s].strip.count);
     }
     free(places);
@@ -99,7 +102,6 @@ void bonds_free(struct bonds *bonds)
 {
     for (int64_t s = 0; s < bonds->count; s++) free(bonds->strips[s].weight);
     free(bonds->strips);
-    free(bonds->shift);
     free(bonds->geometry);
     free(bonds->lower);
     free(bonds->upper);
@@ -110,37 +112,68 @@ void bonds_free(struct bonds *bonds)
     free(bonds);
 }
 
-struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip)
+static struct bond_view scattered_view(const struct bonds *bonds, const struct bond_strip *strip)
 {
-    struct bond_view view = {.count = strip->count, .stride = bonds_stride(strip->count)};
     const int64_t i = strip->i;
+    return (struct bond_view){.count = strip->count,
+                              .stride = bonds_stride(strip->count),
+                              .geometry_step = 1,
+                              .weight_step = 1,
+                              .xi = {bonds->xi[0] + i, bonds->xi[1] + i, bonds->xi[2] + i},
+                              .length = bonds->length + i,
+                              .volume_i = bonds->volume_lower + i,
+                              .volume_j = bonds->volume_upper + i,
+                              .weight = strip->weight,
+                              .lower = bonds->lower + i,
+                              .upper = bonds->upper + i};
+}
+
+/* Written where it is wanted: a kernel's call is short. */
+static inline void fill_view(const struct bonds *bonds, const struct bond_strip *strip,
+                             struct bond_view *view)
+{
     if (strip->offset < 0) {
-        view.geometry_step = view.weight_step = 1;
-        for (int a = 0; a < 3; a++) view.xi[a] = bonds->xi[a] + i;
-        view.length = bonds->length + i;
-        view.volume_i = bonds->volume_lower + i;
-        view.volume_j = bonds->volume_upper + i;
-        view.weight = strip->weight;
-        view.lower = bonds->lower + i;
-        view.upper = bonds->upper + i;
-        return view;
+        *view = scattered_view(bonds, strip);
+        return;
     }
     const struct bond_geometry *g = &bonds->geometry[strip->offset];
-    for (int a = 0; a < 3; a++) view.xi[a] = &g->xi[a];
-    view.length = &g->length;
-    view.volume_i = view.volume_j = bonds->volume;
-    view.weight = strip->weight ? strip->weight : &g->weight;
-    view.weight_step = strip->weight ? 1 : 0;
-    view.i = i;
-    view.j = i + bonds->shift[strip->offset];
-    const int *step = bonds->body->family->half[strip->offset].step;
-    view.apart = step[1] != 0 || step[2] != 0; /* the same on all ranks: it groups terms */
+    *view = (struct bond_view){.count = strip->count,
+                               .stride = bonds_stride(strip->count),
+                               .weight_step = strip->weight ? 1 : 0,
+                               .xi = {&g->xi[0], &g->xi[1], &g->xi[2]},
+                               .length = &g->length,
+                               .volume_i = bonds->volume,
+                               .volume_j = bonds->volume,
+                               .weight = strip->weight ? strip->weight : &g->weight,
+                               .i = strip->i,
+                               .j = strip->i + g->shift,
+                               .apart = g->apart};
+}
+
+struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip)
+{
+    struct bond_view view;
+    fill_view(bonds, strip, &view);
     return view;
+}
+
+int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view)
+{
+    const struct bond_strip *first = &bonds->strips[s], *end = bonds->strips + bonds->count;
+    fill_view(bonds, first, view);
+    if (view->weight_step || !view->apart || first->pair < 0) return 1;
+    const struct bond_strip *next = first + 1;
+    for (; next < end && next->offset == first->offset && next->i == first->i + view->count &&
+           next->pair == first->pair && !next->weight;
+         next++)
+        view->count += next->count;
+    return next - first;
 }
 
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
 {
     bonds->changed = true;
+    bonds->changes++;
     if (strip->weight) return strip->weight;
     strip->weight = memory_new((size_t)bonds_stride(strip->count), sizeof *strip->weight);
     for (int k = 0; k < strip->count; k++) strip->weight[k] = bonds->geometry[strip->offset].weight;

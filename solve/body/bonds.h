@@ -19,8 +19,9 @@
 
 struct bond_strip {
     int count;
-    int offset;     /* on a lattice: number of the half offset; else -1 */
-    int pair;       /* phase of i times 16 plus phase of j where all bonds have the same, else -1 */
+    int offset; /* on a lattice: number of the half offset; else -1 */
+    int pair;   /* phase of i times 16 plus phase of j where all bonds have the same, else -1 */
+    int line; /* on a lattice: the strips whose lower ends lie on the same line along x; else its own */
     int64_t i;      /* on a lattice: site of the first lower end; else: first entry of the lists */
     int64_t store;  /* sum of the strides before it: room for one number a bond */
     double *weight; /* [count] of its own, or NULL: all have the offset's */
@@ -29,16 +30,19 @@ struct bond_strip {
 struct bond_geometry {
     double xi[3], length; /* m */
     double weight;
+    int64_t shift; /* from i to j */
+    bool apart;    /* see struct bond_view */
 };
 
 struct bonds {
     const struct body *body;
     int64_t count;
     int64_t points; /* sum of the strides */
-    bool changed;   /* some weight has changed since the shape tensors were made */
+    int lines;
+    bool changed;    /* some weight has changed since the shape tensors were made */
+    int64_t changes; /* of weights so far */
     struct bond_strip *strips;
     /* Of a lattice. */
-    int64_t *shift;                 /* [half offsets] from i to j */
     struct bond_geometry *geometry; /* [half offsets] */
     double volume[1];
     /* Between scattered particles: of each bond. */
@@ -71,6 +75,10 @@ static inline int bonds_stride(int count)
 }
 
 struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip);
+
+/* The same of strip s and of those after it that lie on the same line side by side, all bonds being alike and apart:
+ * returns how many strips.  Then count may be beyond LANES, and no buffer is needed. */
+int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view);
 
 /* The strip's weights as an array of its own, which may be changed. */
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip);

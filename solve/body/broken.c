@@ -15,8 +15,9 @@ static double compliance(const struct body *body, int64_t site)
     return body->inverse[0][site] + body->inverse[1][site] + body->inverse[2][site];
 }
 
-static struct broken *broken_new(const struct body *body)
+static struct broken *broken_new(struct body *body)
 {
+    body_need_gradient(body);
     struct broken *broken = memory_new(1, sizeof *broken);
     const size_t sites = (size_t)body->grid.n_sites;
     broken->words = (body->family->n_half + 63) / 64;

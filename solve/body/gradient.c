@@ -31,6 +31,7 @@ HS_SIMD static void gradient_row(int count, const double *restrict u, const doub
 
 void displacement_gradient(struct body *body)
 {
+    body_need_gradient(body);
     if (body->lattice->point[0]) {
         scattered_gradient(body);
         for (int64_t n = 0; body->broken && n < body->near.count; n++)

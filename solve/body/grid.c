@@ -128,8 +128,8 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     struct grid grid = {.rank = rank};
     int low[3], high[3];
     owned_box(lattice, partition, rank, low, high);
-    /* Twice the reach: a near site is one reach away, its family another. */
-    const int pad = 2 * family->reach;
+    /* Twice the reach where a near site is one reach away, its family another. */
+    const int pad = (n_bonds > 0 ? 2 : 1) * family->reach;
     for (int a = 0; a < 3; a++) {
         grid.origin[a] = low[a] - pad;
         grid.size[a] = high[a] - low[a] + 2 * pad;

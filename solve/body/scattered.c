@@ -56,6 +56,7 @@ static void add_strip(struct bonds *bonds, const struct body *body, int64_t firs
         free(bonds->strips);
         bonds->strips = longer;
     }
+    strip.line = bonds->lines++;
     bonds->strips[bonds->count++] = strip;
     bonds->points += bonds_stride(count);
 }
@@ -120,6 +121,7 @@ void scattered_shapes(struct body *body)
 {
     static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
     const double spacing = body->lattice->spacing;
+    body_need_gradient(body);
     body_clear(body, body->inverse, 6);
     for (int64_t s = 0; s < body->bonds->count; s++) {
         const struct bond_view view = bonds_view(body->bonds, &body->bonds->strips[s]);

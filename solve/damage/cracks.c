@@ -144,6 +144,7 @@ int64_t cracks_cut(const struct cracks *cracks, struct body *body, struct bonds 
 {
     double cut = 0;
     if (cracks->count == 0) return 0;
+    body_need_gradient(body); /* here, as only some ranks may have bonds to cut */
     for (int64_t s = 0; s < bonds->count; s++)
         for (int k = 0; k < bonds->strips[s].count; k++) {
             const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);

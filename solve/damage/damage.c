@@ -53,6 +53,7 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     damage->body = body;
     damage->bonds = bonds;
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
+    if (damage->rules.bonds || damage->rules.nodes) body_need_gradient(body);
     damage->whole = memory_new(sites, sizeof(double));
     add_volumes(damage, damage->whole);
     if (damage->rules.degrading)

@@ -78,80 +78,112 @@ static const double *moduli(const struct bond_based *model, const struct bond_st
     return buffer;
 }
 
-/* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m; terms: the energy of each bond, c w s^2 |xi| V_i V_j/2.  e = (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to
- * round-off for small displacements, too. */
-HS_INLINE void pull(int count, struct bond_ends u, const struct bond_view *v, int g, int w,
-                    const double *c, int m, double *const fi[3], double *const fj[3], double *terms)
+/* What a kernel reads and writes of a strip. */
+struct pull {
+    int count;
+    struct bond_ends u;
+    const struct bond_view *view;
+    const double *modulus;
+    double *lower[3], *upper[3]; /* force densities */
+    double *terms;               /* energy of each bond, where asked */
+};
+
+/* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m; with
+ * energy c w s^2 |xi| V_i V_j/2 of each bond.  e = (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to round-off for
+ * small displacements, too. */
+HS_INLINE void pull(const struct pull *p, int g, int w, int m, bool energy)
 {
-    const double *ux = u.lower[0], *uy = u.lower[1], *uz = u.lower[2];
-    const double *vx = u.upper[0], *vy = u.upper[1], *vz = u.upper[2];
+    const struct bond_view *v = p->view;
+    const double *ux = p->u.lower[0], *uy = p->u.lower[1], *uz = p->u.lower[2];
+    const double *vx = p->u.upper[0], *vy = p->u.upper[1], *vz = p->u.upper[2];
     const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
-    const double *Vi = v->volume_i, *Vj = v->volume_j;
-    double *ix = fi[0], *iy = fi[1], *iz = fi[2], *jx = fj[0], *jy = fj[1], *jz = fj[2];
+    const double *Vi = v->volume_i, *Vj = v->volume_j, *C = p->modulus;
+    double *ix = p->lower[0], *iy = p->lower[1], *iz = p->lower[2];
+    double *jx = p->upper[0], *jy = p->upper[1], *jz = p->upper[2], *terms = p->terms;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, C0 = *C;
+    const int count = p->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
-        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g];
+        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
+        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;
         y += b;
         z += d;
         double now = sqrt(x * x + y * y + z * z);
-        double modulus = c[k * m] * W[k * w], slope = longer / ((now + length) * (length * now));
-        double force = modulus * slope;
-        double i = force * Vj[k * g], j = force * Vi[k * g];
+        double modulus = (m ? C[k] : C0) * (w ? W[k] : W0);
+        double slope = longer / ((now + length) * (length * now));
+        double i = (modulus * volume_j) * slope, j = (modulus * volume_i) * slope;
         ix[k] += i * x;
         iy[k] += i * y;
         iz[k] += i * z;
         jx[k] -= j * x;
         jy[k] -= j * y;
         jz[k] -= j * z;
-        terms[k] = 0.5 * modulus * (slope * now) * (slope * now) * length * (Vi[k * g] * Vj[k * g]);
+        if (energy)
+            terms[k] =
+                0.5 * modulus * (slope * now) * (slope * now) * length * (volume_i * volume_j);
     }
 }
 
-#define VARIANT(name, g, w, m)                                                                     \
-    HS_SIMD static void name(int count, struct bond_ends u, const struct bond_view *v,             \
-                             const double *c, double *const fi[3], double *const fj[3],            \
-                             double *terms)                                                        \
+#define VARIANT(name, g, w, m, energy)                                                             \
+    HS_SIMD static void name(const struct pull *p)                                                 \
     {                                                                                              \
-        pull(count, u, v, g, w, c, m, fi, fj, terms);                                              \
+        pull(p, g, w, m, energy);                                                                  \
     }
-VARIANT(pull_alike, 0, 0, 0)
-VARIANT(pull_weighted, 0, 1, 0)
-VARIANT(pull_phases, 0, 0, 1)
-VARIANT(pull_weighted_phases, 0, 1, 1)
-VARIANT(pull_scattered, 1, 1, 0)
-VARIANT(pull_scattered_phases, 1, 1, 1)
-#undef VARIANT
+#define VARIANTS(name, g, w, m)                                                                    \
+    VARIANT(name, g, w, m, false)                                                                  \
+    VARIANT(name##_energy, g, w, m, true)
+#define CHOICE(name)                                                                               \
+    {                                                                                              \
+        name, name##_energy                                                                        \
+    }
+VARIANTS(pull_alike, 0, 0, 0)
+VARIANTS(pull_weighted, 0, 1, 0)
+VARIANTS(pull_phases, 0, 0, 1)
+VARIANTS(pull_weighted_phases, 0, 1, 1)
+VARIANTS(pull_scattered, 1, 1, 0)
+VARIANTS(pull_scattered_phases, 1, 1, 1)
 
-/* stored: where not NULL, the strip's energy is added. */
-static void pull_strip(const struct bond_based *model, struct body *body,
-                       const struct bond_strip *strip, struct exact_sum *stored)
+/* [geometry_step][weight_step][step of the modulus][energy] */
+static void (*const pulling[2][2][2][2])(const struct pull *) = {
+    {{CHOICE(pull_alike), CHOICE(pull_phases)},
+     {CHOICE(pull_weighted), CHOICE(pull_weighted_phases)}},
+    {{{NULL, NULL}, {NULL, NULL}}, {CHOICE(pull_scattered), CHOICE(pull_scattered_phases)}}};
+
+/* Strip number s; stored: where not NULL, its energy is added, else strips after it may go with it: returns how
+ * many have been done. */
+static int64_t pull_strip(const struct bond_based *model, struct body *body, int64_t s,
+                          struct exact_sum *stored)
 {
-    static void (*const variants[2][2][2])(int, struct bond_ends, const struct bond_view *,
-                                           const double *, double *const[3], double *const[3],
-                                           double *) = {
-        {{pull_alike, pull_phases}, {pull_weighted, pull_weighted_phases}},
-        {{NULL, NULL}, {pull_scattered, pull_scattered_phases}}};
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], force[6][LANES], moduli_buffer[LANES], terms[LANES], *fi[3],
-        *fj[3];
+    const struct bond_strip *strip = &model->bonds->strips[s];
+    struct bond_view view;
+    int64_t done = 1;
+    if (stored)
+        view = bonds_view(model->bonds, strip);
+    else
+        done = bonds_line(model->bonds, s, &view);
+    double displacement[6][LANES], force[6][LANES], moduli_buffer[LANES], terms[LANES];
     int several;
-    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    struct pull p = {.count = view.count,
+                     .u = bond_ends_find(&view, body, displacement),
+                     .view = &view,
+                     .modulus = moduli(model, strip, &view, moduli_buffer, &several),
+                     .terms = terms};
     for (int a = 0; a < 3; a++) {
-        fi[a] = bond_target(&view, false, body->f[a], force[a]);
-        fj[a] = bond_target(&view, true, body->f[a], force[3 + a]);
+        p.lower[a] = bond_target(&view, false, body->f[a], force[a]);
+        p.upper[a] = bond_target(&view, true, body->f[a], force[3 + a]);
     }
-    variants[view.geometry_step][view.weight_step][several](
-        view.count, bond_ends_find(&view, body, displacement), &view, c, fi, fj, terms);
+    pulling[view.geometry_step][view.weight_step][several][stored != NULL](&p);
     for (int a = 0; a < 3; a++) {
         bond_scatter(&view, false, body->f[a], force[a]);
         bond_scatter(&view, true, body->f[a], force[3 + a]);
     }
-    if (!stored) return;
+    if (!stored) return done;
     bonds_only_owned(model->bonds, &view, terms);
     exact_sum_add_strip(stored, view.count, terms, 1);
+    return done;
 }
 
 static void bond_based_bond_energy(const void *self, const struct body *body,
@@ -176,8 +208,8 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
     const struct bond_based *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        pull_strip(model, body, &model->bonds->strips[s], mode.energy ? &energy->stored : NULL);
+    for (int64_t s = 0; s < model->bonds->count;)
+        s += pull_strip(model, body, s, mode.energy ? &energy->stored : NULL);
 }
 
 /* Half of the force of a bond belongs to either end. */

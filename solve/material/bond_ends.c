@@ -2,17 +2,6 @@
 
 #include <math.h>
 
-struct bond_ends bond_ends_find(const struct bond_view *view, const struct body *body,
-                                double buffer[6][LANES])
-{
-    struct bond_ends ends;
-    for (int a = 0; a < 3; a++) {
-        ends.lower[a] = bond_gather(view, false, body->u[a], buffer[a]);
-        ends.upper[a] = bond_gather(view, true, body->u[a], buffer[3 + a]);
-    }
-    return ends;
-}
-
 double bond_ends_extension(const struct bond_view *view, const struct bond_ends *u, int k)
 {
     double longer = 0, square = 0;

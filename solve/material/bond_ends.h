@@ -10,8 +10,16 @@ struct bond_ends {
 };
 
 /* buffer: where displacements that do not lie side by side are gathered. */
-struct bond_ends bond_ends_find(const struct bond_view *view, const struct body *body,
-                                double buffer[6][LANES]);
+static inline struct bond_ends bond_ends_find(const struct bond_view *view, const struct body *body,
+                                              double buffer[6][LANES])
+{
+    struct bond_ends ends;
+    for (int a = 0; a < 3; a++) {
+        ends.lower[a] = bond_gather(view, false, body->u[a], buffer[a]);
+        ends.upper[a] = bond_gather(view, true, body->u[a], buffer[3 + a]);
+    }
+    return ends;
+}
 
 /* Extension |y| - |xi| of bond k [m], y = xi + u_j - u_i: (2 xi.eta + eta.eta)/(|y| + |xi|), eta = u_j - u_i, is
  * exact to round-off for small displacements, too. */

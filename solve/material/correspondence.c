@@ -86,17 +86,6 @@ static void list_tasks(struct correspondence *model, const struct body *body)
     free(strips);
 }
 
-double *j2_state_new(const struct strips *strips)
-{
-    double *state = memory_new((size_t)strips->points * J2_STATE, sizeof *state);
-    for (int64_t s = 0; s < strips->count; s++) {
-        const struct strip *strip = &strips->items[s];
-        for (int i = 0; i < 3 * strip->stride; i++)
-            state[J2_STATE * strip->store + i] = 1; /* Cp^-1 = 1 */
-    }
-    return state;
-}
-
 static void *correspondence_read(struct deck_node solver, const struct family *family,
                                  const struct materials *materials)
 {
@@ -115,27 +104,6 @@ static int correspondence_near(const void *self, const struct family *family,
     return model->stabilisation->bonds(model->self, family, offsets);
 }
 
-static void correspondence_start(void *self, const struct body *body, struct bonds *bonds)
-{
-    struct correspondence *model = self;
-    (void)bonds;
-    if (body->lattice->point[0] && !model->stabilisation->add_family)
-        die_user("the stabilisation '%s' needs particles on a lattice: take 'capped'",
-                 model->stabilisation->name);
-    model->n_sites = body->grid.n_sites;
-    model->node_share = model->stabilisation->node_share(model->self);
-    model->near_nodes = model->stabilisation->add_family != NULL;
-    model->nodes = model->near_nodes ? &body->near : &body->owned;
-    model->state = j2_state_new(model->nodes);
-    if (body->integrity) model->degradation = degradation_new(model->nodes);
-    if (model->near_nodes) {
-        model->flow = memory_new((size_t)model->n_sites, sizeof(double));
-        model->stabilisation->start(model->self, body, NULL);
-    } else {
-        list_tasks(model, body);
-    }
-}
-
 static void correspondence_free(void *self)
 {
     struct correspondence *model = self;
@@ -150,7 +118,7 @@ static void correspondence_free(void *self)
 /* Equivalent plastic strain of the points of a strip: [strip->count]. */
 static const double *plastic_strain(const struct correspondence *model, const struct strip *strip)
 {
-    return model->state + J2_STATE * strip->store + (J2_STATE - 1) * strip->stride;
+    return model->state + J2_STATE * strip->store + J2_PLASTIC * strip->stride;
 }
 
 static const double *correspondence_plastic(const void *self, const struct strip *strip)
@@ -184,6 +152,39 @@ static void update_nodes(struct correspondence *model, const struct body *body,
                        integrity_of_nodes(body, strip->site, strip->count), record);
 }
 
+static void start_nodes(struct correspondence *model, const struct body *body)
+{
+    model->state = memory_new((size_t)model->nodes->points * J2_STATE, sizeof *model->state);
+    for (int64_t s = 0; s < model->nodes->count; s++) {
+        const struct strip *strip = &model->nodes->items[s];
+        struct j2_strip j2;
+        load_nodes(model, body, strip, &j2);
+        j2_start(&j2, model->state + J2_STATE * strip->store, strip->stride,
+                 model->materials->curves.table);
+    }
+}
+
+static void correspondence_start(void *self, const struct body *body, struct bonds *bonds)
+{
+    struct correspondence *model = self;
+    (void)bonds;
+    if (body->lattice->point[0] && !model->stabilisation->add_family)
+        die_user("the stabilisation '%s' needs particles on a lattice: take 'capped'",
+                 model->stabilisation->name);
+    model->n_sites = body->grid.n_sites;
+    model->node_share = model->stabilisation->node_share(model->self);
+    model->near_nodes = model->stabilisation->add_family != NULL;
+    model->nodes = model->near_nodes ? &body->near : &body->owned;
+    start_nodes(model, body);
+    if (body->integrity) model->degradation = degradation_new(model->nodes);
+    if (model->near_nodes) {
+        model->flow = memory_new((size_t)model->n_sites, sizeof(double));
+        model->stabilisation->start(model->self, body, NULL);
+    } else {
+        list_tasks(model, body);
+    }
+}
+
 static void correspondence_prepare(void *self, struct body *body, double *axial)
 {
     (void)self, (void)body, (void)axial; /* the force has filled it, with the share of the bonds */
@@ -212,7 +213,6 @@ HS_SIMD static void write_scaled(int count, const double *restrict P, double wei
 static void node_law(struct correspondence *model, struct body *body, const struct strip *strip,
                      struct force_mode mode, struct force_energy *energy)
 {
-    const struct materials *all = model->materials;
     const int64_t site = strip->site;
     struct j2_strip j2;
     load_nodes(model, body, strip, &j2);
@@ -223,10 +223,9 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     for (int k = 0; k < 3; k++) memset(body->f[k] + site, 0, bytes);
     if (mode.axial) write_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
 
-    const double *p = plastic_strain(model, strip);
+    const double *flow = model->state + J2_STATE * strip->store + J2_YIELD * strip->stride;
     for (int i = 0; model->flow && i < strip->count; i++)
-        model->flow[site + i] =
-            flow_stress(all->curves.table, flow_cell(j2.curve[i], p[i]), p[i]) + j2.shift[i];
+        model->flow[site + i] = flow[i] + j2.shift[i];
     if (!mode.energy) return;
     body_only_owned(body, site, strip->count, j2.stored);
     body_only_owned(body, site, strip->count, j2.plastic);

@@ -64,7 +64,7 @@ void degradation_update(struct j2_strip *s, double *state, int64_t stride, const
         j2_update(s, state, stride, table, mode);
         return;
     }
-    if (mode.commit) flow_works(s->count, s, state + (J2_STATE - 1) * stride, table, work);
+    if (mode.commit) flow_works(s->count, s, state + J2_PLASTIC * stride, table, work);
     mode.energy = true;
     j2_update(s, state, stride, table, mode);
     if (mode.commit) degradation_book(s->count, left, work, s->plastic, s->stored, record, stride);

@@ -102,7 +102,7 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
                                     const double *restrict xx, const double *restrict yy,
                                     const double *restrict zz, const double *restrict xy,
                                     const double *restrict yz, const double *restrict zx,
-                                    const double *restrict p, const double *restrict table)
+                                    const double *restrict flow)
 {
     int64_t beyond = 0;
     for (int i = 0; i < count; i++) {
@@ -124,7 +124,7 @@ HS_SIMD static int64_t trial_strain(int count, struct j2_strip *restrict s,
         s->q[i] = q;
         s->scale[i] = 1;
         s->grown[i] = 0;
-        double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]) + s->shift[i];
+        double yield = flow[i] + s->shift[i];
         s->yield[i] = yield;
         beyond |= q > yield;
     }
@@ -161,7 +161,8 @@ HS_SIMD static void stress(int count, struct j2_strip *restrict s)
 /* The same, and (j2.4) where the point has flowed; the others keep their state to the last bit. */
 HS_SIMD static void stress_and_state(int count, struct j2_strip *restrict s, double *restrict xx,
                                      double *restrict yy, double *restrict zz, double *restrict xy,
-                                     double *restrict yz, double *restrict zx, double *restrict p)
+                                     double *restrict yz, double *restrict zx, double *restrict p,
+                                     double *restrict flow, const double *restrict table)
 {
     for (int i = 0; i < count; i++) {
         struct tensor G = inverse_tensor(deformation_gradient((const double(*)[LANES])s->H, i));
@@ -179,6 +180,7 @@ HS_SIMD static void stress_and_state(int count, struct j2_strip *restrict s, dou
         yz[i] = grown > 0 ? C.yz : yz[i];
         zx[i] = grown > 0 ? C.zx : zx[i];
         p[i] = p[i] + grown;
+        flow[i] = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]);
     }
 }
 
@@ -193,20 +195,28 @@ HS_SIMD static void energy(int count, struct j2_strip *restrict s, const double 
     }
 }
 
+void j2_start(const struct j2_strip *s, double *state, int64_t stride, const double *table)
+{
+    for (int i = 0; i < s->count; i++) {
+        for (int k = 0; k < J2_STATE; k++) state[k * stride + i] = k < 3 ? 1 : 0;
+        state[J2_YIELD * stride + i] = flow_stress(table, flow_cell(s->curve[i], 0), 0);
+    }
+}
+
 void j2_update(struct j2_strip *s, double *state, int64_t stride, const double *table,
                struct j2_mode mode)
 {
     double *c[J2_STATE];
     for (int k = 0; k < J2_STATE; k++) c[k] = state + k * stride;
-    double *p = c[J2_STATE - 1];
+    double *p = c[J2_PLASTIC];
 
-    int64_t beyond = trial_strain(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p, table);
+    int64_t beyond = trial_strain(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], c[J2_YIELD]);
     beyond = beyond && !mode.frozen;
     if (beyond)
         radial_return(&(struct radial_return){s->count, s->mu, s->q, s->yield, p, s->shift,
                                               s->curve, s->grown, s->scale, s->open, table});
     if (beyond && mode.commit)
-        stress_and_state(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p);
+        stress_and_state(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], p, c[J2_YIELD], table);
     else
         stress(s->count, s);
     if (mode.energy) energy(s->count, s, p, table);

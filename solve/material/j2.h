@@ -20,8 +20,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Components of a tensor: row by row; of a symmetric one: xx yy zz xy yz zx. */
-enum { TENSOR = 9, SYMMETRIC = 6, J2_STATE = 7 /* Cp^-1, then p */ };
+/* Components of a tensor: row by row; of a symmetric one: xx yy zz xy yz zx.  The state of a point: Cp^-1, p, and its
+ * flow stress by the curve [Pa], which is looked up only where p has grown. */
+enum { TENSOR = 9, SYMMETRIC = 6, J2_PLASTIC = 6, J2_YIELD, J2_STATE };
 
 /* A strip of points. */
 struct j2_strip {
@@ -43,6 +44,9 @@ struct j2_mode {
     bool frozen; /* elastic answer whatever the stress (for the stable step) */
     bool energy; /* fill stored and plastic */
 };
+
+/* Virgin states, from strip->curve; arrays as below. */
+void j2_start(const struct j2_strip *strip, double *state, int64_t stride, const double *table);
 
 /* state[k * stride + lane], k < J2_STATE; table: struct flow_curves.table. */
 void j2_update(struct j2_strip *strip, double *state, int64_t stride, const double *table,

@@ -71,19 +71,6 @@ static void find_shares(struct mix *mix, const struct body *body)
         }
 }
 
-static void mix_start(void *self, const struct body *body, const struct strips bonds[])
-{
-    struct mix *mix = self;
-    const size_t sites = (size_t)body->grid.n_sites;
-    for (int a = 0; a < 3; a++) {
-        mix->number[a] = family_number(body->family, axes[a].step);
-        mix->share_of[a] = memory_new(sites, sizeof(double));
-        mix->state[a] = j2_state_new(&bonds[a]);
-        if (body->integrity) mix->degradation[a] = degradation_new(&bonds[a]);
-    }
-    find_shares(mix, body);
-}
-
 static double mix_node_share(const void *self)
 {
     return 1 - ((const struct mix *)self)->share;
@@ -123,6 +110,35 @@ HS_SIMD static void bond_law(int count, const uint8_t *restrict a, const uint8_t
         j2->bulk[i] = bulk[pair];
         j2->curve[i] = pair;
     }
+}
+
+static void start_bonds(struct mix *mix, const struct body *body, int axis,
+                        const struct strips *strips)
+{
+    const struct materials *materials = mix->materials;
+    mix->state[axis] = memory_new((size_t)strips->points * J2_STATE, sizeof *mix->state[axis]);
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
+        struct j2_strip j2 = {.count = strip->count};
+        bond_law(strip->count, body->grid.phase + strip->site,
+                 body->grid.phase + strip->site + body->grid.step[axis], materials->count,
+                 materials->shear, materials->bulk, &j2);
+        j2_start(&j2, mix->state[axis] + J2_STATE * strip->store, strip->stride,
+                 materials->curves.table);
+    }
+}
+
+static void mix_start(void *self, const struct body *body, const struct strips bonds[])
+{
+    struct mix *mix = self;
+    const size_t sites = (size_t)body->grid.n_sites;
+    for (int a = 0; a < 3; a++) {
+        mix->number[a] = family_number(body->family, axes[a].step);
+        mix->share_of[a] = memory_new(sites, sizeof(double));
+        start_bonds(mix, body, a, &bonds[a]);
+        if (body->integrity) mix->degradation[a] = degradation_new(&bonds[a]);
+    }
+    find_shares(mix, body);
 }
 
 /* The bonds of a strip that carry nothing: how many, and which. */

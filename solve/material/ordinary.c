@@ -55,12 +55,12 @@ struct pass {
     const double *node_lower[NODE_COUNT], *node_upper[NODE_COUNT];
     double *force_lower[3], *force_upper[3];
     /* e^p of the lower and the upper ends. */
-    double *slip_lower, *slip_upper;
+    struct slip slip;
 };
 
 /* What a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
  * its growth. */
-enum { ELASTIC, ENERGY, NORM, STORED, YIELDING };
+enum { ELASTIC, ENERGY, STORED, YIELDING };
 
 /* First pass over a strip, an element of geometry and weight every g and w. */
 HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
@@ -70,37 +70,32 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
     const double *vx = s->u.upper[0], *vy = s->u.upper[1], *vz = s->u.upper[2];
     const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
     const double *Vi = v->volume_i, *Vj = v->volume_j, *R = s->reach;
-    const double *pi = s->slip_lower, *pj = s->slip_upper;
-    double *ei = s->lower[0], *ni = s->lower[1], *mi = s->lower[2], *xi = s->lower[3];
-    double *ej = s->upper[0], *nj = s->upper[1], *mj = s->upper[2], *xj = s->upper[3];
+    const double *pi = s->slip.end[0], *pj = s->slip.end[1];
+    double *ei = s->lower[SUM_EXTENSION], *ni = s->lower[SUM_SQUARE];
+    double *ej = s->upper[SUM_EXTENSION], *nj = s->upper[SUM_SQUARE];
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
-        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g], weight = W[k * w];
+        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
+        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;
         y += b;
         z += d;
         double e = longer / (sqrt(x * x + y * y + z * z) + length);
-        double extension = weight * R[k * g] * e;
-        ei[k] += extension * Vj[k * g];
-        ej[k] += extension * Vi[k * g];
-        if (depth >= ENERGY) {
-            double qi = e, qj = e;
-            if (depth == STORED) {
-                qi -= pi[k];
-                qj -= pj[k];
-                xi[k] += weight * length * pi[k] * Vj[k * g];
-                xj[k] += weight * length * pj[k] * Vi[k * g];
-            }
-            ni[k] += weight * qi * qi * Vj[k * g];
-            nj[k] += weight * qj * qj * Vi[k * g];
+        double qi = e, qj = e;
+        if (depth == STORED) {
+            qi -= pi[k];
+            qj -= pj[k];
         }
-        if (depth >= NORM) {
-            double moment = weight * length * length;
-            mi[k] += moment * Vj[k * g];
-            mj[k] += moment * Vi[k * g];
+        ei[k] += (weight * reach * volume_j) * qi;
+        ej[k] += (weight * reach * volume_i) * qj;
+        if (depth >= ENERGY) {
+            ni[k] += (weight * volume_j) * (qi * qi);
+            nj[k] += (weight * volume_i) * (qj * qj);
         }
     }
 }
@@ -117,13 +112,16 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
     const double *Bi = s->node_lower[NODE_SPRING], *Bj = s->node_upper[NODE_SPRING];
     const double *Fi = s->node_lower[NODE_FLOW], *Fj = s->node_upper[NODE_FLOW];
     const double *Ci = s->node_lower[NODE_CENTRE], *Cj = s->node_upper[NODE_CENTRE];
-    double *pi = s->slip_lower, *pj = s->slip_upper;
+    double *pi = s->slip.end[0], *pj = s->slip.end[1];
     double *ix = s->force_lower[0], *iy = s->force_lower[1], *iz = s->force_lower[2];
     double *jx = s->force_upper[0], *jy = s->force_upper[1], *jz = s->force_upper[2];
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
-        double x = X[k * g], y = Y[k * g], z = Z[k * g], length = L[k * g];
+        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
+        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;
@@ -131,10 +129,10 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         z += d;
         double now = sqrt(x * x + y * y + z * z), sum = now + length, inverse = 1 / (sum * now);
         double e = longer * (inverse * now);
-        double force = (Ai[k] + Aj[k]) * R[k * g] + (Bi[k] + Bj[k]) * e;
+        double force = (Ai[k] + Aj[k]) * reach + (Bi[k] + Bj[k]) * e;
         if (depth >= STORED) force -= Bi[k] * pi[k] + Bj[k] * pj[k];
-        force *= W[k * w] * (inverse * sum);
-        double i = force * Vj[k * g], j = force * Vi[k * g];
+        force *= inverse * sum;
+        double i = (weight * volume_j) * force, j = (weight * volume_i) * force;
         ix[k] += i * x;
         iy[k] += i * y;
         iz[k] += i * z;
@@ -166,7 +164,6 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
     }
 VARIANTS(sum_elastic, sum_up, ELASTIC)
 VARIANTS(sum_energy, sum_up, ENERGY)
-VARIANTS(sum_norm, sum_up, NORM)
 VARIANTS(sum_stored, sum_up, STORED)
 VARIANTS(push_elastic, push, ELASTIC)
 VARIANTS(push_stored, push, STORED)
@@ -174,7 +171,7 @@ VARIANTS(push_yielding, push, YIELDING)
 
 typedef void kernel(const struct pass *);
 /* [depth][geometry_step][weight_step] */
-static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_energy), CHOICE(sum_norm),
+static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_energy),
                                         CHOICE(sum_stored)};
 static kernel *const pushing[][2][2] = {[ELASTIC] = CHOICE(push_elastic),
                                         [STORED] = CHOICE(push_stored),
@@ -189,21 +186,17 @@ static struct pass pass_over(const struct ordinary *model, const struct bond_vie
                          .reach = model->law->by_length ? view->length : ones};
 }
 
-static void set_slip(struct pass *pass, double *slip)
+/* Strip number s; returns how many have been done, those after it that are alike included. */
+static int64_t sum_strip(const struct ordinary *model, const struct body *body, int64_t number,
+                         int depth)
 {
-    pass->slip_lower = slip;
-    pass->slip_upper = slip ? slip + pass->view->stride : NULL;
-}
-
-static void sum_strip(const struct ordinary *model, const struct body *body, int64_t number,
-                      int depth)
-{
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    struct bond_view view;
+    const int64_t done = bonds_line(model->bonds, number, &view);
     double displacement[6][LANES], lower[SUM_COUNT][LANES], upper[SUM_COUNT][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
-    set_slip(&pass, depth == NORM ? ordinary_plastic_store(model, number) : NULL);
-    if (pass.slip_lower) depth = STORED;
-    const int count = depth + 1; /* sums */
+    if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
+    if (pass.slip.end[0]) depth = STORED;
+    const int count = depth == ELASTIC ? 1 : SUM_COUNT;
     for (int k = 0; k < count; k++) {
         pass.lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
         pass.upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
@@ -213,21 +206,22 @@ static void sum_strip(const struct ordinary *model, const struct body *body, int
         bond_scatter(&view, false, model->sum[k], lower[k]);
         bond_scatter(&view, true, model->sum[k], upper[k]);
     }
+    return done;
 }
 
-static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
+static int64_t push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
 {
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    struct bond_view view;
+    const int64_t done = bonds_line(model->bonds, number, &view);
     double displacement[6][LANES], gathered[2][NODE_COUNT][LANES], force[2][3][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     int depth = ELASTIC;
-    if (model->plastic) {
-        double *slip = flows ? ordinary_plastic_yielding(model, number) : NULL;
-        depth = slip ? YIELDING : STORED;
-        if (!slip) slip = ordinary_plastic_store(model, number);
-        if (!slip) depth = ELASTIC;
-        set_slip(&pass, slip);
-    }
+    if (flows) pass.slip = ordinary_plastic_yielding(model, number, &view);
+    if (pass.slip.end[0])
+        depth = YIELDING;
+    else if (model->plastic)
+        pass.slip = ordinary_plastic_slip(model, number);
+    if (depth == ELASTIC && pass.slip.end[0]) depth = STORED;
     for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
         pass.node_lower[k] = bond_gather(&view, false, model->node[k], gathered[0][k]);
         pass.node_upper[k] = bond_gather(&view, true, model->node[k], gathered[1][k]);
@@ -241,14 +235,14 @@ static void push_strip(struct ordinary *model, struct body *body, int64_t number
         bond_scatter(&view, false, body->f[a], force[0][a]);
         bond_scatter(&view, true, body->f[a], force[1][a]);
     }
+    return done;
 }
 
 /* pull = k D theta */
-HS_SIMD static void find_pull(int count, const double *restrict dilatation,
-                              const double *restrict volumetric, const double *restrict extension,
-                              double *restrict pull)
+HS_SIMD static void find_pull(int count, const double *restrict volumetric,
+                              const double *restrict extension, double *restrict pull)
 {
-    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * (dilatation[i] * extension[i]);
+    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * extension[i];
 }
 
 static void elastic_nodes(struct ordinary *model, const struct body *body,
@@ -258,8 +252,8 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
         const int64_t i = body->owned.items[s].site;
         const int count = body->owned.items[s].count;
         double terms[LANES];
-        find_pull(count, model->dilatation + i, model->volumetric + i,
-                  model->sum[SUM_EXTENSION] + i, model->node[NODE_PULL] + i);
+        find_pull(count, model->volumetric + i, model->sum[SUM_EXTENSION] + i,
+                  model->node[NODE_PULL] + i);
         if (!energy) continue;
         for (int k = 0; k < count; k++)
             terms[k] = 0.5 * (model->node[NODE_PULL][i + k] * model->sum[SUM_EXTENSION][i + k] +
@@ -269,14 +263,41 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
     }
 }
 
+/* sum = sum_j w |xi|^power V_j of each node. */
+static void sum_moments(const struct ordinary *model, int power, double *sum)
+{
+    for (int64_t s = 0; s < model->bonds->count; s++) {
+        const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[s]);
+        const int g = view.geometry_step;
+        double lower[LANES], upper[LANES], *i = bond_target(&view, false, sum, lower),
+                                           *j = bond_target(&view, true, sum, upper);
+        for (int k = 0; k < view.count; k++) {
+            double moment = view.weight[k * view.weight_step] * view.length[k * g];
+            if (power == 2) moment *= view.length[k * g];
+            i[k] += moment * view.volume_j[k * g];
+            j[k] += moment * view.volume_i[k * g];
+        }
+        bond_scatter(&view, false, sum, lower);
+        bond_scatter(&view, true, sum, upper);
+    }
+}
+
+static void find_moment(struct ordinary *model, const struct body *body)
+{
+    body_clear(body, &model->moment, 1);
+    sum_moments(model, 2, model->moment);
+    model->moment_changes = model->bonds->changes;
+}
+
 /* First pass, and what the second reads of the nodes, those of other ranks included. */
 static void find_nodes(struct ordinary *model, struct body *body, struct force_mode mode,
                        struct force_energy *energy)
 {
-    const int depth = model->plastic ? NORM : energy ? ENERGY : ELASTIC;
+    const int depth = model->plastic || energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
-    body_clear(body, model->sum, model->plastic ? SUM_COUNT : depth + 1);
-    for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, body, s, depth);
+    if (model->plastic && model->moment_changes != model->bonds->changes) find_moment(model, body);
+    body_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
+    for (int64_t s = 0; s < model->bonds->count;) s += sum_strip(model, body, s, depth);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
     else
@@ -314,7 +335,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     find_nodes(model, body, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
+    for (int64_t s = 0; s < model->bonds->count;) s += push_strip(model, body, s, flows);
     if (flows) settle_flow(model, body);
 }
 
@@ -327,7 +348,7 @@ static void find_states(const struct ordinary *model, const struct bond_view *vi
                      reach = pass->reach[k * view->geometry_step],
                      weight = view->weight[k * view->weight_step];
         for (int end = 0; end < 2; end++) {
-            const double *slip = end ? pass->slip_upper : pass->slip_lower;
+            const double *slip = pass->slip.end[end];
             const int64_t i = end ? bond_upper(view, k) : bond_lower(view, k);
             state[end][k] = weight * (model->node[NODE_PULL][i] * reach +
                                       model->node[NODE_SPRING][i] * (e - (slip ? slip[k] : 0)));
@@ -340,7 +361,7 @@ static void add_stress(const struct ordinary *model, struct body *body, int64_t 
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][LANES], state[2][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
-    set_slip(&pass, model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
     find_states(model, &view, &pass, state);
     bond_ends_add_stress(&view, &pass.u, state[0], state[1], body);
 }
@@ -354,12 +375,13 @@ static void ordinary_bond_energy(const void *self, const struct body *body,
     const struct bond_view view = bonds_view(model->bonds, strip);
     double displacement[6][LANES], state[2][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
-    set_slip(&pass, model->plastic ? ordinary_plastic_store(model, number) : NULL);
+    if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
     find_states(model, &view, &pass, state);
     for (int k = 0; k < view.count; k++) {
         const double e = bond_ends_extension(&view, &pass.u, k);
-        energy[k] = 0.5 * (state[0][k] * (e - (pass.slip_lower ? pass.slip_lower[k] : 0)) +
-                           state[1][k] * (e - (pass.slip_upper ? pass.slip_upper[k] : 0)));
+        const double *lower = pass.slip.end[0], *upper = pass.slip.end[1];
+        energy[k] = 0.5 * (state[0][k] * (e - (lower ? lower[k] : 0)) +
+                           state[1][k] * (e - (upper ? upper[k] : 0)));
     }
 }
 
@@ -390,32 +412,14 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
                (size_t)strip->count * sizeof(double));
 }
 
-/* sum = sum_j w |xi|^power V_j of each node. */
-static void sum_moments(const struct ordinary *model, int power, double *sum)
-{
-    for (int64_t s = 0; s < model->bonds->count; s++) {
-        const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[s]);
-        const int g = view.geometry_step;
-        double lower[LANES], upper[LANES], *i = bond_target(&view, false, sum, lower),
-                                           *j = bond_target(&view, true, sum, upper);
-        for (int k = 0; k < view.count; k++) {
-            double moment = view.weight[k * view.weight_step] * view.length[k * g];
-            if (power == 2) moment *= view.length[k * g];
-            i[k] += moment * view.volume_j[k * g];
-            j[k] += moment * view.volume_i[k * g];
-        }
-        bond_scatter(&view, false, sum, lower);
-        bond_scatter(&view, true, sum, upper);
-    }
-}
-
 static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
-    double *moment = model->sum[SUM_MOMENT], *isotropic = model->sum[SUM_EXTENSION];
+    const double *moment = model->moment;
+    double *isotropic = model->sum[SUM_EXTENSION];
     const bool corrected = model->correction != SURFACE_NONE;
     const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
-    sum_moments(model, 2, moment);
+    find_moment(model, body);
     sum_moments(model, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
@@ -423,10 +427,16 @@ static void find_moduli(struct ordinary *model, const struct body *body)
             const double ratio = corrected ? isotropic[i] / full : 1;
             const struct ordinary_moduli moduli = model->law->moduli(
                 &all->items[body->grid.phase[i]], all->plane, body, moment[i], ratio);
-            model->dilatation[i] = moduli.dilatation;
-            model->volumetric[i] = moduli.volumetric * moduli.dilatation;
+            model->volumetric[i] = moduli.volumetric * moduli.dilatation * moduli.dilatation;
             model->distortion[i] = moduli.distortion;
         }
+}
+
+static bool yields_somewhere(const struct materials *all)
+{
+    for (int p = 0; p < all->count; p++)
+        if (all->items[p].yields) return true;
+    return false;
 }
 
 static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
@@ -435,27 +445,39 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     const size_t n = (size_t)body->grid.n_sites;
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
-    model->dilatation = memory_new(n, sizeof(double));
     model->volumetric = memory_new(n, sizeof(double));
     model->distortion = memory_new(n, sizeof(double));
+    model->moment = memory_new(n, sizeof(double));
     for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = memory_new(n, sizeof(double));
-    for (int k = 0; k < NODE_COUNT; k++) model->node[k] = memory_new(n, sizeof(double));
+    model->node[NODE_PULL] = memory_new(n, sizeof(double));
     find_moduli(model, body);
     halo_exchange(body->stress_halo, &model->distortion, 1);
-    memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
-    for (int p = 0; p < model->materials->count && !model->plastic; p++)
-        if (model->materials->items[p].yields) model->plastic = ordinary_plastic_new(model);
+    if (yields_somewhere(model->materials)) {
+        for (int k = NODE_SPRING; k < NODE_COUNT; k++)
+            model->node[k] = memory_new(n, sizeof(double));
+        memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
+        model->plastic = ordinary_plastic_new(model);
+    } else {
+        model->node[NODE_SPRING] = model->distortion;
+        free(model->moment);
+        model->moment = NULL;
+    }
 }
 
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
-    if (model->plastic) ordinary_plastic_free(model->plastic);
-    free(model->dilatation);
+    if (model->plastic) {
+        ordinary_plastic_free(model->plastic);
+        free(model->node[NODE_SPRING]);
+    }
     free(model->volumetric);
     free(model->distortion);
+    free(model->moment);
     for (int k = 0; k < SUM_COUNT; k++) free(model->sum[k]);
-    for (int k = 0; k < NODE_COUNT; k++) free(model->node[k]);
+    free(model->node[NODE_PULL]);
+    free(model->node[NODE_FLOW]);
+    free(model->node[NODE_CENTRE]);
     free(model);
 }
 

@@ -41,10 +41,8 @@ double ordinary_volumetric(const struct material *material, enum plane plane);
 
 /* What the first pass sums up of each node, over its bonds, times V_j. */
 enum {
-    SUM_EXTENSION, /* a e */
+    SUM_EXTENSION, /* a (e - e^p) */
     SUM_SQUARE,    /* w (e - e^p)^2 */
-    SUM_MOMENT,    /* w |xi|^2 */
-    SUM_PLASTIC,   /* w |xi| e^p */
     SUM_COUNT
 };
 
@@ -58,8 +56,10 @@ struct ordinary {
     enum surface_correction correction;
     struct bonds *bonds;
     /* Box fields. */
-    double *dilatation, *volumetric, *distortion; /* D, k D, b */
+    double *volumetric, *distortion; /* k D^2, b */
     double *sum[SUM_COUNT], *node[NODE_COUNT];
+    double *moment; /* sum of w |xi|^2 V_j over the bonds there are; NULL where no phase yields */
+    int64_t moment_changes;           /* of the bonds' weights that it has seen */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
 };
 
@@ -71,10 +71,15 @@ void ordinary_plastic_free(struct ordinary_plastic *plastic);
 void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,
                             struct force_energy *energy);
 
-/* e^p of the bonds of a strip, of the lower ends at 0 and of the upper ends at its stride; NULL: none yet. */
-double *ordinary_plastic_store(const struct ordinary *model, int64_t strip);
-/* The same where an end is about to yield, made where there is none; NULL: neither end yields. */
-double *ordinary_plastic_yielding(struct ordinary *model, int64_t strip);
+/* e^p of the bonds of a strip, of the lower ends [0] and the upper ends [1], and on in the strips that bonds_line
+ * takes with it; NULL: none yet. */
+struct slip {
+    double *end[2];
+};
+struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
+/* The same of the strips of a view where an end is about to yield, made where there is none; NULL: no end yields. */
+struct slip ordinary_plastic_yielding(struct ordinary *model, int64_t strip,
+                                      const struct bond_view *view);
 
 /* Equivalent plastic strain, a box field. */
 const double *ordinary_plastic_strain(const struct ordinary *model);

@@ -26,8 +26,9 @@
 struct ordinary_plastic {
     double *strain;      /* p, a box field */
     double *degradation; /* records of all sites; NULL: no node degrades */
-    double **store;      /* [strips of bonds] e^p, or NULL */
-    int64_t count;
+    double **slip;       /* [lines of bonds] e^p, or NULL */
+    int64_t *first;      /* [lines + 1] what the strips of a line store before them */
+    int lines;
 };
 
 struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model)
@@ -35,28 +36,46 @@ struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model)
     struct ordinary_plastic *plastic = memory_new(1, sizeof *plastic);
     const struct body *body = model->bonds->body;
     const size_t sites = (size_t)body->grid.n_sites;
-    plastic->count = model->bonds->count;
+    const struct bonds *bonds = model->bonds;
     plastic->strain = memory_new(sites, sizeof(double));
     if (body->integrity) {
         plastic->degradation = memory_new(DEGRADATION * sites, sizeof(double));
         for (size_t i = 0; i < sites; i++) plastic->degradation[i] = 1; /* LAST_INTEGRITY */
     }
-    plastic->store = memory_new((size_t)plastic->count, sizeof *plastic->store);
+    plastic->lines = bonds->lines;
+    plastic->slip = memory_new((size_t)bonds->lines, sizeof *plastic->slip);
+    plastic->first = memory_new((size_t)bonds->lines + 1, sizeof *plastic->first);
+    for (int64_t s = bonds->count - 1; s >= 0; s--)
+        plastic->first[bonds->strips[s].line] = bonds->strips[s].store;
+    plastic->first[bonds->lines] = bonds->points;
     return plastic;
 }
 
 void ordinary_plastic_free(struct ordinary_plastic *plastic)
 {
-    for (int64_t s = 0; s < plastic->count; s++) free(plastic->store[s]);
-    free(plastic->store);
+    for (int l = 0; l < plastic->lines; l++) free(plastic->slip[l]);
+    free(plastic->slip);
+    free(plastic->first);
     free(plastic->strain);
     free(plastic->degradation);
     free(plastic);
 }
 
-double *ordinary_plastic_store(const struct ordinary *model, int64_t strip)
+/* Lower ends of all strips of a line, then upper ends, so that memory is read on end.  A strip that another goes on
+ * lies at the end of its room, for the two to be one. */
+struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t number)
 {
-    return model->plastic->store[strip];
+    const struct ordinary_plastic *plastic = model->plastic;
+    const struct bonds *bonds = model->bonds;
+    const struct bond_strip *strip = &bonds->strips[number], *next = strip + 1;
+    double *slip = plastic->slip[strip->line];
+    if (!slip) return (struct slip){{NULL, NULL}};
+    const int64_t *first = &plastic->first[strip->line];
+    int64_t at = strip->store - first[0];
+    if (number + 1 < bonds->count && next->offset == strip->offset &&
+        next->i == strip->i + strip->count)
+        at += bonds_stride(strip->count) - strip->count;
+    return (struct slip){{slip + at, slip + at + (first[1] - first[0])}};
 }
 
 const double *ordinary_plastic_strain(const struct ordinary *model)
@@ -64,18 +83,26 @@ const double *ordinary_plastic_strain(const struct ordinary *model)
     return model->plastic->strain;
 }
 
-double *ordinary_plastic_yielding(struct ordinary *model, int64_t strip)
+HS_SIMD static int64_t any_beyond(int count, const double *restrict a, const double *restrict b)
 {
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[strip]);
+    int64_t any = 0;
+    for (int k = 0; k < count; k++) any |= (a[k] > 0) | (b[k] > 0);
+    return any;
+}
+
+struct slip ordinary_plastic_yielding(struct ordinary *model, int64_t strip,
+                                      const struct bond_view *view)
+{
+    struct ordinary_plastic *plastic = model->plastic;
+    const int line = model->bonds->strips[strip].line;
     double lower[LANES], upper[LANES];
-    const double *i = bond_gather(&view, false, model->node[NODE_FLOW], lower),
-                 *j = bond_gather(&view, true, model->node[NODE_FLOW], upper);
-    double **store = &model->plastic->store[strip];
-    double most = 0;
-    for (int k = 0; k < view.count; k++) most += i[k] + j[k];
-    if (!(most > 0)) return NULL;
-    if (!*store) *store = memory_new(2 * (size_t)view.stride, sizeof **store);
-    return *store;
+    if (!any_beyond(view->count, bond_gather(view, false, model->node[NODE_FLOW], lower),
+                    bond_gather(view, true, model->node[NODE_FLOW], upper)))
+        return (struct slip){{NULL, NULL}};
+    if (!plastic->slip[line])
+        plastic->slip[line] = memory_new(
+            2 * (size_t)(plastic->first[line + 1] - plastic->first[line]), sizeof(double));
+    return ordinary_plastic_slip(model, strip);
 }
 
 /* A strip of nodes. */
@@ -88,13 +115,12 @@ struct strip_state {
 /* (ordinary_plastic.1), (ordinary_plastic.2); returns whether a node is beyond yield. */
 HS_SIMD static int64_t trial(int count, const double *restrict distortion,
                              const double *restrict extension, const double *restrict square,
-                             const double *restrict moment, const double *restrict plastic,
-                             const double *restrict p, const double *restrict table,
-                             struct strip_state *restrict s)
+                             const double *restrict moment, const double *restrict p,
+                             const double *restrict table, struct strip_state *restrict s)
 {
     int64_t beyond = 0;
     for (int i = 0; i < count; i++) {
-        double along = extension[i] - plastic[i];
+        double along = extension[i];
         double centre = moment[i] > 0 ? along / moment[i] : 0;
         double left = square[i] - centre * along;
         left = left > 0 ? left : 0;
@@ -112,18 +138,15 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
 }
 
 /* The force after the return: t = k D theta a + b w [scale (e - e^p) + (1 - scale) c |xi|]. */
-HS_SIMD static void write_nodes(int count, const double *restrict dilatation,
-                                const double *restrict volumetric,
+HS_SIMD static void write_nodes(int count, const double *restrict volumetric,
                                 const double *restrict distortion, const double *restrict extension,
-                                const double *restrict plastic,
                                 const struct strip_state *restrict s, double *restrict pull,
                                 double *restrict spring, double *restrict flow,
                                 double *restrict centre)
 {
     for (int i = 0; i < count; i++) {
         double flowed = 1 - s->scale[i];
-        pull[i] = volumetric[i] * (dilatation[i] * (extension[i] - plastic[i])) +
-                  distortion[i] * flowed * s->centre[i];
+        pull[i] = volumetric[i] * extension[i] + distortion[i] * flowed * s->centre[i];
         spring[i] = distortion[i] * s->scale[i];
         flow[i] = flowed;
         centre[i] = s->centre[i];
@@ -137,9 +160,9 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
     const double *table = model->materials->curves.table;
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
-        const double along = model->sum[SUM_EXTENSION][i] - model->sum[SUM_PLASTIC][i],
+        const double along = model->sum[SUM_EXTENSION][i],
                      p = model->plastic->strain[i] + s->grown[k];
-        stored[k] = 0.5 * (model->volumetric[i] * model->dilatation[i] * along * along +
+        stored[k] = 0.5 * (model->volumetric[i] * along * along +
                            model->distortion[i] *
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
         plastic[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
@@ -188,15 +211,14 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
         s.curve[k] = phase * (all->count + 1);
         s.shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
     }
-    const int64_t beyond =
-        trial(strip->count, model->distortion + i, sum[SUM_EXTENSION] + i, sum[SUM_SQUARE] + i,
-              sum[SUM_MOMENT] + i, sum[SUM_PLASTIC] + i, p, all->curves.table, &s);
+    const int64_t beyond = trial(strip->count, model->distortion + i, sum[SUM_EXTENSION] + i,
+                                 sum[SUM_SQUARE] + i, model->moment + i, p, all->curves.table, &s);
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
-    write_nodes(strip->count, model->dilatation + i, model->volumetric + i, model->distortion + i,
-                sum[SUM_EXTENSION] + i, sum[SUM_PLASTIC] + i, &s, node[NODE_PULL] + i,
-                node[NODE_SPRING] + i, node[NODE_FLOW] + i, node[NODE_CENTRE] + i);
+    write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_EXTENSION] + i,
+                &s, node[NODE_PULL] + i, node[NODE_SPRING] + i, node[NODE_FLOW] + i,
+                node[NODE_CENTRE] + i);
     double stored[LANES], plastic[LANES];
     const double *left = integrity_of_nodes(body, i, strip->count);
     const bool commit = mode.commit && !mode.frozen;

@@ -36,9 +36,6 @@ struct stabilisation {
 
 extern const struct stabilisation stabilisation_mix, stabilisation_capped;
 
-/* Virgin states (struct j2_strip) of all points of the strips, strip by strip; freed with free(). */
-double *j2_state_new(const struct strips *strips);
-
 /* The entry the deck names: "stabilisation: {law: ..., ...}"; checks its keys. */
 const struct stabilisation *stabilisation_choose(struct deck_node map);
 

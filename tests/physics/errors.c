@@ -65,6 +65,7 @@ static double yield_ratio(struct small_case wanted, double E, double nu)
     const double e = 2 * 185e6 / E0;
     small_body_deform(&small, (const double[]){e, 0, 0, 0, -nu * e, 0, 0, 0, -nu * e});
     small_body_force(&small, true, false);
+    body_need_gradient(&small.body); /* observed, though not prepared */
     const struct strips *strips = model_strips(small.model, &small.body);
     const int64_t middle = small_body_middle(&small);
     double p = NAN;

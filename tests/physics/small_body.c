@@ -181,6 +181,7 @@ void small_body_plastic_range(struct small_body *small, double range[2])
 {
     const struct strips *strips = model_strips(small->model, &small->body);
     struct node_state node;
+    body_need_gradient(&small->body); /* observed, though not prepared */
     range[0] = INFINITY;
     range[1] = 0;
     for (int64_t s = 0; s < strips->count; s++) {
@@ -254,9 +255,12 @@ struct boundary small_free_boundary(void)
     return boundary;
 }
 
-struct small_point small_point_new(void)
+struct small_point small_point_new(const struct materials *materials)
 {
-    return (struct small_point){.state = {1, 1, 1}};
+    struct small_point point = {.stress = 0};
+    struct j2_strip strip = {.count = 1};
+    j2_start(&strip, point.state, 1, materials->curves.table);
+    return point;
 }
 
 /* P_yy at the lateral strain; P_xx goes to the point. */

@@ -94,7 +94,7 @@ struct small_point {
     double H[9];
     double stress; /* P_xx, Pa */
 };
-struct small_point small_point_new(void);
+struct small_point small_point_new(const struct materials *materials);
 /* F_xx = 1 + strain, P_yy = P_zz = 0 within 1e-13 of the shear modulus. */
 void small_point_stretch(struct small_point *point, const struct materials *materials,
                          double strain);

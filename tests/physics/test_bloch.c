@@ -24,7 +24,7 @@ static const double step = 1e-6; /* of a site, in spacings: far within the branc
 static void bring_to(struct small_body *small, bool flowing)
 {
     if (!flowing) return;
-    struct small_point point = small_point_new();
+    struct small_point point = small_point_new(&small->materials);
     for (int k = 1; k <= 8; k++) {
         small_point_stretch(&point, &small->materials, 0.0025 * k);
         small_body_deform(small, point.H);

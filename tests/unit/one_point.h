@@ -29,10 +29,11 @@ struct point {
 static inline void point_new(struct point *point, const char *law, double youngs_modulus,
                              double poissons_ratio)
 {
-    *point = (struct point){.law = read_law(law), .state = {1, 1, 1}};
+    *point = (struct point){.law = read_law(law)};
     const struct hardening *const laws_of[] = {&point->law};
     point->curves = flow_curves_new(1, laws_of, laws_of);
     point->strip.count = 1;
+    j2_start(&point->strip, point->state, 1, point->curves.table);
     point->strip.mu[0] = youngs_modulus / (2 * (1 + poissons_ratio));
     point->strip.bulk[0] = youngs_modulus / (3 * (1 - 2 * poissons_ratio));
 }

@@ -98,9 +98,9 @@ static void test_each_point_by_its_own_curve(void **state)
         strip.mu[i] = 211e9 / 2;
         strip.bulk[i] = 211e9 / 3;
         strip.curve[i] = i;
-        for (int k = 0; k < 3; k++) states[k * POINTS + i] = 1;
     }
     struct flow_curves curves = flow_curves_new(POINTS, pointer, pointer);
+    j2_start(&strip, states, POINTS, curves.table);
     for (int n = 1; n <= 50; n++) {
         for (int i = 0; i < POINTS; i++) strip.H[4][i] = 0.002 * n;
         j2_update(&strip, states, POINTS, curves.table, (struct j2_mode){.commit = true});

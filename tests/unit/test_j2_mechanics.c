@@ -56,7 +56,7 @@ static void test_turns_with_the_frame(void **state)
     assert_true(still.state[6] > 0.05);
     /* E times the rounding of 20 steps' strains */
     for (int k = 0; k < 9; k++) assert_near(Q[k], P[k], 1e-14 * 210e9);
-    for (int k = 0; k < J2_STATE; k++) assert_near(turned.state[k], still.state[k], 1e-13);
+    for (int k = 0; k < J2_YIELD; k++) assert_near(turned.state[k], still.state[k], 1e-13);
     point_free(&still);
     point_free(&turned);
 }

@@ -46,8 +46,8 @@ static void strip_new(struct strip *strip, int law)
         strip->j2.mu[i] = 80e9 + 1e9 * (i % 5);
         strip->j2.bulk[i] = 180e9;
         strip->j2.curve[i] = law < LAWS ? law : i % LAWS;
-        for (int k = 0; k < 3; k++) strip->state[k * LANES + i] = 1;
     }
+    j2_start(&strip->j2, strip->state, LANES, strip->curves.table);
 }
 
 static void strip_free(struct strip *strip)

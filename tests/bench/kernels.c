@@ -1,0 +1,232 @@
+/* kernels - what a force evaluation and a step of each formulation cost, in CSV on standard output: model, instruction
+ * set, nodes, ns per ordered bond and per node, node-steps per second, bytes of memory per node, the bound, its
+ * share, and the whole step's cost over the force's.  No test: make bench.
+ *
+ * A body of NX x NY x NZ particles (default 200 x 40 x 8); a bond counts twice, once from either end.  Of ROUNDS alternating
+ * rounds over all models the median.  Bounds, measured in the same run, in cache: a square root and a division
+ * for each pair and pass of bonds; four updates of the constitutive law for each node of correspondence with mix. */
+#include "check.h"
+
+#include "balance.h"
+#include "integration.h"
+#include "memory.h"
+#include "small_body.h"
+#include "verlet.h"
+
+#include <malloc.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { ROUNDS = 7 };
+
+#define ELASTIC "density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31"
+#define PLASTIC(yield)                                                                             \
+    "{A: {model: ordinary_plastic, " ELASTIC ", hardening: {law: linear, yield: " yield            \
+    ", modulus: 898 MPa}}}"
+
+#define CORRESPONDENCE(spacings, yield, state, stretch, flows)                                     \
+    {                                                                                              \
+        .name = "correspondence, mix, horizon " spacings state, .horizon = spacings[0] - '0',      \
+        .stabilisation = small_mix,                                                                \
+        .materials =                                                                               \
+            "{A: {model: correspondence, " ELASTIC ", hardening: {law: voce, yield: " yield        \
+            ", saturation: 513 MPa, rate: 5.32}}}",                                                \
+        .strain = stretch, .yields = flows                                                         \
+    }
+
+static struct kernel {
+    const char *name, *materials, *stabilisation;
+    double horizon;
+    int passes;
+    double strain; /* of the shape it is timed in */
+    bool yields;
+    struct small_body small;
+    double bytes, bonds, calls, force[ROUNDS], step[ROUNDS];
+} kernels[] = {
+    {.name = "bond_based",
+     .horizon = 3.015,
+     .materials = "{A: {model: bond_based, density: 8900, youngs_modulus: 210 GPa}}",
+     .passes = 1,
+     .strain = 1e-3},
+    {.name = "ordinary",
+     .horizon = 3.015,
+     .materials = "{A: {model: ordinary, " ELASTIC "}}",
+     .passes = 2,
+     .strain = 1e-3},
+    {.name = "ordinary_plastic, not yielding",
+     .horizon = 3.015,
+     .materials = PLASTIC("10 GPa"),
+     .passes = 2,
+     .strain = 1e-3},
+    {.name = "ordinary_plastic, yielding",
+     .horizon = 3.015,
+     .materials = PLASTIC("185 MPa"),
+     .passes = 2,
+     .strain = 5e-3,
+     .yields = true},
+    CORRESPONDENCE("1", "10 GPa", ", not yielding", 1e-3, false),
+    CORRESPONDENCE("1", "185 MPa", ", yielding", 5e-3, true),
+    CORRESPONDENCE("2", "185 MPa", ", yielding", 5e-3, true),
+    CORRESPONDENCE("3", "185 MPa", ", yielding", 5e-3, true),
+};
+enum { KERNELS = sizeof kernels / sizeof *kernels };
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double values[ROUNDS])
+{
+    qsort(values, ROUNDS, sizeof *values, compare);
+    return values[ROUNDS / 2];
+}
+
+static double held(void)
+{
+    const struct mallinfo2 info = mallinfo2();
+    return (double)info.uordblks + (double)info.hblkhd;
+}
+
+/* Stretched a little more at each call, so that what yields goes on yielding. */
+static void deform(struct kernel *k, double factor)
+{
+    const double e = k->strain * factor;
+    small_body_deform(&k->small, (const double[]){e, 0, 0, 0, -0.3 * e, 0, 0, 0, -0.3 * e});
+}
+
+static void start(struct kernel *k, const int size[3])
+{
+    const double before = held();
+    struct small_case wanted = {
+        .horizon = k->horizon, .materials = k->materials, .stabilisation = k->stabilisation};
+    for (int a = 0; a < 3; a++) wanted.size[a] = size[a];
+    small_body_new(&k->small, &wanted);
+    deform(k, 1);
+    small_body_force(&k->small, true, false);
+    k->bytes = (held() - before - (double)k->small.lattice.n_sites) / (double)k->small.body.n_nodes;
+    k->bonds = 2 * (double)bonds_total(k->small.bonds);
+    k->calls = k->passes ? ceil(4e7 / k->bonds) : ceil(4e5 / (double)k->small.body.n_nodes);
+}
+
+static double time_force(struct kernel *k, int round)
+{
+    const int calls = (int)k->calls;
+    double sum = 0;
+    for (int i = 0; i < calls; i++) {
+        if (k->yields) deform(k, 1 + 1e-3 * (calls * (round + 1) + i));
+        const double begin = now();
+        small_body_force(&k->small, true, false);
+        sum += now() - begin;
+    }
+    return sum / calls;
+}
+
+static double time_step(struct kernel *k)
+{
+    struct boundary boundary = small_free_boundary();
+    struct integration integration = integration_new(true, 1e-10, 0, &k->small.materials,
+                                                     &k->small.body, &boundary, k->small.model);
+    const int calls = (int)k->calls;
+    const double begin = now();
+    for (int i = 0; i < calls; i++)
+        verlet_step(&integration, &k->small.body, &boundary, k->small.model, i % 16 == 15, NULL);
+    const double spent = now() - begin;
+    integration_free(&integration);
+    boundary_free(&boundary);
+    return spent / calls;
+}
+
+HS_SIMD static void roots(int count, const double *restrict x, double *restrict y)
+{
+    for (int i = 0; i < count; i++) y[i] = x[i] / (1 + sqrt(x[i]));
+}
+
+/* Seconds of a square root and a division, in cache. */
+static double time_roots(void)
+{
+    enum { COUNT = 1024, TIMES = 4000 };
+    static double x[COUNT], y[COUNT];
+    for (int i = 0; i < COUNT; i++) x[i] = 1 + i;
+    const double begin = now();
+    for (int t = 0; t < TIMES; t++) {
+        roots(COUNT, x, y);
+        x[t % COUNT] += y[t % COUNT];
+    }
+    return (now() - begin) / COUNT / TIMES;
+}
+
+/* Seconds of one update of the constitutive law, of points that flow or not, in cache. */
+static double time_law(const struct kernel *k)
+{
+    enum { TIMES = 2000 };
+    struct j2_strip strip = {.count = LANES};
+    double state[J2_STATE * LANES];
+    const double *table = k->small.materials.curves.table;
+    for (int i = 0; i < LANES; i++) {
+        strip.mu[i] = k->small.materials.shear[0];
+        strip.bulk[i] = k->small.materials.bulk[0];
+    }
+    j2_start(&strip, state, LANES, table);
+    const double begin = now();
+    for (int t = 0; t < TIMES; t++) {
+        const double e = k->strain * (1 + (k->yields ? 1e-3 * t : 0));
+        for (int i = 0; i < LANES; i++) {
+            strip.H[0][i] = e;
+            strip.H[4][i] = strip.H[8][i] = -0.3 * e;
+        }
+        j2_update(&strip, state, LANES, table, (struct j2_mode){.commit = true});
+    }
+    return (now() - begin) / TIMES / LANES;
+}
+
+static const char *instruction_set(void)
+{
+    if (__builtin_cpu_supports("avx512f")) return "avx512";
+    return __builtin_cpu_supports("avx2") ? "avx2" : "sse2";
+}
+
+int main(int argc, char **argv)
+{
+    int size[3] = {200, 40, 8};
+    for (int a = 0; a < 3 && argc > 3; a++) size[a] = atoi(argv[1 + a]);
+    double root[ROUNDS], law[KERNELS][ROUNDS];
+    small_ranks_start(NULL);
+    for (int k = 0; k < KERNELS; k++) start(&kernels[k], size);
+    for (int round = 0; round < ROUNDS; round++) {
+        root[round] = time_roots();
+        for (int k = 0; k < KERNELS; k++) {
+            kernels[k].force[round] = time_force(&kernels[k], round);
+            kernels[k].step[round] = time_step(&kernels[k]);
+            if (!kernels[k].passes) law[k][round] = time_law(&kernels[k]);
+        }
+    }
+    const double per_root = median(root);
+    printf("model,isa,nodes,ns_per_bond,ns_per_node,node_steps_per_s,bytes_per_node,bound,"
+           "bound_ns_per_node,share_of_bound,step_over_force\n");
+    for (int k = 0; k < KERNELS; k++) {
+        struct kernel *kernel = &kernels[k];
+        const double force = median(kernel->force), step = median(kernel->step),
+                     nodes = (double)kernel->small.body.n_nodes,
+                     bound = kernel->passes ? 0.5 * kernel->passes * per_root * kernel->bonds
+                                            : 4 * median(law[k]) * nodes;
+        printf("\"%s\",%s,%.0f,%.3f,%.1f,%.3g,%.0f,%s,%.1f,%.2f,%.3f\n", kernel->name,
+               instruction_set(), nodes, kernel->passes ? 1e9 * force / kernel->bonds : NAN,
+               1e9 * force / nodes, nodes / step, kernel->bytes,
+               kernel->passes ? "root and division" : "four laws", 1e9 * bound / nodes,
+               bound / force, step / force);
+        small_body_free(&kernel->small);
+    }
+    small_ranks_stop(NULL);
+    return 0;
+}
