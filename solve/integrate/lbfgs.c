@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MEMORY = 6 };
+enum { MEMORY = 6 }; /* pairs, with the one that an iteration makes */
 
 struct lbfgs {
     int count;    /* pairs, oldest first */
