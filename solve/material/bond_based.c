@@ -100,12 +100,12 @@ HS_INLINE void pull(const struct pull *p, int g, int w, int m, bool energy)
     const double *Vi = v->volume_i, *Vj = v->volume_j, *C = p->modulus;
     double *ix = p->lower[0], *iy = p->lower[1], *iz = p->lower[2];
     double *jx = p->upper[0], *jy = p->upper[1], *jz = p->upper[2], *terms = p->terms;
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, C0 = *C;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, C0 = *C;
     const int count = p->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;

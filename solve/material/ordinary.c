@@ -73,12 +73,12 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
     const double *pi = s->slip.end[0], *pj = s->slip.end[1];
     double *ei = s->lower[SUM_EXTENSION], *ni = s->lower[SUM_SQUARE];
     double *ej = s->upper[SUM_EXTENSION], *nj = s->upper[SUM_SQUARE];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
         double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
@@ -115,12 +115,12 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
     double *pi = s->slip.end[0], *pj = s->slip.end[1];
     double *ix = s->force_lower[0], *iy = s->force_lower[1], *iz = s->force_lower[2];
     double *jx = s->force_upper[0], *jy = s->force_upper[1], *jz = s->force_upper[2];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
         double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
