@@ -65,6 +65,13 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
                        micromodulus(&all->items[b], all->plane, model->family, body->lattice));
 }
 
+HS_SIMD static void look_up(int count, const uint8_t *restrict a, const uint8_t *restrict b, int n,
+                            const double *restrict table, double *restrict out)
+{
+#pragma omp simd
+    for (int k = 0; k < count; k++) out[k] = table[a[k] * n + b[k]];
+}
+
 /* Micromodulus of the bonds of a strip: one number (step 0) or one a bond, in the buffer. */
 static const double *moduli(const struct bond_based *model, const struct bond_strip *strip,
                             const struct bond_view *view, double *buffer, int *step)
@@ -73,7 +80,9 @@ static const double *moduli(const struct bond_based *model, const struct bond_st
     const int n = model->materials->count;
     *step = strip->pair < 0;
     if (strip->pair >= 0) return &model->modulus[strip->pair / 16 * n + strip->pair % 16];
-    for (int k = 0; k < view->count; k++)
+    if (!view->lower)
+        look_up(view->count, phase + view->i, phase + view->j, n, model->modulus, buffer);
+    for (int k = 0; view->lower && k < view->count; k++)
         buffer[k] = model->modulus[phase[bond_lower(view, k)] * n + phase[bond_upper(view, k)]];
     return buffer;
 }
@@ -195,11 +204,11 @@ static void bond_based_bond_energy(const void *self, const struct body *body,
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
     int several;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
-    for (int k = 0; k < view.count; k++) {
-        double e = bond_ends_extension(&view, &u, k);
-        energy[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
+    double e[LANES];
+    bond_ends_extensions(&view, &u, e);
+    for (int k = 0; k < view.count; k++)
+        energy[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e[k] * e[k] /
                     view.length[k * view.geometry_step];
-    }
 }
 
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
@@ -221,9 +230,11 @@ static void add_stress(const struct bond_based *model, struct body *body,
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
     int several;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    double e[LANES];
+    bond_ends_extensions(&view, &u, e);
     for (int k = 0; k < view.count; k++)
-        half[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] *
-                  bond_ends_extension(&view, &u, k) / view.length[k * view.geometry_step];
+        half[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e[k] /
+                  view.length[k * view.geometry_step];
     bond_ends_add_stress(&view, &u, half, half, body);
 }
 
