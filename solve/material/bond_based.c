@@ -65,6 +65,13 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
                        micromodulus(&all->items[b], all->plane, model->family, body->lattice));
 }
 
+HS_SIMD static void look_up(int count, const uint8_t *restrict a, const uint8_t *restrict b, int n,
+                            const double *restrict table, double *restrict out)
+{
+#pragma omp simd
+    for (int k = 0; k < count; k++) out[k] = table[a[k] * n + b[k]];
+}
+
 /* Micromodulus of the bonds of a strip: one number (step 0) or one a bond, in the buffer. */
 static const double *moduli(const struct bond_based *model, const struct bond_strip *strip,
                             const struct bond_view *view, double *buffer, int *step)
@@ -73,7 +80,9 @@ static const double *moduli(const struct bond_based *model, const struct bond_st
     const int n = model->materials->count;
     *step = strip->pair < 0;
     if (strip->pair >= 0) return &model->modulus[strip->pair / 16 * n + strip->pair % 16];
-    for (int k = 0; k < view->count; k++)
+    if (!view->lower)
+        look_up(view->count, phase + view->i, phase + view->j, n, model->modulus, buffer);
+    for (int k = 0; view->lower && k < view->count; k++)
         buffer[k] = model->modulus[phase[bond_lower(view, k)] * n + phase[bond_upper(view, k)]];
     return buffer;
 }
@@ -100,12 +109,12 @@ HS_INLINE void pull(const struct pull *p, int g, int w, int m, bool energy)
     const double *Vi = v->volume_i, *Vj = v->volume_j, *C = p->modulus;
     double *ix = p->lower[0], *iy = p->lower[1], *iz = p->lower[2];
     double *jx = p->upper[0], *jy = p->upper[1], *jz = p->upper[2], *terms = p->terms;
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, C0 = *C;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, C0 = *C;
     const int count = p->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         x += a;
@@ -195,11 +204,11 @@ static void bond_based_bond_energy(const void *self, const struct body *body,
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
     int several;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
-    for (int k = 0; k < view.count; k++) {
-        double e = bond_ends_extension(&view, &u, k);
-        energy[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
+    double e[LANES];
+    bond_ends_extensions(&view, &u, e);
+    for (int k = 0; k < view.count; k++)
+        energy[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e[k] * e[k] /
                     view.length[k * view.geometry_step];
-    }
 }
 
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
@@ -221,9 +230,11 @@ static void add_stress(const struct bond_based *model, struct body *body,
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
     int several;
     const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    double e[LANES];
+    bond_ends_extensions(&view, &u, e);
     for (int k = 0; k < view.count; k++)
-        half[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] *
-                  bond_ends_extension(&view, &u, k) / view.length[k * view.geometry_step];
+        half[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e[k] /
+                  view.length[k * view.geometry_step];
     bond_ends_add_stress(&view, &u, half, half, body);
 }
 

@@ -73,12 +73,12 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
     const double *pi = s->slip.end[0], *pj = s->slip.end[1];
     double *ei = s->lower[SUM_EXTENSION], *ni = s->lower[SUM_SQUARE];
     double *ej = s->upper[SUM_EXTENSION], *nj = s->upper[SUM_SQUARE];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
         double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
@@ -115,12 +115,12 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
     double *pi = s->slip.end[0], *pj = s->slip.end[1];
     double *ix = s->force_lower[0], *iy = s->force_lower[1], *iz = s->force_lower[2];
     double *jx = s->force_upper[0], *jy = s->force_upper[1], *jz = s->force_upper[2];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, R0 = *R;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
         double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
@@ -339,19 +339,19 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     if (flows) settle_flow(model, body);
 }
 
-/* (ordinary.3) of both ends of the bonds of a strip. */
+/* (ordinary.3) of both ends of the bonds of a strip, whose extensions go to e. */
 static void find_states(const struct ordinary *model, const struct bond_view *view,
-                        const struct pass *pass, double state[2][LANES])
+                        const struct pass *pass, double e[LANES], double state[2][LANES])
 {
+    bond_ends_extensions(view, &pass->u, e);
     for (int k = 0; k < view->count; k++) {
-        const double e = bond_ends_extension(view, &pass->u, k),
-                     reach = pass->reach[k * view->geometry_step],
+        const double reach = pass->reach[k * view->geometry_step],
                      weight = view->weight[k * view->weight_step];
         for (int end = 0; end < 2; end++) {
             const double *slip = pass->slip.end[end];
             const int64_t i = end ? bond_upper(view, k) : bond_lower(view, k);
             state[end][k] = weight * (model->node[NODE_PULL][i] * reach +
-                                      model->node[NODE_SPRING][i] * (e - (slip ? slip[k] : 0)));
+                                      model->node[NODE_SPRING][i] * (e[k] - (slip ? slip[k] : 0)));
         }
     }
 }
@@ -359,10 +359,10 @@ static void find_states(const struct ordinary *model, const struct bond_view *vi
 static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
 {
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][LANES], state[2][LANES];
+    double displacement[6][LANES], e[LANES], state[2][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
-    find_states(model, &view, &pass, state);
+    find_states(model, &view, &pass, e, state);
     bond_ends_add_stress(&view, &pass.u, state[0], state[1], body);
 }
 
@@ -373,15 +373,14 @@ static void ordinary_bond_energy(const void *self, const struct body *body,
     const struct ordinary *model = self;
     const int64_t number = strip - model->bonds->strips;
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], state[2][LANES];
+    double displacement[6][LANES], e[LANES], state[2][LANES];
     struct pass pass = pass_over(model, &view, body, displacement);
     if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
-    find_states(model, &view, &pass, state);
+    find_states(model, &view, &pass, e, state);
     for (int k = 0; k < view.count; k++) {
-        const double e = bond_ends_extension(&view, &pass.u, k);
         const double *lower = pass.slip.end[0], *upper = pass.slip.end[1];
-        energy[k] = 0.5 * (state[0][k] * (e - (lower ? lower[k] : 0)) +
-                           state[1][k] * (e - (upper ? upper[k] : 0)));
+        energy[k] = 0.5 * (state[0][k] * (e[k] - (lower ? lower[k] : 0)) +
+                           state[1][k] * (e[k] - (upper ? upper[k] : 0)));
     }
 }
 
