@@ -3,6 +3,8 @@
 #   make                 programs in build/bin
 #   make check           all tests (under ten minutes on two cores)
 #   make install         DESTDIR and PREFIX as usual
+#   make stress          numerical stability, the long form (minutes)
+#   make bench           kernels beside their bounds and LAMMPS, run time against error; QUICK=1: kernels
 #   make format          clang-format over the tree
 #   make first           the small study of the README
 #   make flagship study  the larger ones of pipelines/ (minutes to an hour)
@@ -172,7 +174,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,15s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,14s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

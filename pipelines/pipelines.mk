@@ -364,34 +364,42 @@ $(RESULTS)/rates/table.csv: $(RATES_OF:%=$(RESULTS)/rates/%/row.csv) pipelines/r
 	cat $(filter %.csv,$^); } > $@
 	awk -f pipelines/rates/check.awk $@
 
-# A harmonic slice here and in CalculiX, on the same voxels, each cut into n^3.  The results of CalculiX are kept in fe.csv; with ccx
-# installed (Debian: calculix-ccx) `make finite-elements-mesh` makes them anew, in about half an hour.
-SLICES := 1 2 3
-ELEMENTS := C3D8-1 C3D8I-1 C3D8I-2 C3D8I-3 C3D20R-1 C3D20R-2
-.PHONY: thesis-calibration spacings finite-elements-mesh
-finite-elements: $(RESULTS)/finite-elements/hstools.csv pipelines/finite-elements/fe.csv
-	awk -f pipelines/finite-elements/check.awk pipelines/finite-elements/fe.csv $<
-$(RESULTS)/finite-elements/slice-1.txt: pipelines/finite-elements/study.yaml | all
+# A harmonic structure by hssolve and by CalculiX on the same voxels, split along each axis.  The curves of CalculiX
+# come from the folder; CALCULIX=yes makes them anew.
+FE := $(RESULTS)/finite-elements
+FE_SPLITS := 1 2 3 4
+FE_RUNS := C3D8-1-0.04 C3D8I-1-0.04 C3D8I-2-0.04 C3D20R-1-0.08 C3D20R-2-0.08
+FE_UNIFORM := C3D8I-1-0.08 C3D20R-1-0.08
+FE_STORED := $(if $(CALCULIX),$(FE),pipelines/finite-elements)
+fe_um = $(word $(1),25 12.5 8.3333333333333 6.25)
+finite-elements: $(FE)/table.csv
+	@command -v ccx > /dev/null || echo "finite-elements: CalculiX' half is that of pipelines/finite-elements: anew it needs ccx"
+
+$(FE)/voxels.txt: pipelines/finite-elements/study.yaml | all
 	@mkdir -p $(@D)
-	hsgen -q $< -o $(@D)/domain.g --peridigm $(basename $@)
-$(RESULTS)/finite-elements/slice-2.txt $(RESULTS)/finite-elements/slice-3.txt: $(RESULTS)/finite-elements/slice-%.txt: $(RESULTS)/finite-elements/slice-1.txt
-	awk -v n=$* -v spacing=25e-6 -f pipelines/finite-elements/refine.awk $< > $@
-$(SLICES:%=$(RESULTS)/finite-elements/history-%.e): $(RESULTS)/finite-elements/history-%.e: $(RESULTS)/finite-elements/slice-%.txt pipelines/finite-elements/study.yaml
-	{ time -p hssolve -i $< -d pipelines/finite-elements/study.yaml -H $@; } 2> $(@D)/time-$*
-$(RESULTS)/finite-elements/hstools.csv: $(SLICES:%=$(RESULTS)/finite-elements/history-%.e) $(wildcard pipelines/finite-elements/*.awk)
-	{ echo code,refined,at_0.5_percent_MPa,at_1_percent,at_2_percent,at_3_percent,at_5_percent,cpu_s; for n in $(SLICES); do \
-	hspost -q --columns $(@D)/history-$$n.e | awk -f pipelines/finite-elements/columns.awk > $(@D)/curve-$$n.csv; \
-	awk -v name=hstools -v refined=$$n -f pipelines/finite-elements/at.awk $(@D)/curve-$$n.csv $(@D)/time-$$n; done; } > $@
-$(ELEMENTS:%=$(RESULTS)/finite-elements/%/curve.csv): $(RESULTS)/finite-elements/%/curve.csv: $(SLICES:%=$(RESULTS)/finite-elements/slice-%.txt) pipelines/finite-elements/mesh.awk
-	@command -v ccx > /dev/null || { echo "finite-elements-mesh needs ccx (Debian: calculix-ccx)" >&2; exit 1; }
-	@mkdir -p $(@D)
-	awk -v type=$(word 1,$(subst -, ,$*)) -v n=$(word 2,$(subst -, ,$*)) -v spacing=$$(awk 'BEGIN {print 0.025/$(word 2,$(subst -, ,$*))}') -v grip=0.05 -v gauge=0.2 -v end=0.02 \
-	-v increments=25 -f pipelines/finite-elements/mesh.awk $(RESULTS)/finite-elements/slice-$(word 2,$(subst -, ,$*)).txt > $(@D)/model.inp
-	cd $(@D) && { time -p OMP_NUM_THREADS=1 ccx model > log; } 2> time
-	awk -f pipelines/finite-elements/read.awk $(@D)/model.dat > $@
-finite-elements-mesh: $(ELEMENTS:%=$(RESULTS)/finite-elements/%/curve.csv)
-	{ echo element,refined,at_0.5_percent_MPa,at_1_percent,at_2_percent,at_3_percent,at_5_percent,cpu_s; for name in $(ELEMENTS); do \
-	awk -v name=$${name%-*} -v refined=$${name#*-} -f pipelines/finite-elements/at.awk $(RESULTS)/finite-elements/$$name/curve.csv $(RESULTS)/finite-elements/$$name/time; done; } > pipelines/finite-elements/fe.csv
+	hsgen $< -o $(@D)/domain.g --statistics $(@D)/statistics.csv --picture $(@D)/structure.png --peridigm $(@D)/voxels
+define FE_HSTOOLS
+$(FE)/hstools-$(1).csv: $(FE)/voxels.txt pipelines/finite-elements/split.awk pipelines/finite-elements/hstools.awk
+	sed -e 's/spacing: 25 um/spacing: $(call fe_um,$(1)) um/' -e 's/25e-6/$(call fe_um,$(1))*1e-6/' pipelines/finite-elements/study.yaml > $(FE)/hstools-$(1).yaml
+	awk -v by=$(1) -v spacing=25e-6 -f pipelines/finite-elements/split.awk $$< > $(FE)/voxels-$(1).txt
+	TIMEFORMAT=%U; { time hssolve -d $(FE)/hstools-$(1).yaml -i $(FE)/voxels-$(1).txt -H $(FE)/hstools-$(1).e 2> >(tee $(FE)/hssolve-$(1).log >&2); } 2> $(FE)/hstools-$(1).cpu
+	hspost --columns $(FE)/hstools-$(1).e | awk -F, -v spacing=$(call fe_um,$(1)) -v cpu=$$$$(tail -n 1 $(FE)/hstools-$(1).cpu) -f pipelines/finite-elements/hstools.awk > $$@
+endef
+$(foreach s,$(FE_SPLITS),$(eval $(call FE_HSTOOLS,$(s))))
+
+# A name says element, split and load step; `uniform` is a bar of one phase.
+$(FE_RUNS:%=$(FE)/%/curve.csv): $(FE)/%/curve.csv: $(FE)/voxels.txt $(addprefix pipelines/finite-elements/,calculix split.awk mesh.awk curve.awk)
+	pipelines/finite-elements/calculix $(@D) $< $(word 2,$(subst -, ,$*)) $(word 1,$(subst -, ,$*)) $(word 3,$(subst -, ,$*))
+$(FE_UNIFORM:%=$(FE)/uniform-%/curve.csv): $(FE)/uniform-%/curve.csv: $(FE)/voxels.txt $(addprefix pipelines/finite-elements/,calculix split.awk mesh.awk curve.awk)
+	pipelines/finite-elements/calculix $(@D) $< $(word 2,$(subst -, ,$*)) $(word 1,$(subst -, ,$*)) $(word 3,$(subst -, ,$*)) uniform
+$(FE)/calculix.csv: $(FE_RUNS:%=$(FE)/%/curve.csv) $(FE_UNIFORM:%=$(FE)/uniform-%/curve.csv)
+	{ { ccx -v || true; } | awk 'NF {print "# CalculiX: " $$0}'; cksum < $(FE)/voxels.txt | awk '{print "# voxels: cksum " $$1}'; \
+	echo method,spacing_um,engineering_strain,engineering_stress_MPa,cpu_s; \
+	$(foreach r,$(FE_RUNS) $(FE_UNIFORM:%=uniform-%),awk -F, -v run=$(r) -v um=$(call fe_um,$(word 2,$(subst -, ,$(r:uniform-%=%)))) -v cpu=$$(cat $(FE)/$(r)/cpu.txt) \
+	'$$1 + 0 > 0 {sub(/-[1-9]-.*/, "", run); printf "%s,%s,%s,%s,%s\n", run, um, $$1, $$2, cpu}' $(FE)/$(r)/curve.csv;) } > $@
+$(FE)/table.csv: $(FE_SPLITS:%=$(FE)/hstools-%.csv) $(FE_STORED)/calculix.csv pipelines/finite-elements/table.awk pipelines/finite-elements/check.awk
+	awk -F, -f pipelines/finite-elements/table.awk $(FE_STORED)/calculix.csv $(FE_SPLITS:%=$(FE)/hstools-%.csv) > $@
+	awk -F, -v voxels=$$(cksum < $(FE)/voxels.txt | cut -d' ' -f1) -f pipelines/finite-elements/check.awk $(FE_STORED)/calculix.csv $@
 
 # One harmonic geometry at three spacings, by load steps to 10 %.
 FINER := 25um 12.5um 8.33um

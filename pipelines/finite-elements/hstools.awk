@@ -1,0 +1,11 @@
+# Gauge strain and stress of hssolve's history: hspost --columns history.e | awk -F, -v spacing=25 -v cpu=1.2 -f hstools.awk
+
+/^#/ { next }
+!header {
+    header = 1
+    for (i = 1; i <= NF; i++) column[$i] = i
+    next
+}
+$column["right"] > 0 {
+    printf "hstools,%s,%.8g,%.8g,%s\n", spacing, ($column["right"] - $column["left"]) / 0.4e-3, ($column["force_right_N"] - $column["force_left_N"]) / 2 / 0.02, cpu
+}
