@@ -93,7 +93,7 @@ static void near_sites_move(struct grid *grid)
 
 static void allocate(struct grid *grid)
 {
-    grid->size[0] = (grid->size[0] + 7) / 8 * 8; /* lines start on cache lines */
+    grid->size[0] = (grid->size[0] + 7) / 8 * 8;
     grid->step[0] = 1;
     grid->step[1] = grid->size[0];
     grid->step[2] = grid->step[1] * grid->size[1];
@@ -131,8 +131,10 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     /* Twice the reach where a near site is one reach away, its family another. */
     const int pad = (n_bonds > 0 ? 2 : 1) * family->reach;
     for (int a = 0; a < 3; a++) {
-        grid.origin[a] = low[a] - pad;
-        grid.size[a] = high[a] - low[a] + 2 * pad;
+        const int before =
+            a == 0 ? (pad + 7) / 8 * 8 : pad; /* lines of nodes start on cache lines */
+        grid.origin[a] = low[a] - before;
+        grid.size[a] = before + high[a] - low[a] + pad;
     }
     allocate(&grid);
     fill(&grid, lattice, partition);
