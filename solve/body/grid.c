@@ -174,7 +174,7 @@ void grid_position(const struct grid *grid, int64_t site, int at[3])
 }
 
 /* Strips of the sites where listed[site] is set. */
-static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
+static struct strips make_strips(const struct grid *grid, const uint8_t *listed, int lanes)
 {
     struct strips strips = {0};
     for (int pass = 0; pass < 2; pass++) {
@@ -184,7 +184,7 @@ static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
             for (int x = 0; x < grid->size[0];) {
                 int first = x++;
                 if (!listed[line + first]) continue;
-                while (x < grid->size[0] && listed[line + x] && (grid->origin[0] + x) % LANES != 0)
+                while (x < grid->size[0] && listed[line + x] && (grid->origin[0] + x) % lanes != 0)
                     x++;
                 const int stride = (x - first + 7) / 8 * 8;
                 if (pass)
@@ -204,12 +204,12 @@ struct strips grid_strips(const struct grid *grid, int wanted, int unwanted)
     uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
     for (int64_t site = 0; site < grid->n_sites; site++)
         listed[site] = (grid->flags[site] & (wanted | unwanted)) == wanted;
-    struct strips strips = make_strips(grid, listed);
+    struct strips strips = make_strips(grid, listed, LANES);
     free(listed);
     return strips;
 }
 
-struct strips grid_bond_strips(const struct grid *grid, const int step[3])
+struct strips grid_bond_strips(const struct grid *grid, const int step[3], int lanes)
 {
     uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
     const int64_t shift = grid_shift(grid, step);
@@ -219,7 +219,7 @@ struct strips grid_bond_strips(const struct grid *grid, const int step[3])
             continue;
         listed[i] = ((grid->flags[i] | grid->flags[j]) & SITE_OWNED) != 0;
     }
-    struct strips strips = make_strips(grid, listed);
+    struct strips strips = make_strips(grid, listed, lanes);
     free(listed);
     return strips;
 }

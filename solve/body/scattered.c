@@ -40,16 +40,11 @@ static void add_bond(struct bonds *bonds, const struct lattice *lattice, int64_t
 
 static void add_strip(struct bonds *bonds, const struct body *body, int64_t first, int count)
 {
-    const uint8_t *phase = body->grid.phase;
-    const int64_t i = bonds->lower[first];
     struct bond_strip strip = {.count = count, .offset = -1, .i = first, .store = bonds->points};
-    strip.pair = 16 * phase[i] + phase[bonds->upper[first]];
     strip.weight = memory_new((size_t)bonds_stride(count), sizeof(double));
-    for (int k = 0; k < count; k++) {
-        if (strip.pair != 16 * phase[i] + phase[bonds->upper[first + k]]) strip.pair = -1;
+    for (int k = 0; k < count; k++)
         strip.weight[k] =
             family_weight(body->family, bonds->length[first + k] / body->lattice->spacing);
-    }
     if (bonds->count % 1024 == 0) {
         struct bond_strip *longer = memory_new((size_t)bonds->count + 1024, sizeof *longer);
         if (bonds->count > 0) memcpy(longer, bonds->strips, (size_t)bonds->count * sizeof *longer);

@@ -137,8 +137,8 @@ static void find_rooms(const struct damage *damage, const struct bond_strip *str
 {
     const struct damage_rules *rules = &damage->rules;
     const uint8_t *phase = damage->body->grid.phase;
-    const struct damage_law *law[LANES];
-    double value[LANES], some[LANES];
+    const struct damage_law *law[BOND_LANES];
+    double value[BOND_LANES], some[BOND_LANES];
     for (int k = 0; k < view->count; k++) {
         const int pair = phase[bond_lower(view, k)] * rules->n_phases + phase[bond_upper(view, k)];
         law[k] = view->weight[k * view->weight_step] > 0 ? rules->law[pair] : NULL;
@@ -182,7 +182,7 @@ static void test_strip(struct damage *damage, int64_t s)
 {
     const struct bond_strip *strip = &damage->bonds->strips[s];
     const struct bond_view view = bonds_view(damage->bonds, strip);
-    double rooms[LANES], least = INFINITY;
+    double rooms[BOND_LANES], least = INFINITY;
     find_rooms(damage, strip, &view, rooms);
     for (int k = 0; k < view.count; k++) {
         const double length = view.length[k * view.geometry_step];

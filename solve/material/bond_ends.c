@@ -32,14 +32,14 @@ HS_SIMD static void extensions_scattered(const struct bond_view *view, const str
 }
 
 void bond_ends_extensions(const struct bond_view *view, const struct bond_ends *u,
-                          double extension[LANES])
+                          double extension[BOND_LANES])
 {
     (view->geometry_step ? extensions_scattered : extensions_alike)(view, u, extension);
 }
 
 /* y, and the force states of the ends times the other end's volume over |y|. */
 struct directions {
-    double y[3][LANES], pull[2][LANES];
+    double y[3][BOND_LANES], pull[2][BOND_LANES];
 };
 
 HS_INLINE void find_directions(const struct bond_view *v, const struct bond_ends *u, int g,
@@ -88,7 +88,7 @@ void bond_ends_add_stress(const struct bond_view *view, const struct bond_ends *
                           const double *lower, const double *upper, struct body *body)
 {
     struct directions d;
-    double buffer[LANES];
+    double buffer[BOND_LANES];
     (view->geometry_step ? directions_scattered : directions_alike)(view, u, lower, upper, &d);
     for (int end = 0; end < 2; end++)
         for (int a = 0; a < 3; a++)

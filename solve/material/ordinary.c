@@ -43,36 +43,35 @@ static void *madenci_oterkus_read(struct deck_node solver, const struct family *
     return read_any(solver, materials, &ordinary_madenci_oterkus);
 }
 
-/* The strip with the fields of its ends. */
+/* What a kernel reads and writes of a strip: arrays of its first bond, or one number for all of it. */
 struct pass {
     int count;
-    struct bond_ends u;
-    const struct bond_view *view;
-    const double *reach; /* |xi| or 1, as geometry */
+    const double *u_lower[3], *u_upper[3];
+    const double *xi[3], *length, *weight, *volume_i, *volume_j;
+    const double *reach; /* |xi| or 1 */
     /* First pass. */
-    double *lower[SUM_COUNT], *upper[SUM_COUNT];
+    double *sum_lower[SUM_COUNT], *sum_upper[SUM_COUNT];
     /* Second pass. */
     const double *node_lower[NODE_COUNT], *node_upper[NODE_COUNT];
-    double *force_lower[3], *force_upper[3];
+    double *f_lower[3], *f_upper[3];
     /* e^p of the lower and the upper ends. */
     struct slip slip;
 };
 
 /* What a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
- * its growth. */
+ * its growth.  Where there is no e^p, or no growth, all give the same bits. */
 enum { ELASTIC, ENERGY, STORED, YIELDING };
 
-/* First pass over a strip, an element of geometry and weight every g and w. */
-HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
+/* First pass over a strip, with an array each of geometry and weight where g and w. */
+HS_INLINE void sum_up(const struct pass *s, bool g, bool w, int depth)
 {
-    const struct bond_view *v = s->view;
-    const double *ux = s->u.lower[0], *uy = s->u.lower[1], *uz = s->u.lower[2];
-    const double *vx = s->u.upper[0], *vy = s->u.upper[1], *vz = s->u.upper[2];
-    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
-    const double *Vi = v->volume_i, *Vj = v->volume_j, *R = s->reach;
+    const double *ux = s->u_lower[0], *uy = s->u_lower[1], *uz = s->u_lower[2];
+    const double *vx = s->u_upper[0], *vy = s->u_upper[1], *vz = s->u_upper[2];
+    const double *X = s->xi[0], *Y = s->xi[1], *Z = s->xi[2], *L = s->length, *W = s->weight;
+    const double *Vi = s->volume_i, *Vj = s->volume_j, *R = s->reach;
     const double *pi = s->slip.end[0], *pj = s->slip.end[1];
-    double *ei = s->lower[SUM_EXTENSION], *ni = s->lower[SUM_SQUARE];
-    double *ej = s->upper[SUM_EXTENSION], *nj = s->upper[SUM_SQUARE];
+    double *ei = s->sum_lower[SUM_EXTENSION], *ni = s->sum_lower[SUM_SQUARE];
+    double *ej = s->sum_upper[SUM_EXTENSION], *nj = s->sum_upper[SUM_SQUARE];
     const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
@@ -82,10 +81,7 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
         double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
-        x += a;
-        y += b;
-        z += d;
-        double e = longer / (sqrt(x * x + y * y + z * z) + length);
+        double e = longer / (sqrt(length * length + longer) + length);
         double qi = e, qj = e;
         if (depth == STORED) {
             qi -= pi[k];
@@ -100,21 +96,21 @@ HS_INLINE void sum_up(const struct pass *s, int g, int w, int depth)
     }
 }
 
-/* (ordinary.4); where an end yields, its e^p moves on. */
-HS_INLINE void push(const struct pass *s, int g, int w, int depth)
+/* (ordinary.4), of one fraction t/|y| = (pull |xi| (|y| + |xi|) + spring (|y|^2 - |xi|^2))/((|y| + |xi|) |y|); where an
+ * end yields, its e^p moves on. */
+HS_INLINE void push(const struct pass *s, bool g, bool w, int depth)
 {
-    const struct bond_view *v = s->view;
-    const double *ux = s->u.lower[0], *uy = s->u.lower[1], *uz = s->u.lower[2];
-    const double *vx = s->u.upper[0], *vy = s->u.upper[1], *vz = s->u.upper[2];
-    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
-    const double *Vi = v->volume_i, *Vj = v->volume_j, *R = s->reach;
+    const double *ux = s->u_lower[0], *uy = s->u_lower[1], *uz = s->u_lower[2];
+    const double *vx = s->u_upper[0], *vy = s->u_upper[1], *vz = s->u_upper[2];
+    const double *X = s->xi[0], *Y = s->xi[1], *Z = s->xi[2], *L = s->length, *W = s->weight;
+    const double *Vi = s->volume_i, *Vj = s->volume_j, *R = s->reach;
     const double *Ai = s->node_lower[NODE_PULL], *Aj = s->node_upper[NODE_PULL];
     const double *Bi = s->node_lower[NODE_SPRING], *Bj = s->node_upper[NODE_SPRING];
     const double *Fi = s->node_lower[NODE_FLOW], *Fj = s->node_upper[NODE_FLOW];
     const double *Ci = s->node_lower[NODE_CENTRE], *Cj = s->node_upper[NODE_CENTRE];
     double *pi = s->slip.end[0], *pj = s->slip.end[1];
-    double *ix = s->force_lower[0], *iy = s->force_lower[1], *iz = s->force_lower[2];
-    double *jx = s->force_upper[0], *jy = s->force_upper[1], *jz = s->force_upper[2];
+    double *ix = s->f_lower[0], *iy = s->f_lower[1], *iz = s->f_lower[2];
+    double *jx = s->f_upper[0], *jy = s->f_upper[1], *jz = s->f_upper[2];
     const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
     const int count = s->count;
 #pragma omp simd
@@ -124,15 +120,14 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
+        double square = length * length + longer, now = sqrt(square), sum = now + length;
+        double pull = (Ai[k] + Aj[k]) * reach;
+        if (depth >= STORED) pull -= Bi[k] * pi[k] + Bj[k] * pj[k];
+        double force = (pull * sum + (Bi[k] + Bj[k]) * longer) / (square + length * now);
+        double i = (weight * volume_j) * force, j = (weight * volume_i) * force;
         x += a;
         y += b;
         z += d;
-        double now = sqrt(x * x + y * y + z * z), sum = now + length, inverse = 1 / (sum * now);
-        double e = longer * (inverse * now);
-        double force = (Ai[k] + Aj[k]) * reach + (Bi[k] + Bj[k]) * e;
-        if (depth >= STORED) force -= Bi[k] * pi[k] + Bj[k] * pj[k];
-        force *= inverse * sum;
-        double i = (weight * volume_j) * force, j = (weight * volume_i) * force;
         ix[k] += i * x;
         iy[k] += i * y;
         iz[k] += i * z;
@@ -140,6 +135,7 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         jy[k] -= j * y;
         jz[k] -= j * z;
         if (depth == YIELDING) {
+            double e = longer / sum;
             pi[k] += Fi[k] * (e - pi[k] - Ci[k] * length);
             pj[k] += Fj[k] * (e - pj[k] - Cj[k] * length);
         }
@@ -152,15 +148,12 @@ HS_INLINE void push(const struct pass *s, int g, int w, int depth)
         kernel(s, g, w, depth);                                                                    \
     }
 #define VARIANTS(name, kernel, depth)                                                              \
-    VARIANT(name##_alike, kernel, 0, 0, depth)                                                     \
-    VARIANT(name##_weighted, kernel, 0, 1, depth)                                                  \
-    VARIANT(name##_scattered, kernel, 1, 1, depth)
+    VARIANT(name##_alike, kernel, false, false, depth)                                             \
+    VARIANT(name##_weighted, kernel, false, true, depth)                                           \
+    VARIANT(name##_scattered, kernel, true, true, depth)
 #define CHOICE(name)                                                                               \
     {                                                                                              \
-        {name##_alike, name##_weighted},                                                           \
-        {                                                                                          \
-            NULL, name##_scattered                                                                 \
-        }                                                                                          \
+        name##_alike, name##_weighted, name##_scattered                                            \
     }
 VARIANTS(sum_elastic, sum_up, ELASTIC)
 VARIANTS(sum_energy, sum_up, ENERGY)
@@ -170,72 +163,151 @@ VARIANTS(push_stored, push, STORED)
 VARIANTS(push_yielding, push, YIELDING)
 
 typedef void kernel(const struct pass *);
-/* [depth][geometry_step][weight_step] */
-static kernel *const summing[][2][2] = {CHOICE(sum_elastic), CHOICE(sum_energy),
-                                        CHOICE(sum_stored)};
-static kernel *const pushing[][2][2] = {[ELASTIC] = CHOICE(push_elastic),
-                                        [STORED] = CHOICE(push_stored),
-                                        [YIELDING] = CHOICE(push_yielding)};
+enum { ALIKE, WEIGHTED, SCATTERED };
+/* [depth][what differs] */
+static kernel *const summing[][3] = {CHOICE(sum_elastic), CHOICE(sum_energy), CHOICE(sum_stored)};
+static kernel *const pushing[][3] = {[ELASTIC] = CHOICE(push_elastic),
+                                     [STORED] = CHOICE(push_stored),
+                                     [YIELDING] = CHOICE(push_yielding)};
 
-static struct pass pass_over(const struct ordinary *model, const struct bond_view *view,
-                             const struct body *body, double buffer[6][LANES])
+/* The bonds of a strip of a lattice; returns ALIKE or WEIGHTED. */
+static inline int pass_on_lattice(const struct ordinary *model, const struct body *body,
+                                  const struct bond_strip *strip, struct pass *pass)
 {
-    return (struct pass){.count = view->count,
-                         .u = bond_ends_find(view, body, buffer),
-                         .view = view,
-                         .reach = model->law->by_length ? view->length : ones};
+    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
+    pass->count = strip->count;
+    pass->length = &g->length;
+    pass->reach = model->law->by_length ? &g->length : ones;
+    pass->weight = strip->weight ? strip->weight : &g->weight;
+    pass->volume_i = pass->volume_j = model->bonds->volume;
+    for (int a = 0; a < 3; a++) {
+        pass->xi[a] = &g->xi[a];
+        pass->u_lower[a] = body->u[a] + strip->i;
+        pass->u_upper[a] = body->u[a] + strip->i + g->shift;
+    }
+    return strip->weight ? WEIGHTED : ALIKE;
 }
 
-/* Strip number s; returns how many have been done, those after it that are alike included. */
-static int64_t sum_strip(const struct ordinary *model, const struct body *body, int64_t number,
-                         int depth)
+/* The same of any view, whose ends are gathered where they do not lie side by side. */
+static void pass_over(const struct ordinary *model, const struct body *body,
+                      const struct bond_view *view, double buffer[6][BOND_LANES], struct pass *pass)
 {
-    struct bond_view view;
-    const int64_t done = bonds_line(model->bonds, number, &view);
-    double displacement[6][LANES], lower[SUM_COUNT][LANES], upper[SUM_COUNT][LANES];
-    struct pass pass = pass_over(model, &view, body, displacement);
-    if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
-    if (pass.slip.end[0]) depth = STORED;
+    const struct bond_ends u = bond_ends_find(view, body, buffer);
+    pass->count = view->count;
+    pass->length = view->length;
+    pass->reach = model->law->by_length ? view->length : ones;
+    pass->weight = view->weight;
+    pass->volume_i = view->volume_i;
+    pass->volume_j = view->volume_j;
+    for (int a = 0; a < 3; a++) {
+        pass->xi[a] = view->xi[a];
+        pass->u_lower[a] = u.lower[a];
+        pass->u_upper[a] = u.upper[a];
+    }
+}
+
+static int sum_depth(const struct ordinary *model, int64_t number, int depth, struct pass *pass)
+{
+    if (!model->plastic) return depth;
+    pass->slip = ordinary_plastic_slip(model, number);
+    return pass->slip.end[0] ? STORED : depth;
+}
+
+static void sum_lattice(const struct ordinary *model, const struct body *body, int64_t number,
+                        int depth)
+{
+    const struct bond_strip *strip = &model->bonds->strips[number];
+    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
+    const int64_t i = strip->i, j = i + g->shift;
+    double buffer[3][BOND_LANES];
+    struct pass pass;
+    const int what = pass_on_lattice(model, body, strip, &pass);
+    depth = sum_depth(model, number, depth, &pass);
+    for (int k = 0; k < SUM_COUNT; k++) {
+        pass.sum_lower[k] = model->sum[k] + i;
+        pass.sum_upper[k] = model->sum[k] + j;
+    }
+    if (!g->apart) bond_detour(SUM_COUNT, buffer, strip->count, pass.sum_upper);
+    summing[depth][what](&pass);
+    if (!g->apart)
+        bond_detour_end(depth == ELASTIC ? 1 : SUM_COUNT, buffer, strip->count, model->sum, j);
+}
+
+static void sum_scattered_strip(const struct ordinary *model, const struct body *body,
+                                int64_t number, int depth)
+{
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    double displacement[6][BOND_LANES], lower[SUM_COUNT][BOND_LANES], upper[SUM_COUNT][BOND_LANES];
+    struct pass pass;
+    pass_over(model, body, &view, displacement, &pass);
+    depth = sum_depth(model, number, depth, &pass);
     const int count = depth == ELASTIC ? 1 : SUM_COUNT;
     for (int k = 0; k < count; k++) {
-        pass.lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
-        pass.upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
+        pass.sum_lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
+        pass.sum_upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
     }
-    summing[depth][view.geometry_step][view.weight_step](&pass);
+    summing[depth][SCATTERED](&pass);
     for (int k = 0; k < count; k++) {
         bond_scatter(&view, false, model->sum[k], lower[k]);
         bond_scatter(&view, true, model->sum[k], upper[k]);
     }
-    return done;
 }
 
-static int64_t push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
+static int push_depth(struct ordinary *model, int64_t number, bool flows, struct pass *pass)
 {
-    struct bond_view view;
-    const int64_t done = bonds_line(model->bonds, number, &view);
-    double displacement[6][LANES], gathered[2][NODE_COUNT][LANES], force[2][3][LANES];
-    struct pass pass = pass_over(model, &view, body, displacement);
-    int depth = ELASTIC;
-    if (flows) pass.slip = ordinary_plastic_yielding(model, number, &view);
-    if (pass.slip.end[0])
-        depth = YIELDING;
-    else if (model->plastic)
-        pass.slip = ordinary_plastic_slip(model, number);
-    if (depth == ELASTIC && pass.slip.end[0]) depth = STORED;
+    if (!model->plastic) return ELASTIC;
+    if (flows && ordinary_plastic_flows(model, number)) {
+        pass->slip = ordinary_plastic_room(model, number);
+        return YIELDING;
+    }
+    pass->slip = ordinary_plastic_slip(model, number);
+    return pass->slip.end[0] ? STORED : ELASTIC;
+}
+
+static void push_lattice(struct ordinary *model, struct body *body, int64_t number, bool flows)
+{
+    const struct bond_strip *strip = &model->bonds->strips[number];
+    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
+    const int64_t i = strip->i, j = i + g->shift;
+    double buffer[3][BOND_LANES];
+    struct pass pass;
+    const int what = pass_on_lattice(model, body, strip, &pass),
+              depth = push_depth(model, number, flows, &pass);
+    for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
+        pass.node_lower[k] = model->node[k] + i;
+        pass.node_upper[k] = model->node[k] + j;
+    }
+    for (int a = 0; a < 3; a++) {
+        pass.f_lower[a] = body->f[a] + i;
+        pass.f_upper[a] = body->f[a] + j;
+    }
+    if (!g->apart) bond_detour(3, buffer, strip->count, pass.f_upper);
+    pushing[depth][what](&pass);
+    if (!g->apart) bond_detour_end(3, buffer, strip->count, body->f, j);
+}
+
+static void push_scattered_strip(struct ordinary *model, struct body *body, int64_t number,
+                                 bool flows)
+{
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
+    double displacement[6][BOND_LANES], gathered[2][NODE_COUNT][BOND_LANES],
+        force[2][3][BOND_LANES];
+    struct pass pass;
+    pass_over(model, body, &view, displacement, &pass);
+    const int depth = push_depth(model, number, flows, &pass);
     for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
         pass.node_lower[k] = bond_gather(&view, false, model->node[k], gathered[0][k]);
         pass.node_upper[k] = bond_gather(&view, true, model->node[k], gathered[1][k]);
     }
     for (int a = 0; a < 3; a++) {
-        pass.force_lower[a] = bond_target(&view, false, body->f[a], force[0][a]);
-        pass.force_upper[a] = bond_target(&view, true, body->f[a], force[1][a]);
+        pass.f_lower[a] = bond_target(&view, false, body->f[a], force[0][a]);
+        pass.f_upper[a] = bond_target(&view, true, body->f[a], force[1][a]);
     }
-    pushing[depth][view.geometry_step][view.weight_step](&pass);
+    pushing[depth][SCATTERED](&pass);
     for (int a = 0; a < 3; a++) {
         bond_scatter(&view, false, body->f[a], force[0][a]);
         bond_scatter(&view, true, body->f[a], force[1][a]);
     }
-    return done;
 }
 
 /* pull = k D theta */
@@ -269,8 +341,8 @@ static void sum_moments(const struct ordinary *model, int power, double *sum)
     for (int64_t s = 0; s < model->bonds->count; s++) {
         const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[s]);
         const int g = view.geometry_step;
-        double lower[LANES], upper[LANES], *i = bond_target(&view, false, sum, lower),
-                                           *j = bond_target(&view, true, sum, upper);
+        double lower[BOND_LANES], upper[BOND_LANES], *i = bond_target(&view, false, sum, lower),
+                                                     *j = bond_target(&view, true, sum, upper);
         for (int k = 0; k < view.count; k++) {
             double moment = view.weight[k * view.weight_step] * view.length[k * g];
             if (power == 2) moment *= view.length[k * g];
@@ -297,7 +369,8 @@ static void find_nodes(struct ordinary *model, struct body *body, struct force_m
     halo_exchange(body->displacement_halo, body->u, 3);
     if (model->plastic && model->moment_changes != model->bonds->changes) find_moment(model, body);
     body_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
-    for (int64_t s = 0; s < model->bonds->count;) s += sum_strip(model, body, s, depth);
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        (body->lattice->point[0] ? sum_scattered_strip : sum_lattice)(model, body, s, depth);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
     else
@@ -335,23 +408,32 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     find_nodes(model, body, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count;) s += push_strip(model, body, s, flows);
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        (body->lattice->point[0] ? push_scattered_strip : push_lattice)(model, body, s, flows);
     if (flows) settle_flow(model, body);
 }
 
-/* (ordinary.3) of both ends of the bonds of a strip, whose extensions go to e. */
-static void find_states(const struct ordinary *model, const struct bond_view *view,
-                        const struct pass *pass, double e[LANES], double state[2][LANES])
+/* (ordinary.3) of both ends of the bonds of a strip, and their elastic extensions. */
+struct states {
+    double t[2][BOND_LANES], elastic[2][BOND_LANES];
+};
+
+static void find_states(const struct ordinary *model, const struct bond_view *view, int64_t number,
+                        const struct bond_ends *u, struct states *states)
 {
-    bond_ends_extensions(view, &pass->u, e);
+    struct slip slip = {{NULL, NULL}};
+    double e[BOND_LANES];
+    if (model->plastic) slip = ordinary_plastic_slip(model, number);
+    bond_ends_extensions(view, u, e);
     for (int k = 0; k < view->count; k++) {
-        const double reach = pass->reach[k * view->geometry_step],
+        const double reach = model->law->by_length ? view->length[k * view->geometry_step] : 1,
                      weight = view->weight[k * view->weight_step];
         for (int end = 0; end < 2; end++) {
-            const double *slip = pass->slip.end[end];
             const int64_t i = end ? bond_upper(view, k) : bond_lower(view, k);
-            state[end][k] = weight * (model->node[NODE_PULL][i] * reach +
-                                      model->node[NODE_SPRING][i] * (e[k] - (slip ? slip[k] : 0)));
+            const double elastic = e[k] - (slip.end[end] ? slip.end[end][k] : 0);
+            states->elastic[end][k] = elastic;
+            states->t[end][k] = weight * (model->node[NODE_PULL][i] * reach +
+                                          model->node[NODE_SPRING][i] * elastic);
         }
     }
 }
@@ -359,11 +441,11 @@ static void find_states(const struct ordinary *model, const struct bond_view *vi
 static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
 {
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][LANES], e[LANES], state[2][LANES];
-    struct pass pass = pass_over(model, &view, body, displacement);
-    if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
-    find_states(model, &view, &pass, e, state);
-    bond_ends_add_stress(&view, &pass.u, state[0], state[1], body);
+    double displacement[6][BOND_LANES];
+    const struct bond_ends u = bond_ends_find(&view, body, displacement);
+    struct states states;
+    find_states(model, &view, number, &u, &states);
+    bond_ends_add_stress(&view, &u, states.t[0], states.t[1], body);
 }
 
 /* Energy density that each bond holds: that of the force states of both ends over its elastic extension. */
@@ -371,17 +453,14 @@ static void ordinary_bond_energy(const void *self, const struct body *body,
                                  const struct bond_strip *strip, double *energy)
 {
     const struct ordinary *model = self;
-    const int64_t number = strip - model->bonds->strips;
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], e[LANES], state[2][LANES];
-    struct pass pass = pass_over(model, &view, body, displacement);
-    if (model->plastic) pass.slip = ordinary_plastic_slip(model, number);
-    find_states(model, &view, &pass, e, state);
-    for (int k = 0; k < view.count; k++) {
-        const double *lower = pass.slip.end[0], *upper = pass.slip.end[1];
-        energy[k] = 0.5 * (state[0][k] * (e[k] - (lower ? lower[k] : 0)) +
-                           state[1][k] * (e[k] - (upper ? upper[k] : 0)));
-    }
+    double displacement[6][BOND_LANES];
+    const struct bond_ends u = bond_ends_find(&view, body, displacement);
+    struct states states;
+    find_states(model, &view, strip - model->bonds->strips, &u, &states);
+    for (int k = 0; k < view.count; k++)
+        energy[k] =
+            0.5 * (states.t[0][k] * states.elastic[0][k] + states.t[1][k] * states.elastic[1][k]);
 }
 
 static const double *ordinary_plastic(const void *self, const struct strip *strip)

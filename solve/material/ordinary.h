@@ -71,15 +71,15 @@ void ordinary_plastic_free(struct ordinary_plastic *plastic);
 void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,
                             struct force_energy *energy);
 
-/* e^p of the bonds of a strip, of the lower ends [0] and the upper ends [1], and on in the strips that bonds_line
- * takes with it; NULL: none yet. */
+/* e^p of the bonds of a strip, of the lower ends [0] and the upper ends [1]; NULL: none yet. */
 struct slip {
     double *end[2];
 };
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
-/* The same of the strips of a view where an end is about to yield, made where there is none; NULL: no end yields. */
-struct slip ordinary_plastic_yielding(struct ordinary *model, int64_t strip,
-                                      const struct bond_view *view);
+/* The same, made where there is none. */
+struct slip ordinary_plastic_room(struct ordinary *model, int64_t strip);
+/* Whether an end of a bond of the strip is about to flow. */
+bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
 
 /* Equivalent plastic strain, a box field. */
 const double *ordinary_plastic_strain(const struct ordinary *model);

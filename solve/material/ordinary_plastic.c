@@ -61,21 +61,25 @@ void ordinary_plastic_free(struct ordinary_plastic *plastic)
     free(plastic);
 }
 
-/* Lower ends of all strips of a line, then upper ends, so that memory is read on end.  A strip that another goes on
- * lies at the end of its room, for the two to be one. */
+/* Lower ends of all strips of a line, then upper ends, so that memory is read on end. */
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t number)
 {
     const struct ordinary_plastic *plastic = model->plastic;
-    const struct bonds *bonds = model->bonds;
-    const struct bond_strip *strip = &bonds->strips[number], *next = strip + 1;
+    const struct bond_strip *strip = &model->bonds->strips[number];
     double *slip = plastic->slip[strip->line];
     if (!slip) return (struct slip){{NULL, NULL}};
     const int64_t *first = &plastic->first[strip->line];
-    int64_t at = strip->store - first[0];
-    if (number + 1 < bonds->count && next->offset == strip->offset &&
-        next->i == strip->i + strip->count)
-        at += bonds_stride(strip->count) - strip->count;
-    return (struct slip){{slip + at, slip + at + (first[1] - first[0])}};
+    slip += strip->store - first[0];
+    return (struct slip){{slip, slip + (first[1] - first[0])}};
+}
+
+struct slip ordinary_plastic_room(struct ordinary *model, int64_t number)
+{
+    struct ordinary_plastic *plastic = model->plastic;
+    const int line = model->bonds->strips[number].line;
+    const int64_t room = plastic->first[line + 1] - plastic->first[line];
+    if (!plastic->slip[line]) plastic->slip[line] = memory_new(2 * (size_t)room, sizeof(double));
+    return ordinary_plastic_slip(model, number);
 }
 
 const double *ordinary_plastic_strain(const struct ordinary *model)
@@ -90,19 +94,13 @@ HS_SIMD static int64_t any_beyond(int count, const double *restrict a, const dou
     return any;
 }
 
-struct slip ordinary_plastic_yielding(struct ordinary *model, int64_t strip,
-                                      const struct bond_view *view)
+bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip)
 {
-    struct ordinary_plastic *plastic = model->plastic;
-    const int line = model->bonds->strips[strip].line;
-    double lower[LANES], upper[LANES];
-    if (!any_beyond(view->count, bond_gather(view, false, model->node[NODE_FLOW], lower),
-                    bond_gather(view, true, model->node[NODE_FLOW], upper)))
-        return (struct slip){{NULL, NULL}};
-    if (!plastic->slip[line])
-        plastic->slip[line] = memory_new(
-            2 * (size_t)(plastic->first[line + 1] - plastic->first[line]), sizeof(double));
-    return ordinary_plastic_slip(model, strip);
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[strip]);
+    const double *flow = model->node[NODE_FLOW];
+    double lower[BOND_LANES], upper[BOND_LANES];
+    return any_beyond(view.count, bond_gather(&view, false, flow, lower),
+                      bond_gather(&view, true, flow, upper)) != 0;
 }
 
 /* A strip of nodes. */

@@ -127,7 +127,7 @@ static void test_energy_of_bonds_after_flow(void **state)
 {
     (void)state;
     struct small_body small;
-    double flowing[LANES], again[LANES];
+    double flowing[BOND_LANES], again[BOND_LANES];
     int64_t compared = 0;
     body_of(&small, hard, "constant");
     shear(&small, 3 * yield / shear_stress(1));
