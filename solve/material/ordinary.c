@@ -1,6 +1,7 @@
 /* ordinary.c - the two passes over the bonds that all ordinary state-based materials share (ordinary.h). */
 #include "ordinary.h"
 
+#include "box_fields.h"
 #include "gradient.h"
 #include "integrity.h"
 #include "memory.h"
@@ -520,42 +521,30 @@ static bool yields_somewhere(const struct materials *all)
 static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
 {
     struct ordinary *model = self;
-    const size_t n = (size_t)body->grid.n_sites;
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
-    model->volumetric = memory_new(n, sizeof(double));
-    model->distortion = memory_new(n, sizeof(double));
-    model->moment = memory_new(n, sizeof(double));
-    for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = memory_new(n, sizeof(double));
-    model->node[NODE_PULL] = memory_new(n, sizeof(double));
+    const bool yields = yields_somewhere(model->materials);
+    double *fields[9];
+    box_fields_new(fields, yields ? 9 : 5, body->grid.n_sites);
+    for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = fields[k];
+    model->volumetric = fields[2];
+    model->distortion = model->node[NODE_SPRING] = fields[3];
+    model->node[NODE_PULL] = fields[4];
+    model->moment = yields ? fields[5] : model->sum[SUM_SQUARE];
     find_moduli(model, body);
     halo_exchange(body->stress_halo, &model->distortion, 1);
-    if (yields_somewhere(model->materials)) {
-        for (int k = NODE_SPRING; k < NODE_COUNT; k++)
-            model->node[k] = memory_new(n, sizeof(double));
-        memcpy(model->node[NODE_SPRING], model->distortion, n * sizeof(double));
-        model->plastic = ordinary_plastic_new(model);
-    } else {
-        model->node[NODE_SPRING] = model->distortion;
-        free(model->moment);
-        model->moment = NULL;
-    }
+    if (!yields) return;
+    for (int k = NODE_SPRING; k < NODE_COUNT; k++) model->node[k] = fields[5 + k];
+    memcpy(model->node[NODE_SPRING], model->distortion,
+           (size_t)body->grid.n_sites * sizeof(double));
+    model->plastic = ordinary_plastic_new(model);
 }
 
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
-    if (model->plastic) {
-        ordinary_plastic_free(model->plastic);
-        free(model->node[NODE_SPRING]);
-    }
-    free(model->volumetric);
-    free(model->distortion);
-    free(model->moment);
-    for (int k = 0; k < SUM_COUNT; k++) free(model->sum[k]);
-    free(model->node[NODE_PULL]);
-    free(model->node[NODE_FLOW]);
-    free(model->node[NODE_CENTRE]);
+    if (model->plastic) ordinary_plastic_free(model->plastic);
+    box_fields_free(model->sum[0]);
     free(model);
 }
 

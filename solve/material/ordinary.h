@@ -58,8 +58,8 @@ struct ordinary {
     /* Box fields. */
     double *volumetric, *distortion; /* k D^2, b */
     double *sum[SUM_COUNT], *node[NODE_COUNT];
-    double *moment; /* sum of w |xi|^2 V_j over the bonds there are; NULL where no phase yields */
-    int64_t moment_changes;           /* of the bonds' weights that it has seen */
+    double *moment;         /* where a phase yields: sum of w |xi|^2 V_j over the bonds there are */
+    int64_t moment_changes; /* of the bonds' weights that it has seen */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
 };
 
