@@ -161,6 +161,13 @@ double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
     return strip->weight;
 }
 
+double bonds_first_weight(const struct bonds *bonds, const struct bond_strip *strip, int k)
+{
+    const struct body *body = bonds->body;
+    if (strip->offset >= 0) return bonds->geometry[strip->offset].weight;
+    return family_weight(body->family, bonds->length[strip->i + k] / body->lattice->spacing);
+}
+
 void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms)
 {
     const uint8_t *flags = bonds->body->grid.flags;

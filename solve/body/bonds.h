@@ -85,6 +85,9 @@ struct bond_view bonds_part(const struct bond_view *view, int first, int count);
 /* The strip's weights as an array of its own, which may be changed. */
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip);
 
+/* The weight of bond k of a strip before corrections, cuts and breaks. */
+double bonds_first_weight(const struct bonds *bonds, const struct bond_strip *strip, int k);
+
 /* Sites of the ends of bond k of a view. */
 static inline int64_t bond_lower(const struct bond_view *view, int k)
 {

@@ -362,10 +362,12 @@ static void find_moment(struct ordinary *model, const struct body *body)
     model->moment_changes = model->bonds->changes;
 }
 
-/* First pass, and what the second reads of the nodes, those of other ranks included. */
-static void find_nodes(struct ordinary *model, struct body *body, struct force_mode mode,
-                       struct force_energy *energy)
+/* First pass, and what the second reads of the nodes, those of other ranks included.  The sums go to the first of
+ * some fields of the body whose values are not needed any more. */
+static void find_nodes(struct ordinary *model, struct body *body, double *const fields[],
+                       struct force_mode mode, struct force_energy *energy)
 {
+    for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = fields[k];
     const int depth = model->plastic || energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
     if (model->plastic && model->moment_changes != model->bonds->changes) find_moment(model, body);
@@ -406,7 +408,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
                            struct force_energy *energy)
 {
     struct ordinary *model = self;
-    find_nodes(model, body, mode, mode.energy ? energy : NULL);
+    find_nodes(model, body, body->f, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++)
@@ -473,7 +475,8 @@ static const double *ordinary_plastic(const void *self, const struct strip *stri
 static void ordinary_prepare(void *self, struct body *body, double *axial)
 {
     struct ordinary *model = self;
-    find_nodes(model, body, (struct force_mode){0}, NULL);
+    body_need_gradient(body);
+    find_nodes(model, body, body->S, (struct force_mode){0}, NULL);
     displacement_gradient(body);
     body_clear(body, body->S, 9);
     for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s);
@@ -494,11 +497,11 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
 static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
-    const double *moment = model->moment;
-    double *isotropic = model->sum[SUM_EXTENSION];
+    double *moment = body->f[0], *isotropic = body->f[1]; /* not in use yet */
     const bool corrected = model->correction != SURFACE_NONE;
     const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
-    find_moment(model, body);
+    body_clear(body, body->f, 2);
+    sum_moments(model, 2, moment);
     sum_moments(model, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
@@ -509,6 +512,7 @@ static void find_moduli(struct ordinary *model, const struct body *body)
             model->volumetric[i] = moduli.volumetric * moduli.dilatation * moduli.dilatation;
             model->distortion[i] = moduli.distortion;
         }
+    body_clear(body, body->f, 2);
 }
 
 static bool yields_somewhere(const struct materials *all)
@@ -524,17 +528,18 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
     const bool yields = yields_somewhere(model->materials);
-    double *fields[9];
-    box_fields_new(fields, yields ? 9 : 5, body->grid.n_sites);
-    for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = fields[k];
-    model->volumetric = fields[2];
-    model->distortion = model->node[NODE_SPRING] = fields[3];
-    model->node[NODE_PULL] = fields[4];
-    model->moment = yields ? fields[5] : model->sum[SUM_SQUARE];
+    double *fields[7];
+    box_fields_new(fields, yields ? 7 : 3, body->grid.n_sites);
+    model->fields = fields[0];
+    model->volumetric = fields[0];
+    model->distortion = model->node[NODE_SPRING] = fields[1];
+    model->node[NODE_PULL] = fields[2];
+    if (yields) model->moment = fields[3];
+    model->moment_changes = -1;
     find_moduli(model, body);
     halo_exchange(body->stress_halo, &model->distortion, 1);
     if (!yields) return;
-    for (int k = NODE_SPRING; k < NODE_COUNT; k++) model->node[k] = fields[5 + k];
+    for (int k = NODE_SPRING; k < NODE_COUNT; k++) model->node[k] = fields[3 + k];
     memcpy(model->node[NODE_SPRING], model->distortion,
            (size_t)body->grid.n_sites * sizeof(double));
     model->plastic = ordinary_plastic_new(model);
@@ -544,7 +549,7 @@ static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
     if (model->plastic) ordinary_plastic_free(model->plastic);
-    box_fields_free(model->sum[0]);
+    box_fields_free(model->fields);
     free(model);
 }
 

@@ -56,8 +56,10 @@ struct ordinary {
     enum surface_correction correction;
     struct bonds *bonds;
     /* Box fields. */
+    double *fields;                  /* what volumetric, distortion, node and moment are in */
     double *volumetric, *distortion; /* k D^2, b */
-    double *sum[SUM_COUNT], *node[NODE_COUNT];
+    double *node[NODE_COUNT];
+    double *sum[SUM_COUNT]; /* fields of the body, see find_nodes */
     double *moment;         /* where a phase yields: sum of w |xi|^2 V_j over the bonds there are */
     int64_t moment_changes; /* of the bonds' weights that it has seen */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
