@@ -362,6 +362,14 @@ static void find_moment(struct ordinary *model, const struct body *body)
     model->moment_changes = model->bonds->changes;
 }
 
+/* Once a node yields, what those that do need. */
+static void make_flow(struct ordinary *model, const struct body *body)
+{
+    box_fields_new(model->node + NODE_SPRING, NODE_COUNT - NODE_SPRING, body->grid.n_sites);
+    memcpy(model->node[NODE_SPRING], model->distortion,
+           (size_t)body->grid.n_sites * sizeof(double));
+}
+
 /* First pass, and what the second reads of the nodes, those of other ranks included.  The sums go to the first of
  * some fields of the body whose values are not needed any more. */
 static void find_nodes(struct ordinary *model, struct body *body, double *const fields[],
@@ -374,20 +382,27 @@ static void find_nodes(struct ordinary *model, struct body *body, double *const 
     body_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
     for (int64_t s = 0; s < model->bonds->count; s++)
         (body->lattice->point[0] ? sum_scattered_strip : sum_lattice)(model, body, s, depth);
+    if (model->plastic && !model->node[NODE_FLOW] && !mode.frozen &&
+        ordinary_plastic_beyond(model, body))
+        make_flow(model, body);
     if (model->plastic)
         ordinary_plastic_nodes(model, body, mode, energy);
     else
         elastic_nodes(model, body, energy);
-    halo_exchange(body->stress_halo, model->node, model->plastic ? NODE_COUNT : 1);
+    halo_exchange(body->stress_halo, model->node, model->node[NODE_FLOW] ? NODE_COUNT : 1);
+}
+
+HS_SIMD static int64_t any_positive(int64_t count, const double *restrict values)
+{
+    int64_t any = 0;
+    for (int64_t i = 0; i < count; i++) any |= values[i] > 0;
+    return any;
 }
 
 /* Whether a node that this rank knows is about to flow. */
 static bool any_flow(const struct ordinary *model, const struct body *body)
 {
-    double most = 0;
-    if (!model->plastic) return false;
-    for (int64_t i = 0; i < body->grid.n_sites; i++) most += model->node[NODE_FLOW][i];
-    return most > 0;
+    return model->node[NODE_FLOW] && any_positive(body->grid.n_sites, model->node[NODE_FLOW]);
 }
 
 /* What find_nodes would find now that e^p has moved on: the return is done, the forces stay. */
@@ -528,8 +543,8 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
     const bool yields = yields_somewhere(model->materials);
-    double *fields[7];
-    box_fields_new(fields, yields ? 7 : 3, body->grid.n_sites);
+    double *fields[4];
+    box_fields_new(fields, yields ? 4 : 3, body->grid.n_sites);
     model->fields = fields[0];
     model->volumetric = fields[0];
     model->distortion = model->node[NODE_SPRING] = fields[1];
@@ -538,17 +553,14 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     model->moment_changes = -1;
     find_moduli(model, body);
     halo_exchange(body->stress_halo, &model->distortion, 1);
-    if (!yields) return;
-    for (int k = NODE_SPRING; k < NODE_COUNT; k++) model->node[k] = fields[3 + k];
-    memcpy(model->node[NODE_SPRING], model->distortion,
-           (size_t)body->grid.n_sites * sizeof(double));
-    model->plastic = ordinary_plastic_new(model);
+    if (yields) model->plastic = ordinary_plastic_new(model);
 }
 
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
     if (model->plastic) ordinary_plastic_free(model->plastic);
+    if (model->node[NODE_FLOW]) box_fields_free(model->node[NODE_SPRING]);
     box_fields_free(model->fields);
     free(model);
 }

@@ -47,7 +47,7 @@ enum {
 };
 
 /* What the second pass reads of each node: t_ij = pull a_ij + spring w_ij (e_ij - e^p_ij), and with yield
- * e^p_ij += flow (e_ij - e^p_ij - centre |xi|). */
+ * e^p_ij += flow (e_ij - e^p_ij - centre |xi|).  Until a node yields there are the first two alone, and spring is b. */
 enum { NODE_PULL, NODE_SPRING, NODE_FLOW, NODE_CENTRE, NODE_COUNT };
 
 struct ordinary {
@@ -56,7 +56,7 @@ struct ordinary {
     enum surface_correction correction;
     struct bonds *bonds;
     /* Box fields. */
-    double *fields;                  /* what volumetric, distortion, node and moment are in */
+    double *fields;                  /* what volumetric, distortion, pull and moment are in */
     double *volumetric, *distortion; /* k D^2, b */
     double *node[NODE_COUNT];
     double *sum[SUM_COUNT]; /* fields of the body, see find_nodes */
@@ -68,6 +68,9 @@ struct ordinary {
 /* ordinary_plastic.c: the state of the phases that yield. */
 struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model);
 void ordinary_plastic_free(struct ordinary_plastic *plastic);
+
+/* Whether a node anywhere is beyond yield, from the sums of the owned nodes.  Collective. */
+bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *body);
 
 /* From the sums of the owned nodes what the second pass reads of them; energy may be NULL. */
 void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,

@@ -196,27 +196,48 @@ static void add_energy(const struct body *body, const struct strip *strip, doubl
     exact_sum_add_strip(&energy->plastic, strip->count, plastic, 1);
 }
 
+static int64_t try_strip(const struct ordinary *model, const struct body *body,
+                         const struct strip *strip, struct strip_state *s)
+{
+    const struct materials *all = model->materials;
+    const int64_t i = strip->site;
+    for (int k = 0; k < strip->count; k++) {
+        const int phase = body->grid.phase[i + k];
+        s->mu[k] = all->items[phase].shear_modulus;
+        s->curve[k] = phase * (all->count + 1);
+        s->shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
+    }
+    return trial(strip->count, model->distortion + i, model->sum[SUM_EXTENSION] + i,
+                 model->sum[SUM_SQUARE] + i, model->moment + i, model->plastic->strain + i,
+                 all->curves.table, s);
+}
+
+bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *body)
+{
+    struct strip_state state;
+    double most = 0;
+    for (int64_t s = 0; s < body->owned.count && most == 0; s++)
+        if (try_strip(model, body, &body->owned.items[s], &state)) most = 1;
+    ranks_sum(&most, 1);
+    return most > 0;
+}
+
 static void update_strip(struct ordinary *model, const struct body *body, const struct strip *strip,
                          struct force_mode mode, struct force_energy *energy)
 {
     const struct materials *all = model->materials;
     const int64_t i = strip->site;
     double *p = model->plastic->strain + i, *const *sum = model->sum, *const *node = model->node;
+    double sound[3][LANES]; /* what need not be kept before anything yields */
+    const bool kept = node[NODE_FLOW] != NULL;
     struct strip_state s;
-    for (int k = 0; k < strip->count; k++) {
-        const int phase = body->grid.phase[i + k];
-        s.mu[k] = all->items[phase].shear_modulus;
-        s.curve[k] = phase * (all->count + 1);
-        s.shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
-    }
-    const int64_t beyond = trial(strip->count, model->distortion + i, sum[SUM_EXTENSION] + i,
-                                 sum[SUM_SQUARE] + i, model->moment + i, p, all->curves.table, &s);
+    const int64_t beyond = try_strip(model, body, strip, &s);
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
     write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_EXTENSION] + i,
-                &s, node[NODE_PULL] + i, node[NODE_SPRING] + i, node[NODE_FLOW] + i,
-                node[NODE_CENTRE] + i);
+                &s, node[NODE_PULL] + i, kept ? node[NODE_SPRING] + i : sound[0],
+                kept ? node[NODE_FLOW] + i : sound[1], kept ? node[NODE_CENTRE] + i : sound[2]);
     double stored[LANES], plastic[LANES];
     const double *left = integrity_of_nodes(body, i, strip->count);
     const bool commit = mode.commit && !mode.frozen;
