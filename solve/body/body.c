@@ -1,5 +1,6 @@
 #include "body.h"
 
+#include "box_fields.h"
 #include "broken.h"
 #include "die.h"
 #include "integrity.h"
@@ -8,16 +9,6 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void make_fields(double *fields[], int count, int64_t n_sites)
-{
-    for (int k = 0; k < count; k++) fields[k] = memory_new((size_t)n_sites, sizeof(double));
-}
-
-static void free_fields(double *fields[], int count)
-{
-    for (int k = 0; k < count; k++) free(fields[k]);
-}
 
 static void shape_tensors(struct body *body)
 {
@@ -54,9 +45,11 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     body.ghosts = grid_strips(&body.grid, SITE_NEAR, SITE_OWNED);
     body.volume = lattice->node_volume;
     body.n_nodes = lattice->n_nodes;
-    make_fields(body.u, 3, body.grid.n_sites);
-    make_fields(body.v, 3, body.grid.n_sites);
-    make_fields(body.f, 3, body.grid.n_sites);
+    double *fields[9];
+    box_fields_new(fields, 9, body.grid.n_sites);
+    memcpy(body.u, fields, sizeof body.u);
+    memcpy(body.v, fields + 3, sizeof body.v);
+    memcpy(body.f, fields + 6, sizeof body.f);
     if (lattice->point[0]) {
         body.volumes = memory_new((size_t)body.grid.n_sites, sizeof(double));
         memcpy(body.volumes, lattice->volume, (size_t)lattice->n_sites * sizeof(double));
@@ -68,23 +61,21 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
 void body_need_gradient(struct body *body)
 {
     if (body->H[0]) return;
-    make_fields(body->H, 9, body->grid.n_sites);
-    make_fields(body->S, 9, body->grid.n_sites);
-    make_fields(body->inverse, 6, body->grid.n_sites);
-    make_fields(body->first, 3, body->grid.n_sites);
+    box_fields_new(body->H, 9, body->grid.n_sites);
+    box_fields_new(body->S, 9, body->grid.n_sites);
+    box_fields_new(body->inverse, 6, body->grid.n_sites);
+    box_fields_new(body->first, 3, body->grid.n_sites);
     if (!body->lattice->point[0]) shape_tensors(body);
 }
 
 void body_free(struct body *body)
 {
-    free_fields(body->u, 3);
-    free_fields(body->v, 3);
-    free_fields(body->f, 3);
-    free_fields(body->b, 3);
-    free_fields(body->H, 9);
-    free_fields(body->S, 9);
-    free_fields(body->inverse, 6);
-    free_fields(body->first, 3);
+    box_fields_free(body->u[0]);
+    for (int a = 0; a < 3; a++) free(body->b[a]);
+    box_fields_free(body->H[0]);
+    box_fields_free(body->S[0]);
+    box_fields_free(body->inverse[0]);
+    box_fields_free(body->first[0]);
     free(body->volumes);
     strips_free(&body->owned);
     strips_free(&body->near);

@@ -21,15 +21,6 @@ static int compare_places(const void *a, const void *b)
     return 0;
 }
 
-/* The phases of both ends where all bonds of the strip have the same. */
-static int common_pair(const struct grid *grid, int64_t i, int64_t shift, int count)
-{
-    const uint8_t a = grid->phase[i], b = grid->phase[i + shift];
-    for (int k = 1; k < count; k++)
-        if (grid->phase[i + k] != a || grid->phase[i + shift + k] != b) return -1;
-    return 16 * a + b;
-}
-
 static void find_geometry(struct bonds *bonds)
 {
     const struct body *body = bonds->body;
@@ -66,7 +57,7 @@ struct bonds *bonds_new(struct body *body)
     find_geometry(bonds);
     struct strips *strips = memory_new((size_t)family->n_half, sizeof *strips);
     for (int o = 0; o < family->n_half; o++) {
-        strips[o] = grid_bond_strips(grid, family->half[o].step);
+        strips[o] = grid_bond_strips(grid, family->half[o].step, BOND_LANES);
         bonds->count += strips[o].count;
     }
     struct place *places = memory_new((size_t)bonds->count, sizeof *places), *next = places;
@@ -75,12 +66,8 @@ struct bonds *bonds_new(struct body *body)
             const struct strip *strip = &strips[o].items[s];
             int at[3];
             grid_position(grid, strip->site, at);
-            *next++ = (struct place){
-                {at[2], at[1], o, at[0]},
-                {.count = strip->count,
-                 .offset = o,
-                 .pair = common_pair(grid, strip->site, bonds->geometry[o].shift, strip->count),
-                 .i = strip->site}};
+            *next++ = (struct place){{at[2], at[1], o, at[0]},
+                                     {.count = strip->count, .offset = o, .i = strip->site}};
         }
         strips_free(&strips[o]);
     }
@@ -128,46 +115,40 @@ static struct bond_view scattered_view(const struct bonds *bonds, const struct b
                               .upper = bonds->upper + i};
 }
 
-/* Written where it is wanted: a kernel's call is short. */
-static inline void fill_view(const struct bonds *bonds, const struct bond_strip *strip,
-                             struct bond_view *view)
-{
-    if (strip->offset < 0) {
-        *view = scattered_view(bonds, strip);
-        return;
-    }
-    const struct bond_geometry *g = &bonds->geometry[strip->offset];
-    *view = (struct bond_view){.count = strip->count,
-                               .stride = bonds_stride(strip->count),
-                               .weight_step = strip->weight ? 1 : 0,
-                               .xi = {&g->xi[0], &g->xi[1], &g->xi[2]},
-                               .length = &g->length,
-                               .volume_i = bonds->volume,
-                               .volume_j = bonds->volume,
-                               .weight = strip->weight ? strip->weight : &g->weight,
-                               .i = strip->i,
-                               .j = strip->i + g->shift,
-                               .apart = g->apart};
-}
-
 struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip)
 {
-    struct bond_view view;
-    fill_view(bonds, strip, &view);
-    return view;
+    if (strip->offset < 0) return scattered_view(bonds, strip);
+    const struct bond_geometry *g = &bonds->geometry[strip->offset];
+    return (struct bond_view){.count = strip->count,
+                              .stride = bonds_stride(strip->count),
+                              .weight_step = strip->weight ? 1 : 0,
+                              .xi = {&g->xi[0], &g->xi[1], &g->xi[2]},
+                              .length = &g->length,
+                              .volume_i = bonds->volume,
+                              .volume_j = bonds->volume,
+                              .weight = strip->weight ? strip->weight : &g->weight,
+                              .i = strip->i,
+                              .j = strip->i + g->shift,
+                              .apart = g->apart};
 }
 
-int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view)
+struct bond_view bonds_part(const struct bond_view *view, int first, int count)
 {
-    const struct bond_strip *first = &bonds->strips[s], *end = bonds->strips + bonds->count;
-    fill_view(bonds, first, view);
-    if (view->weight_step || !view->apart || first->pair < 0) return 1;
-    const struct bond_strip *next = first + 1;
-    for (; next < end && next->offset == first->offset && next->i == first->i + view->count &&
-           next->pair == first->pair && !next->weight;
-         next++)
-        view->count += next->count;
-    return next - first;
+    struct bond_view part = *view;
+    const int g = first * view->geometry_step;
+    part.count = count;
+    for (int a = 0; a < 3; a++) part.xi[a] += g;
+    part.length += g;
+    part.volume_i += g;
+    part.volume_j += g;
+    part.weight += first * view->weight_step;
+    part.i += first;
+    part.j += first;
+    if (view->lower) {
+        part.lower += first;
+        part.upper += first;
+    }
+    return part;
 }
 
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
@@ -178,6 +159,13 @@ double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip)
     strip->weight = memory_new((size_t)bonds_stride(strip->count), sizeof *strip->weight);
     for (int k = 0; k < strip->count; k++) strip->weight[k] = bonds->geometry[strip->offset].weight;
     return strip->weight;
+}
+
+double bonds_first_weight(const struct bonds *bonds, const struct bond_strip *strip, int k)
+{
+    const struct body *body = bonds->body;
+    if (strip->offset >= 0) return bonds->geometry[strip->offset].weight;
+    return family_weight(body->family, bonds->length[strip->i + k] / body->lattice->spacing);
 }
 
 void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms)

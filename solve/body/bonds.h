@@ -1,6 +1,6 @@
 /* bonds.h - every pair of particles in each other's family, once.
  *
- * Bonds come in strips of at most LANES, listed in an order that the whole body fixes, so that a sum over
+ * Bonds come in strips of at most BOND_LANES, listed in an order that the whole body fixes, so that a sum over
  * the bonds of a node has the same terms in the same order on any number of ranks.  On a lattice the bonds
  * of a strip share their offset and their ends lie side by side; between scattered particles each
  * has its own.  A bond across a cut is on the list of both ranks.
@@ -17,10 +17,13 @@
 #include <stdbool.h>
 #include <string.h>
 
+/* Strips are cut where the global x of the lower ends is a multiple of it: long enough for most bodies' lines, which
+ * a kernel then goes through at once. */
+enum { BOND_LANES = 512 };
+
 struct bond_strip {
     int count;
     int offset; /* on a lattice: number of the half offset; else -1 */
-    int pair;   /* phase of i times 16 plus phase of j where all bonds have the same, else -1 */
     int line; /* on a lattice: the strips whose lower ends lie on the same line along x; else its own */
     int64_t i;      /* on a lattice: site of the first lower end; else: first entry of the lists */
     int64_t store;  /* sum of the strides before it: room for one number a bond */
@@ -76,12 +79,14 @@ static inline int bonds_stride(int count)
 
 struct bond_view bonds_view(const struct bonds *bonds, const struct bond_strip *strip);
 
-/* The same of strip s and of those after it that lie on the same line side by side, all bonds being alike and apart:
- * returns how many strips.  Then count may be beyond LANES, and no buffer is needed. */
-int64_t bonds_line(const struct bonds *bonds, int64_t s, struct bond_view *view);
+/* Bonds first to first + count - 1 of a view. */
+struct bond_view bonds_part(const struct bond_view *view, int first, int count);
 
 /* The strip's weights as an array of its own, which may be changed. */
 double *bonds_own_weights(struct bonds *bonds, struct bond_strip *strip);
+
+/* The weight of bond k of a strip before corrections, cuts and breaks. */
+double bonds_first_weight(const struct bonds *bonds, const struct bond_strip *strip, int k);
 
 /* Sites of the ends of bond k of a view. */
 static inline int64_t bond_lower(const struct bond_view *view, int k)
@@ -93,7 +98,7 @@ static inline int64_t bond_upper(const struct bond_view *view, int k)
     return view->upper ? view->upper[k] : view->j + k;
 }
 
-/* A field at the lower or the upper ends: where it lies, or gathered into the buffer [LANES]. */
+/* A field at the lower or the upper ends: where it lies, or gathered into the buffer [BOND_LANES]. */
 static inline const double *bond_gather(const struct bond_view *view, bool upper,
                                         const double *field, double *buffer)
 {
@@ -103,7 +108,7 @@ static inline const double *bond_gather(const struct bond_view *view, bool upper
     return buffer;
 }
 
-/* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer [LANES], which
+/* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer [BOND_LANES], which
  * bond_scatter then adds.  Of a lattice strip the lower ends are always apart from each other; the upper
  * ones are the lower ends of others in the strip when the offset runs along x. */
 static inline double *bond_target(const struct bond_view *view, bool upper, double *field,
@@ -118,8 +123,26 @@ static inline void bond_scatter(const struct bond_view *view, bool upper, double
                                 const double *buffer)
 {
     if (!view->lower && (!upper || view->apart)) return;
-    for (int k = 0; k < view->count; k++)
-        field[upper ? bond_upper(view, k) : bond_lower(view, k)] += buffer[k];
+    double *first = field + view->j;
+    for (int k = 0; !view->lower && k < view->count; k++) first[k] += buffer[k];
+    for (int k = 0; view->lower && k < view->count; k++)
+        field[upper ? view->upper[k] : view->lower[k]] += buffer[k];
+}
+
+/* Where the offset of a lattice strip runs along x, what a kernel adds to fields at the upper ends takes a detour:
+ * through the cleared buffers, which become the targets, and then to the fields from the site j on. */
+static inline void bond_detour(int fields, double buffer[][BOND_LANES], int count, double *target[])
+{
+    for (int a = 0; a < fields; a++)
+        target[a] = memset(buffer[a], 0, (size_t)count * sizeof **target);
+}
+static inline void bond_detour_end(int fields, double buffer[][BOND_LANES], int count,
+                                   double *const field[], int64_t j)
+{
+    for (int a = 0; a < fields; a++) {
+        double *first = field[a] + j;
+        for (int k = 0; k < count; k++) first[k] += buffer[a][k];
+    }
 }
 
 /* Bonds of the whole body.  Collective. */

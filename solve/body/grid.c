@@ -93,7 +93,7 @@ static void near_sites_move(struct grid *grid)
 
 static void allocate(struct grid *grid)
 {
-    grid->size[0] = (grid->size[0] + 7) / 8 * 8; /* lines start on cache lines */
+    grid->size[0] = (grid->size[0] + 7) / 8 * 8;
     grid->step[0] = 1;
     grid->step[1] = grid->size[0];
     grid->step[2] = grid->step[1] * grid->size[1];
@@ -131,8 +131,10 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     /* Twice the reach where a near site is one reach away, its family another. */
     const int pad = (n_bonds > 0 ? 2 : 1) * family->reach;
     for (int a = 0; a < 3; a++) {
-        grid.origin[a] = low[a] - pad;
-        grid.size[a] = high[a] - low[a] + 2 * pad;
+        const int before =
+            a == 0 ? (pad + 7) / 8 * 8 : pad; /* lines of nodes start on cache lines */
+        grid.origin[a] = low[a] - before;
+        grid.size[a] = before + high[a] - low[a] + pad;
     }
     allocate(&grid);
     fill(&grid, lattice, partition);
@@ -172,7 +174,7 @@ void grid_position(const struct grid *grid, int64_t site, int at[3])
 }
 
 /* Strips of the sites where listed[site] is set. */
-static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
+static struct strips make_strips(const struct grid *grid, const uint8_t *listed, int lanes)
 {
     struct strips strips = {0};
     for (int pass = 0; pass < 2; pass++) {
@@ -182,7 +184,7 @@ static struct strips make_strips(const struct grid *grid, const uint8_t *listed)
             for (int x = 0; x < grid->size[0];) {
                 int first = x++;
                 if (!listed[line + first]) continue;
-                while (x < grid->size[0] && listed[line + x] && (grid->origin[0] + x) % LANES != 0)
+                while (x < grid->size[0] && listed[line + x] && (grid->origin[0] + x) % lanes != 0)
                     x++;
                 const int stride = (x - first + 7) / 8 * 8;
                 if (pass)
@@ -202,12 +204,12 @@ struct strips grid_strips(const struct grid *grid, int wanted, int unwanted)
     uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
     for (int64_t site = 0; site < grid->n_sites; site++)
         listed[site] = (grid->flags[site] & (wanted | unwanted)) == wanted;
-    struct strips strips = make_strips(grid, listed);
+    struct strips strips = make_strips(grid, listed, LANES);
     free(listed);
     return strips;
 }
 
-struct strips grid_bond_strips(const struct grid *grid, const int step[3])
+struct strips grid_bond_strips(const struct grid *grid, const int step[3], int lanes)
 {
     uint8_t *listed = memory_new((size_t)grid->n_sites, 1);
     const int64_t shift = grid_shift(grid, step);
@@ -217,7 +219,7 @@ struct strips grid_bond_strips(const struct grid *grid, const int step[3])
             continue;
         listed[i] = ((grid->flags[i] | grid->flags[j]) & SITE_OWNED) != 0;
     }
-    struct strips strips = make_strips(grid, listed);
+    struct strips strips = make_strips(grid, listed, lanes);
     free(listed);
     return strips;
 }

@@ -60,8 +60,8 @@ void grid_position(const struct grid *grid, int64_t site, int at[3]);
 
 /* Strips of the sites with all of the flags wanted and none of those unwanted. */
 struct strips grid_strips(const struct grid *grid, int wanted, int unwanted);
-/* Strips of the lower ends i of the bonds i -> i + step with an owned end. */
-struct strips grid_bond_strips(const struct grid *grid, const int step[3]);
+/* Strips of the lower ends i of the bonds i -> i + step with an owned end, cut at multiples of lanes. */
+struct strips grid_bond_strips(const struct grid *grid, const int step[3], int lanes);
 void strips_free(struct strips *strips);
 
 #endif

@@ -38,18 +38,11 @@ static void add_bond(struct bonds *bonds, const struct lattice *lattice, int64_t
     bonds->volume_upper[entry] = lattice->volume[j];
 }
 
-static void add_strip(struct bonds *bonds, const struct body *body, int64_t first, int count)
+static void add_strip(struct bonds *bonds, int64_t first, int count)
 {
-    const uint8_t *phase = body->grid.phase;
-    const int64_t i = bonds->lower[first];
     struct bond_strip strip = {.count = count, .offset = -1, .i = first, .store = bonds->points};
-    strip.pair = 16 * phase[i] + phase[bonds->upper[first]];
     strip.weight = memory_new((size_t)bonds_stride(count), sizeof(double));
-    for (int k = 0; k < count; k++) {
-        if (strip.pair != 16 * phase[i] + phase[bonds->upper[first + k]]) strip.pair = -1;
-        strip.weight[k] =
-            family_weight(body->family, bonds->length[first + k] / body->lattice->spacing);
-    }
+    for (int k = 0; k < count; k++) strip.weight[k] = bonds_first_weight(bonds, &strip, k);
     if (bonds->count % 1024 == 0) {
         struct bond_strip *longer = memory_new((size_t)bonds->count + 1024, sizeof *longer);
         if (bonds->count > 0) memcpy(longer, bonds->strips, (size_t)bonds->count * sizeof *longer);
@@ -82,7 +75,7 @@ void scattered_bonds(struct bonds *bonds, const struct body *body)
                 entries++;
             }
             for (int64_t at = first; pass == 1 && at < entries; at += LANES)
-                add_strip(bonds, body, at, (int)(entries - at < LANES ? entries - at : LANES));
+                add_strip(bonds, at, (int)(entries - at < LANES ? entries - at : LANES));
         }
     }
     free(members);

@@ -11,11 +11,12 @@ static void room(const struct damage_view *see, const struct bond_strip *strip,
                  const struct bond_view *bond, const double *value, double *out)
 {
     const struct model *model = see->model;
-    double energy[LANES], displacement[6][LANES];
+    double energy[BOND_LANES], extension[BOND_LANES], displacement[6][BOND_LANES];
     const struct bond_ends ends = bond_ends_find(bond, see->body, displacement);
     model->formulation->bond_energy(model->self, see->body, strip, energy);
+    bond_ends_extensions(bond, &ends, extension);
     for (int k = 0; k < bond->count; k++)
-        out[k] = energy[k] > value[k] && bond_ends_extension(bond, &ends, k) > 0
+        out[k] = energy[k] > value[k] && extension[k] > 0
                      ? bond->length[k * bond->geometry_step] * (1 - energy[k] / value[k])
                      : 0;
 }

@@ -37,7 +37,7 @@ static void room(const struct damage_view *see, const struct bond_strip *strip,
                  const struct bond_view *bond, const double *value, double *out)
 {
     (void)strip;
-    double buffer[6][LANES];
+    double buffer[6][BOND_LANES];
     const double *u[3], *v[3];
     for (int a = 0; a < 3; a++) {
         u[a] = bond_gather(bond, false, see->body->u[a], buffer[a]);

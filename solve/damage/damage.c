@@ -13,7 +13,6 @@ struct damage {
     struct bonds *bonds;
     struct damage_rules rules;
     double broken, removed; /* bonds and nodes of the whole body */
-    double *whole;          /* box field: volume of the family, m^3 */
     double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
     /* A strip is tested again only when its ends may have closed the room of its closest bond: travelled is
@@ -29,19 +28,24 @@ struct damage {
     int64_t n_found, room;
 };
 
-/* Adds the volume of the other end to both, for bonds of weight over 0. */
-static void add_volumes(const struct damage *damage, double *volumes)
+/* The volume of its family that each node is bonded to, now or without what has been cut and broken: adds that of the
+ * other end to both, for bonds of weight over 0. */
+static double *family_volumes(const struct damage *damage, bool whole)
 {
-    memset(volumes, 0, (size_t)damage->body->grid.n_sites * sizeof *volumes);
-    for (int64_t s = 0; s < damage->bonds->count; s++) {
-        const struct bond_view view = bonds_view(damage->bonds, &damage->bonds->strips[s]);
+    const struct bonds *bonds = damage->bonds;
+    double *volumes = memory_new((size_t)damage->body->grid.n_sites, sizeof *volumes);
+    for (int64_t s = 0; s < bonds->count; s++) {
+        const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
         const int g = view.geometry_step;
         for (int k = 0; k < view.count; k++) {
-            if (!(view.weight[k * view.weight_step] > 0)) continue;
+            const double weight = whole ? bonds_first_weight(bonds, &bonds->strips[s], k)
+                                        : view.weight[k * view.weight_step];
+            if (!(weight > 0)) continue;
             volumes[bond_lower(&view, k)] += view.volume_j[k * g];
             volumes[bond_upper(&view, k)] += view.volume_i[k * g];
         }
     }
+    return volumes;
 }
 
 struct damage *damage_new(struct deck_node root, const struct model *model,
@@ -54,8 +58,6 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     damage->bonds = bonds;
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
     if (damage->rules.bonds || damage->rules.nodes) body_need_gradient(body);
-    damage->whole = memory_new(sites, sizeof(double));
-    add_volumes(damage, damage->whole);
     if (damage->rules.degrading)
         body->integrity = integrity_new(body, materials->count, damage->rules.integrity);
     if (damage->rules.nodes) damage->spent = memory_new(sites, sizeof(double));
@@ -70,7 +72,6 @@ void damage_free(struct damage *damage)
 {
     if (!damage) return;
     damage_rules_free(&damage->rules);
-    free(damage->whole);
     free(damage->spent);
     free(damage->due);
     free(damage->found);
@@ -95,12 +96,14 @@ double damage_removed_nodes(const struct damage *damage)
 
 void damage_index(const struct damage *damage, double *index)
 {
-    add_volumes(damage, index);
+    double *whole = family_volumes(damage, true), *now = family_volumes(damage, false);
     const struct integrity *integrity = damage->body->integrity;
     for (int64_t i = 0; i < damage->body->grid.n_sites; i++) {
-        index[i] = damage->whole[i] > 0 ? 1 - index[i] / damage->whole[i] : 0;
+        index[i] = whole[i] > 0 ? 1 - now[i] / whole[i] : 0;
         if (integrity) index[i] = fmax(index[i], 1 - integrity->node[i]);
     }
+    free(whole);
+    free(now);
 }
 
 /* most[i] = the larger of itself and the square of the way of node i since the last update. */
@@ -137,8 +140,8 @@ static void find_rooms(const struct damage *damage, const struct bond_strip *str
 {
     const struct damage_rules *rules = &damage->rules;
     const uint8_t *phase = damage->body->grid.phase;
-    const struct damage_law *law[LANES];
-    double value[LANES], some[LANES];
+    const struct damage_law *law[BOND_LANES];
+    double value[BOND_LANES], some[BOND_LANES];
     for (int k = 0; k < view->count; k++) {
         const int pair = phase[bond_lower(view, k)] * rules->n_phases + phase[bond_upper(view, k)];
         law[k] = view->weight[k * view->weight_step] > 0 ? rules->law[pair] : NULL;
@@ -182,7 +185,7 @@ static void test_strip(struct damage *damage, int64_t s)
 {
     const struct bond_strip *strip = &damage->bonds->strips[s];
     const struct bond_view view = bonds_view(damage->bonds, strip);
-    double rooms[LANES], least = INFINITY;
+    double rooms[BOND_LANES], least = INFINITY;
     find_rooms(damage, strip, &view, rooms);
     for (int k = 0; k < view.count; k++) {
         const double length = view.length[k * view.geometry_step];

@@ -25,7 +25,8 @@ struct bond_based {
     const struct family *family;
     struct bonds *bonds;
     enum surface_correction correction;
-    double *modulus; /* c of each pair of phases, a * count + b [N/m^6] */
+    double modulus;  /* c [N/m^6] where all phases have the same, else */
+    double *of_node; /* of each node, a box field */
 };
 
 static void *bond_based_read(struct deck_node solver, const struct family *family,
@@ -54,76 +55,70 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
 {
     struct bond_based *model = self;
     const struct materials *all = model->materials;
-    const int n = all->count;
+    double *modulus = memory_new((size_t)all->count, sizeof *modulus);
+    bool alike = true;
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 1);
-    model->modulus = memory_new((size_t)(n * n), sizeof *model->modulus);
-    for (int a = 0; a < n; a++)
-        for (int b = 0; b < n; b++)
-            model->modulus[a * n + b] =
-                0.5 * (micromodulus(&all->items[a], all->plane, model->family, body->lattice) +
-                       micromodulus(&all->items[b], all->plane, model->family, body->lattice));
+    for (int p = 0; p < all->count; p++) {
+        modulus[p] = micromodulus(&all->items[p], all->plane, model->family, body->lattice);
+        alike &= modulus[p] == modulus[0];
+    }
+    model->modulus = modulus[0];
+    if (!alike) {
+        const uint8_t *phase = body->grid.phase;
+        model->of_node = memory_new((size_t)body->grid.n_sites, sizeof *model->of_node);
+        for (int64_t i = 0; i < body->grid.n_sites; i++)
+            if (phase[i] != ABSENT) model->of_node[i] = modulus[phase[i]];
+    }
+    free(modulus);
 }
 
-/* Micromodulus of the bonds of a strip: one number (step 0) or one a bond, in the buffer. */
-static const double *moduli(const struct bond_based *model, const struct bond_strip *strip,
-                            const struct bond_view *view, double *buffer, int *step)
-{
-    const uint8_t *phase = model->bonds->body->grid.phase;
-    const int n = model->materials->count;
-    *step = strip->pair < 0;
-    if (strip->pair >= 0) return &model->modulus[strip->pair / 16 * n + strip->pair % 16];
-    for (int k = 0; k < view->count; k++)
-        buffer[k] = model->modulus[phase[bond_lower(view, k)] * n + phase[bond_upper(view, k)]];
-    return buffer;
-}
-
-/* What a kernel reads and writes of a strip. */
+/* What a kernel reads and writes of a strip: arrays of its first bond, or one number for all of it. */
 struct pull {
     int count;
-    struct bond_ends u;
-    const struct bond_view *view;
-    const double *modulus;
-    double *lower[3], *upper[3]; /* force densities */
-    double *terms;               /* energy of each bond, where asked */
+    const double *u_lower[3], *u_upper[3];
+    const double *xi[3], *length, *weight, *volume_i, *volume_j;
+    const double *c_lower, *c_upper;
+    double *f_lower[3], *f_upper[3];
+    double *terms; /* energy of each bond, where asked */
 };
 
-/* (bond_based.2) of the bonds of a strip, an element of geometry, weight and modulus every g, w and m; with
- * energy c w s^2 |xi| V_i V_j/2 of each bond.  e = (2 xi.eta + eta.eta)/(|y| + |xi|) is exact to round-off for
- * small displacements, too. */
-HS_INLINE void pull(const struct pull *p, int g, int w, int m, bool energy)
+/* (bond_based.2) of the bonds of a strip, with an array each of geometry, weight and modulus where g, w and m; with
+ * energy c w s^2 |xi| V_i V_j/2 of each bond.  s = (2 xi.eta + eta.eta)/((|y| + |xi|) |xi|), eta = u_j - u_i, is exact to
+ * round-off for small displacements, too. */
+HS_INLINE void pull(const struct pull *p, bool g, bool w, bool m, bool energy)
 {
-    const struct bond_view *v = p->view;
-    const double *ux = p->u.lower[0], *uy = p->u.lower[1], *uz = p->u.lower[2];
-    const double *vx = p->u.upper[0], *vy = p->u.upper[1], *vz = p->u.upper[2];
-    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length, *W = v->weight;
-    const double *Vi = v->volume_i, *Vj = v->volume_j, *C = p->modulus;
-    double *ix = p->lower[0], *iy = p->lower[1], *iz = p->lower[2];
-    double *jx = p->upper[0], *jy = p->upper[1], *jz = p->upper[2], *terms = p->terms;
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vi0 = *Vi, Vj0 = *Vj, C0 = *C;
+    const double *ux = p->u_lower[0], *uy = p->u_lower[1], *uz = p->u_lower[2];
+    const double *vx = p->u_upper[0], *vy = p->u_upper[1], *vz = p->u_upper[2];
+    const double *X = p->xi[0], *Y = p->xi[1], *Z = p->xi[2], *L = p->length, *W = p->weight;
+    const double *Vi = p->volume_i, *Vj = p->volume_j, *Ci = p->c_lower, *Cj = p->c_upper;
+    double *ix = p->f_lower[0], *iy = p->f_lower[1], *iz = p->f_lower[2];
+    double *jx = p->f_upper[0], *jy = p->f_upper[1], *jz = p->f_upper[2], *terms = p->terms;
+    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, C0 = *Ci;
     const int count = p->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_i = g ? Vi[k] : Vi0, volume_j = g ? Vj[k] : Vj0;
+        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
+        double modulus = (m ? 0.5 * (Ci[k] + Cj[k]) : C0) * (w ? W[k] : W0);
         double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
+        double square = length * length + longer, now = sqrt(square);
+        double both = length * square + (length * length) * now; /* (|y| + |xi|) |xi| |y| */
+        double i = (modulus * volume_j) * longer / both, j = (modulus * volume_i) * longer / both;
         x += a;
         y += b;
         z += d;
-        double now = sqrt(x * x + y * y + z * z);
-        double modulus = (m ? C[k] : C0) * (w ? W[k] : W0);
-        double slope = longer / ((now + length) * (length * now));
-        double i = (modulus * volume_j) * slope, j = (modulus * volume_i) * slope;
         ix[k] += i * x;
         iy[k] += i * y;
         iz[k] += i * z;
         jx[k] -= j * x;
         jy[k] -= j * y;
         jz[k] -= j * z;
-        if (energy)
-            terms[k] =
-                0.5 * modulus * (slope * now) * (slope * now) * length * (volume_i * volume_j);
+        if (energy) {
+            double s = longer / (length * (now + length));
+            terms[k] = 0.5 * modulus * (s * s) * length * (volume_i * volume_j);
+        }
     }
 }
 
@@ -139,51 +134,99 @@ HS_INLINE void pull(const struct pull *p, int g, int w, int m, bool energy)
     {                                                                                              \
         name, name##_energy                                                                        \
     }
-VARIANTS(pull_alike, 0, 0, 0)
-VARIANTS(pull_weighted, 0, 1, 0)
-VARIANTS(pull_phases, 0, 0, 1)
-VARIANTS(pull_weighted_phases, 0, 1, 1)
-VARIANTS(pull_scattered, 1, 1, 0)
-VARIANTS(pull_scattered_phases, 1, 1, 1)
+VARIANTS(pull_alike, false, false, false)
+VARIANTS(pull_weighted, false, true, false)
+VARIANTS(pull_phases, false, false, true)
+VARIANTS(pull_weighted_phases, false, true, true)
+VARIANTS(pull_scattered, true, true, false)
+VARIANTS(pull_scattered_phases, true, true, true)
 
-/* [geometry_step][weight_step][step of the modulus][energy] */
-static void (*const pulling[2][2][2][2])(const struct pull *) = {
-    {{CHOICE(pull_alike), CHOICE(pull_phases)},
-     {CHOICE(pull_weighted), CHOICE(pull_weighted_phases)}},
-    {{{NULL, NULL}, {NULL, NULL}}, {CHOICE(pull_scattered), CHOICE(pull_scattered_phases)}}};
+/* Of a lattice [weights][moduli][energy], of scattered particles [moduli][energy]. */
+static void (*const on_lattice[2][2][2])(const struct pull *) = {
+    {CHOICE(pull_alike), CHOICE(pull_phases)},
+    {CHOICE(pull_weighted), CHOICE(pull_weighted_phases)}};
+static void (*const scattered[2][2])(const struct pull *) = {CHOICE(pull_scattered),
+                                                             CHOICE(pull_scattered_phases)};
 
-/* Strip number s; stored: where not NULL, its energy is added, else strips after it may go with it: returns how
- * many have been done. */
-static int64_t pull_strip(const struct bond_based *model, struct body *body, int64_t s,
-                          struct exact_sum *stored)
+static void add_energy(const struct bond_based *model, const struct bond_strip *strip,
+                       double *terms, struct exact_sum *stored)
 {
-    const struct bond_strip *strip = &model->bonds->strips[s];
-    struct bond_view view;
-    int64_t done = 1;
-    if (stored)
-        view = bonds_view(model->bonds, strip);
-    else
-        done = bonds_line(model->bonds, s, &view);
-    double displacement[6][LANES], force[6][LANES], moduli_buffer[LANES], terms[LANES];
-    int several;
-    struct pull p = {.count = view.count,
-                     .u = bond_ends_find(&view, body, displacement),
-                     .view = &view,
-                     .modulus = moduli(model, strip, &view, moduli_buffer, &several),
-                     .terms = terms};
-    for (int a = 0; a < 3; a++) {
-        p.lower[a] = bond_target(&view, false, body->f[a], force[a]);
-        p.upper[a] = bond_target(&view, true, body->f[a], force[3 + a]);
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    bonds_only_owned(model->bonds, &view, terms);
+    exact_sum_add_strip(stored, view.count, terms, 1);
+}
+
+/* stored: where not NULL, the strip's energy is added. */
+static void pull_lattice(const struct bond_based *model, struct body *body,
+                         const struct bond_strip *strip, struct exact_sum *stored)
+{
+    const struct bonds *bonds = model->bonds;
+    const struct bond_geometry *g = &bonds->geometry[strip->offset];
+    const int64_t i = strip->i, j = i + g->shift;
+    double terms[BOND_LANES], force[3][BOND_LANES];
+    struct pull p;
+    p.count = strip->count;
+    p.length = &g->length;
+    p.weight = strip->weight ? strip->weight : &g->weight;
+    p.volume_i = p.volume_j = bonds->volume;
+    p.c_lower = p.c_upper = &model->modulus;
+    if (model->of_node) {
+        p.c_lower = model->of_node + i;
+        p.c_upper = model->of_node + j;
     }
-    pulling[view.geometry_step][view.weight_step][several][stored != NULL](&p);
+    p.terms = terms;
+    for (int a = 0; a < 3; a++) {
+        p.xi[a] = &g->xi[a];
+        p.u_lower[a] = body->u[a] + i;
+        p.u_upper[a] = body->u[a] + j;
+        p.f_lower[a] = body->f[a] + i;
+        p.f_upper[a] = body->f[a] + j;
+    }
+    if (!g->apart) bond_detour(3, force, strip->count, p.f_upper);
+    on_lattice[strip->weight != NULL][model->of_node != NULL][stored != NULL](&p);
+    if (!g->apart) bond_detour_end(3, force, strip->count, body->f, j);
+    if (stored) add_energy(model, strip, terms, stored);
+}
+
+static void pull_scattered_strip(const struct bond_based *model, struct body *body,
+                                 const struct bond_strip *strip, struct exact_sum *stored)
+{
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    double displacement[6][BOND_LANES], force[6][BOND_LANES], moduli[2][BOND_LANES],
+        terms[BOND_LANES];
+    const struct bond_ends u = bond_ends_find(&view, body, displacement);
+    struct pull p = {.count = view.count,
+                     .length = view.length,
+                     .weight = view.weight,
+                     .volume_i = view.volume_i,
+                     .volume_j = view.volume_j,
+                     .c_lower = &model->modulus,
+                     .c_upper = &model->modulus,
+                     .terms = terms};
+    if (model->of_node) {
+        p.c_lower = bond_gather(&view, false, model->of_node, moduli[0]);
+        p.c_upper = bond_gather(&view, true, model->of_node, moduli[1]);
+    }
+    for (int a = 0; a < 3; a++) {
+        p.xi[a] = view.xi[a];
+        p.u_lower[a] = u.lower[a];
+        p.u_upper[a] = u.upper[a];
+        p.f_lower[a] = bond_target(&view, false, body->f[a], force[a]);
+        p.f_upper[a] = bond_target(&view, true, body->f[a], force[3 + a]);
+    }
+    scattered[model->of_node != NULL][stored != NULL](&p);
     for (int a = 0; a < 3; a++) {
         bond_scatter(&view, false, body->f[a], force[a]);
         bond_scatter(&view, true, body->f[a], force[3 + a]);
     }
-    if (!stored) return done;
-    bonds_only_owned(model->bonds, &view, terms);
-    exact_sum_add_strip(stored, view.count, terms, 1);
-    return done;
+    if (stored) add_energy(model, strip, terms, stored);
+}
+
+/* c of bond k of a view. */
+static double modulus_of(const struct bond_based *model, const struct bond_view *view, int k)
+{
+    if (!model->of_node) return model->modulus;
+    return 0.5 * (model->of_node[bond_lower(view, k)] + model->of_node[bond_upper(view, k)]);
 }
 
 static void bond_based_bond_energy(const void *self, const struct body *body,
@@ -191,15 +234,12 @@ static void bond_based_bond_energy(const void *self, const struct body *body,
 {
     const struct bond_based *model = self;
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], moduli_buffer[LANES];
+    double displacement[6][BOND_LANES], e[BOND_LANES];
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    int several;
-    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
-    for (int k = 0; k < view.count; k++) {
-        double e = bond_ends_extension(&view, &u, k);
-        energy[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] * e * e /
-                    view.length[k * view.geometry_step];
-    }
+    bond_ends_extensions(&view, &u, e);
+    for (int k = 0; k < view.count; k++)
+        energy[k] = 0.5 * modulus_of(model, &view, k) * view.weight[k * view.weight_step] * e[k] *
+                    e[k] / view.length[k * view.geometry_step];
 }
 
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
@@ -208,8 +248,10 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
     const struct bond_based *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count;)
-        s += pull_strip(model, body, s, mode.energy ? &energy->stored : NULL);
+    struct exact_sum *stored = mode.energy ? &energy->stored : NULL;
+    for (int64_t s = 0; s < model->bonds->count; s++)
+        (body->lattice->point[0] ? pull_scattered_strip
+                                 : pull_lattice)(model, body, &model->bonds->strips[s], stored);
 }
 
 /* Half of the force of a bond belongs to either end. */
@@ -217,13 +259,12 @@ static void add_stress(const struct bond_based *model, struct body *body,
                        const struct bond_strip *strip)
 {
     const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][LANES], moduli_buffer[LANES], half[LANES];
+    double displacement[6][BOND_LANES], e[BOND_LANES], half[BOND_LANES];
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    int several;
-    const double *c = moduli(model, strip, &view, moduli_buffer, &several);
+    bond_ends_extensions(&view, &u, e);
     for (int k = 0; k < view.count; k++)
-        half[k] = 0.5 * c[k * several] * view.weight[k * view.weight_step] *
-                  bond_ends_extension(&view, &u, k) / view.length[k * view.geometry_step];
+        half[k] = 0.5 * modulus_of(model, &view, k) * view.weight[k * view.weight_step] * e[k] /
+                  view.length[k * view.geometry_step];
     bond_ends_add_stress(&view, &u, half, half, body);
 }
 
@@ -248,7 +289,7 @@ static void bond_based_observe(void *self, const struct body *body, const struct
 static void bond_based_free(void *self)
 {
     struct bond_based *model = self;
-    free(model->modulus);
+    free(model->of_node);
     free(model);
 }
 

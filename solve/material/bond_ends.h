@@ -11,7 +11,7 @@ struct bond_ends {
 
 /* buffer: where displacements that do not lie side by side are gathered. */
 static inline struct bond_ends bond_ends_find(const struct bond_view *view, const struct body *body,
-                                              double buffer[6][LANES])
+                                              double buffer[6][BOND_LANES])
 {
     struct bond_ends ends;
     for (int a = 0; a < 3; a++) {
@@ -21,9 +21,10 @@ static inline struct bond_ends bond_ends_find(const struct bond_view *view, cons
     return ends;
 }
 
-/* Extension |y| - |xi| of bond k [m], y = xi + u_j - u_i: (2 xi.eta + eta.eta)/(|y| + |xi|), eta = u_j - u_i, is
- * exact to round-off for small displacements, too. */
-double bond_ends_extension(const struct bond_view *view, const struct bond_ends *u, int k);
+/* Extensions |y| - |xi| of the bonds of a view [m], y = xi + u_j - u_i: (2 xi.eta + eta.eta)/(|y| + |xi|), eta = u_j -
+ * u_i, is exact to round-off for small displacements, too. */
+void bond_ends_extensions(const struct bond_view *view, const struct bond_ends *u,
+                          double extension[BOND_LANES]);
 
 /* Nominal stress of the nodes, sum_j t_ij y/|y| (x) xi V_j, added to body->S: Silling, Lehoucq, J. Elasticity 93
  * (2008) 13, for uniform deformation.  lower and upper: force state t of either end on bond k [N/m^6]. */

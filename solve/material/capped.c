@@ -289,26 +289,43 @@ static void capped_energy(const struct body *body, const struct springs *s,
     }
 }
 
+/* Of state and before the first bond's entries; the components of state are stride apart. */
+static void add_part(const struct capped *c, struct body *body, const struct bond_view *view,
+                     double *state, double *before, const double *flow, struct force_mode mode,
+                     struct force_energy *energy)
+{
+    double *const zeta[3] = {state, state + view->stride, state + 2 * view->stride},
+                  *lost = state + 3 * view->stride;
+    struct springs s = {.count = view->count};
+    find_caps(c, &s, body, view, flow);
+    double buffer[LANES], sound[LANES];
+    const double *left = integrity_of_bonds(body, view, buffer);
+    memcpy(sound, s.stiffness, (size_t)s.count * sizeof *sound);
+    if (left) degrade(&s, left);
+    find_z(&s, body, view, zeta);
+    int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
+    add_to_end(&s, body, view, false, zeta);
+    add_to_end(&s, body, view, true, zeta);
+    if (left && mode.commit) add_released(&s, sound, left, before, lost);
+    if (any && mode.commit) commit_slip(&s, body, view, zeta);
+    if (mode.energy) capped_energy(body, &s, view, lost, energy);
+}
+
+/* In parts of at most LANES, cut where strips of nodes are, whatever a rank holds. */
 static void capped_add(void *self, struct body *body, const struct bond_strip *strip,
                        const double *flow, struct force_mode mode, struct force_energy *energy)
 {
     struct capped *c = self;
     const struct bond_view view = bonds_view(body->bonds, strip);
-    double *state = c->state + STATE * strip->store, *lost = state + 3 * view.stride;
-    double *const zeta[3] = {state, state + view.stride, state + 2 * view.stride};
-    struct springs s = {.count = view.count};
-    find_caps(c, &s, body, &view, flow);
-    double buffer[LANES], sound[LANES];
-    const double *left = integrity_of_bonds(body, &view, buffer);
-    memcpy(sound, s.stiffness, (size_t)s.count * sizeof *sound);
-    if (left) degrade(&s, left);
-    find_z(&s, body, &view, zeta);
-    int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
-    add_to_end(&s, body, &view, false, zeta);
-    add_to_end(&s, body, &view, true, zeta);
-    if (left && mode.commit) add_released(&s, sound, left, c->before + strip->store, lost);
-    if (any && mode.commit) commit_slip(&s, body, &view, zeta);
-    if (mode.energy) capped_energy(body, &s, &view, lost, energy);
+    int at[3] = {0};
+    if (!view.lower) grid_position(&body->grid, view.i, at);
+    for (int first = 0, count; first < view.count; first += count) {
+        count = LANES - (at[0] + first) % LANES;
+        if (count > view.count - first) count = view.count - first;
+        const struct bond_view part = bonds_part(&view, first, count);
+        add_part(c, body, &part, c->state + STATE * strip->store + first,
+                 c->before ? c->before + strip->store + first : NULL, flow, mode, energy);
+    }
 }
 
 static void capped_free(void *self)

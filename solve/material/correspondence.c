@@ -77,7 +77,7 @@ static void list_tasks(struct correspondence *model, const struct body *body)
     struct strips *strips = memory_new((size_t)count, sizeof *strips);
     append_tasks(model, &body->grid, model->nodes, -1);
     for (int o = 0; o < count; o++) {
-        strips[o] = grid_bond_strips(&body->grid, bonds[o].step);
+        strips[o] = grid_bond_strips(&body->grid, bonds[o].step, LANES);
         append_tasks(model, &body->grid, &strips[o], o);
     }
     qsort(model->tasks, (size_t)model->n_tasks, sizeof *model->tasks, compare_tasks);

@@ -47,7 +47,7 @@ enum {
 };
 
 /* What the second pass reads of each node: t_ij = pull a_ij + spring w_ij (e_ij - e^p_ij), and with yield
- * e^p_ij += flow (e_ij - e^p_ij - centre |xi|). */
+ * e^p_ij += flow (e_ij - e^p_ij - centre |xi|).  Until a node yields there are the first two alone, and spring is b. */
 enum { NODE_PULL, NODE_SPRING, NODE_FLOW, NODE_CENTRE, NODE_COUNT };
 
 struct ordinary {
@@ -56,10 +56,12 @@ struct ordinary {
     enum surface_correction correction;
     struct bonds *bonds;
     /* Box fields. */
+    double *fields;                  /* what volumetric, distortion, pull and moment are in */
     double *volumetric, *distortion; /* k D^2, b */
-    double *sum[SUM_COUNT], *node[NODE_COUNT];
-    double *moment; /* sum of w |xi|^2 V_j over the bonds there are; NULL where no phase yields */
-    int64_t moment_changes;           /* of the bonds' weights that it has seen */
+    double *node[NODE_COUNT];
+    double *sum[SUM_COUNT]; /* fields of the body, see find_nodes */
+    double *moment;         /* where a phase yields: sum of w |xi|^2 V_j over the bonds there are */
+    int64_t moment_changes; /* of the bonds' weights that it has seen */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
 };
 
@@ -67,19 +69,22 @@ struct ordinary {
 struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model);
 void ordinary_plastic_free(struct ordinary_plastic *plastic);
 
+/* Whether a node anywhere is beyond yield, from the sums of the owned nodes.  Collective. */
+bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *body);
+
 /* From the sums of the owned nodes what the second pass reads of them; energy may be NULL. */
 void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,
                             struct force_energy *energy);
 
-/* e^p of the bonds of a strip, of the lower ends [0] and the upper ends [1], and on in the strips that bonds_line
- * takes with it; NULL: none yet. */
+/* e^p of the bonds of a strip, of the lower ends [0] and the upper ends [1]; NULL: none yet. */
 struct slip {
     double *end[2];
 };
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
-/* The same of the strips of a view where an end is about to yield, made where there is none; NULL: no end yields. */
-struct slip ordinary_plastic_yielding(struct ordinary *model, int64_t strip,
-                                      const struct bond_view *view);
+/* The same, made where there is none. */
+struct slip ordinary_plastic_room(struct ordinary *model, int64_t strip);
+/* Whether an end of a bond of the strip is about to flow. */
+bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
 
 /* Equivalent plastic strain, a box field. */
 const double *ordinary_plastic_strain(const struct ordinary *model);

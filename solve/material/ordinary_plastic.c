@@ -61,21 +61,25 @@ void ordinary_plastic_free(struct ordinary_plastic *plastic)
     free(plastic);
 }
 
-/* Lower ends of all strips of a line, then upper ends, so that memory is read on end.  A strip that another goes on
- * lies at the end of its room, for the two to be one. */
+/* Lower ends of all strips of a line, then upper ends, so that memory is read on end. */
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t number)
 {
     const struct ordinary_plastic *plastic = model->plastic;
-    const struct bonds *bonds = model->bonds;
-    const struct bond_strip *strip = &bonds->strips[number], *next = strip + 1;
+    const struct bond_strip *strip = &model->bonds->strips[number];
     double *slip = plastic->slip[strip->line];
     if (!slip) return (struct slip){{NULL, NULL}};
     const int64_t *first = &plastic->first[strip->line];
-    int64_t at = strip->store - first[0];
-    if (number + 1 < bonds->count && next->offset == strip->offset &&
-        next->i == strip->i + strip->count)
-        at += bonds_stride(strip->count) - strip->count;
-    return (struct slip){{slip + at, slip + at + (first[1] - first[0])}};
+    slip += strip->store - first[0];
+    return (struct slip){{slip, slip + (first[1] - first[0])}};
+}
+
+struct slip ordinary_plastic_room(struct ordinary *model, int64_t number)
+{
+    struct ordinary_plastic *plastic = model->plastic;
+    const int line = model->bonds->strips[number].line;
+    const int64_t room = plastic->first[line + 1] - plastic->first[line];
+    if (!plastic->slip[line]) plastic->slip[line] = memory_new(2 * (size_t)room, sizeof(double));
+    return ordinary_plastic_slip(model, number);
 }
 
 const double *ordinary_plastic_strain(const struct ordinary *model)
@@ -90,19 +94,13 @@ HS_SIMD static int64_t any_beyond(int count, const double *restrict a, const dou
     return any;
 }
 
-struct slip ordinary_plastic_yielding(struct ordinary *model, int64_t strip,
-                                      const struct bond_view *view)
+bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip)
 {
-    struct ordinary_plastic *plastic = model->plastic;
-    const int line = model->bonds->strips[strip].line;
-    double lower[LANES], upper[LANES];
-    if (!any_beyond(view->count, bond_gather(view, false, model->node[NODE_FLOW], lower),
-                    bond_gather(view, true, model->node[NODE_FLOW], upper)))
-        return (struct slip){{NULL, NULL}};
-    if (!plastic->slip[line])
-        plastic->slip[line] = memory_new(
-            2 * (size_t)(plastic->first[line + 1] - plastic->first[line]), sizeof(double));
-    return ordinary_plastic_slip(model, strip);
+    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[strip]);
+    const double *flow = model->node[NODE_FLOW];
+    double lower[BOND_LANES], upper[BOND_LANES];
+    return any_beyond(view.count, bond_gather(&view, false, flow, lower),
+                      bond_gather(&view, true, flow, upper)) != 0;
 }
 
 /* A strip of nodes. */
@@ -198,27 +196,48 @@ static void add_energy(const struct body *body, const struct strip *strip, doubl
     exact_sum_add_strip(&energy->plastic, strip->count, plastic, 1);
 }
 
+static int64_t try_strip(const struct ordinary *model, const struct body *body,
+                         const struct strip *strip, struct strip_state *s)
+{
+    const struct materials *all = model->materials;
+    const int64_t i = strip->site;
+    for (int k = 0; k < strip->count; k++) {
+        const int phase = body->grid.phase[i + k];
+        s->mu[k] = all->items[phase].shear_modulus;
+        s->curve[k] = phase * (all->count + 1);
+        s->shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
+    }
+    return trial(strip->count, model->distortion + i, model->sum[SUM_EXTENSION] + i,
+                 model->sum[SUM_SQUARE] + i, model->moment + i, model->plastic->strain + i,
+                 all->curves.table, s);
+}
+
+bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *body)
+{
+    struct strip_state state;
+    double most = 0;
+    for (int64_t s = 0; s < body->owned.count && most == 0; s++)
+        if (try_strip(model, body, &body->owned.items[s], &state)) most = 1;
+    ranks_sum(&most, 1);
+    return most > 0;
+}
+
 static void update_strip(struct ordinary *model, const struct body *body, const struct strip *strip,
                          struct force_mode mode, struct force_energy *energy)
 {
     const struct materials *all = model->materials;
     const int64_t i = strip->site;
     double *p = model->plastic->strain + i, *const *sum = model->sum, *const *node = model->node;
+    double sound[3][LANES]; /* what need not be kept before anything yields */
+    const bool kept = node[NODE_FLOW] != NULL;
     struct strip_state s;
-    for (int k = 0; k < strip->count; k++) {
-        const int phase = body->grid.phase[i + k];
-        s.mu[k] = all->items[phase].shear_modulus;
-        s.curve[k] = phase * (all->count + 1);
-        s.shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
-    }
-    const int64_t beyond = trial(strip->count, model->distortion + i, sum[SUM_EXTENSION] + i,
-                                 sum[SUM_SQUARE] + i, model->moment + i, p, all->curves.table, &s);
+    const int64_t beyond = try_strip(model, body, strip, &s);
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
     write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_EXTENSION] + i,
-                &s, node[NODE_PULL] + i, node[NODE_SPRING] + i, node[NODE_FLOW] + i,
-                node[NODE_CENTRE] + i);
+                &s, node[NODE_PULL] + i, kept ? node[NODE_SPRING] + i : sound[0],
+                kept ? node[NODE_FLOW] + i : sound[1], kept ? node[NODE_CENTRE] + i : sound[2]);
     double stored[LANES], plastic[LANES];
     const double *left = integrity_of_nodes(body, i, strip->count);
     const bool commit = mode.commit && !mode.frozen;

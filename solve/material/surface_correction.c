@@ -63,7 +63,7 @@ static void find_ratio(const struct bonds *bonds, int power, int axis, double *f
         const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
         const int g = view.geometry_step;
         for (int end = 0; end < 2; end++) {
-            double buffer[LANES], *target = bond_target(&view, end == 1, field, buffer);
+            double buffer[BOND_LANES], *target = bond_target(&view, end == 1, field, buffer);
             for (int k = 0; k < view.count; k++) {
                 const double xi[3] = {view.xi[0][k * g], view.xi[1][k * g], view.xi[2][k * g]};
                 target[k] +=
@@ -98,7 +98,7 @@ static void correct_strip(enum surface_correction kind, struct bonds *bonds,
 {
     const struct bond_view view = bonds_view(bonds, strip);
     const int g = view.geometry_step;
-    double factor[LANES];
+    double factor[BOND_LANES];
     bool changed = false;
     for (int k = 0; k < view.count; k++) {
         const double xi[3] = {view.xi[0][k * g], view.xi[1][k * g], view.xi[2][k * g]};

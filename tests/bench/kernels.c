@@ -3,8 +3,9 @@
  * share, and the whole step's cost over the force's.  No test: make bench.
  *
  * A body of NX x NY x NZ particles (default 200 x 40 x 8); a bond counts twice, once from either end.  Of ROUNDS alternating
- * rounds over all models the median.  Bounds, measured in the same run, in cache: a square root and a division
- * for each pair and pass of bonds; four updates of the constitutive law for each node of correspondence with mix. */
+ * rounds over all models the median.  Bounds, measured in the same run: a square root and a division, in cache, for each
+ * pair and pass of bonds, and the bandwidth of a triad beyond the caches for e^p of bonds that yield; four updates
+ * of the constitutive law, in cache, for each node of correspondence with mix. */
 #include "check.h"
 
 #include "balance.h"
@@ -40,7 +41,8 @@ static struct kernel {
     const char *name, *materials, *stabilisation;
     double horizon;
     int passes;
-    double strain; /* of the shape it is timed in */
+    double traffic; /* bytes of e^p an ordered bond: read twice, written once */
+    double strain;  /* of the shape it is timed in */
     bool yields;
     struct small_body small;
     double bytes, bonds, calls, force[ROUNDS], step[ROUNDS];
@@ -64,6 +66,7 @@ static struct kernel {
      .horizon = 3.015,
      .materials = PLASTIC("185 MPa"),
      .passes = 2,
+     .traffic = 3 * sizeof(double),
      .strain = 5e-3,
      .yields = true},
     CORRESPONDENCE("1", "10 GPa", ", not yielding", 1e-3, false),
@@ -166,6 +169,20 @@ static double time_roots(void)
     return (now() - begin) / COUNT / TIMES;
 }
 
+HS_SIMD static void triad(int64_t count, const double *restrict x, const double *restrict y,
+                          double *restrict z)
+{
+    for (int64_t i = 0; i < count; i++) z[i] = x[i] + 3 * y[i];
+}
+
+/* Seconds of a byte read or written beyond the caches. */
+static double time_byte(double *const arrays[3], int64_t count)
+{
+    const double begin = now();
+    triad(count, arrays[0], arrays[1], arrays[2]);
+    return (now() - begin) / (3 * sizeof(double)) / (double)count;
+}
+
 /* Seconds of one update of the constitutive law, of points that flow or not, in cache. */
 static double time_law(const struct kernel *k)
 {
@@ -200,31 +217,39 @@ int main(int argc, char **argv)
 {
     int size[3] = {200, 40, 8};
     for (int a = 0; a < 3 && argc > 3; a++) size[a] = atoi(argv[1 + a]);
-    double root[ROUNDS], law[KERNELS][ROUNDS];
+    double root[ROUNDS], byte[ROUNDS], law[KERNELS][ROUNDS], *arrays[3];
+    const int64_t beyond = INT64_C(1) << 23;
     small_ranks_start(NULL);
+    for (int a = 0; a < 3; a++) arrays[a] = memory_new((size_t)beyond, sizeof(double));
     for (int k = 0; k < KERNELS; k++) start(&kernels[k], size);
     for (int round = 0; round < ROUNDS; round++) {
         root[round] = time_roots();
+        byte[round] = time_byte(arrays, beyond);
         for (int k = 0; k < KERNELS; k++) {
             kernels[k].force[round] = time_force(&kernels[k], round);
             kernels[k].step[round] = time_step(&kernels[k]);
             if (!kernels[k].passes) law[k][round] = time_law(&kernels[k]);
         }
     }
-    const double per_root = median(root);
+    const double per_root = median(root), per_byte = median(byte);
+    for (int a = 0; a < 3; a++) free(arrays[a]);
     printf("model,isa,nodes,ns_per_bond,ns_per_node,node_steps_per_s,bytes_per_node,bound,"
            "bound_ns_per_node,share_of_bound,step_over_force\n");
     for (int k = 0; k < KERNELS; k++) {
         struct kernel *kernel = &kernels[k];
         const double force = median(kernel->force), step = median(kernel->step),
                      nodes = (double)kernel->small.body.n_nodes,
-                     bound = kernel->passes ? 0.5 * kernel->passes * per_root * kernel->bonds
-                                            : 4 * median(law[k]) * nodes;
+                     bound = kernel->passes
+                                 ? (0.5 * kernel->passes * per_root + kernel->traffic * per_byte) *
+                                       kernel->bonds
+                                 : 4 * median(law[k]) * nodes;
         printf("\"%s\",%s,%.0f,%.3f,%.1f,%.3g,%.0f,%s,%.1f,%.2f,%.3f\n", kernel->name,
                instruction_set(), nodes, kernel->passes ? 1e9 * force / kernel->bonds : NAN,
                1e9 * force / nodes, nodes / step, kernel->bytes,
-               kernel->passes ? "root and division" : "four laws", 1e9 * bound / nodes,
-               bound / force, step / force);
+               kernel->traffic > 0 ? "root and division and memory"
+               : kernel->passes    ? "root and division"
+                                   : "four laws",
+               1e9 * bound / nodes, bound / force, step / force);
         small_body_free(&kernel->small);
     }
     small_ranks_stop(NULL);

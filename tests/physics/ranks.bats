@@ -139,6 +139,17 @@ END
     compare 2 3
 }
 
+@test "bar longer than a strip of bonds, ordinary plastic: 2 and 3 ranks give the bits of one" {
+    plate='  specimen: plate
+  size: [13.5 mm, 0.1 mm, 0.1 mm]
+  gauge: {length: 0.3 mm}' along_bonds '' <<'END'
+s/model: correspondence/model: ordinary_plastic/
+s/stabilisation.*//
+END
+    solve 1
+    compare_with_one 2 3
+}
+
 # at_rest METHOD [MORE]: the study by load steps
 at_rest() {
     sed -i -e "s/  type: explicit/  type: quasi_static\n  method: $1\n  step: 0.1 us\n${2:-}/" -e '/damping/d' -e '/velocity, /s///' study.yaml

@@ -71,7 +71,7 @@ static double plane_energy(const struct small_body *small, double s, double w)
     for (int64_t b = 0; b < small->bonds->count; b++) {
         const struct bond_strip *strip = &small->bonds->strips[b];
         const struct bond_view view = bonds_view(small->bonds, strip);
-        double energy[LANES];
+        double energy[BOND_LANES];
         formulation_bond_based.bond_energy(small->model->self, &small->body, strip, energy);
         for (int k = 0; k < view.count; k++) {
             int i[3], j[3];

@@ -269,14 +269,15 @@ static void test_ordinary_bonds(void **state)
 static struct damage_rules read_rules(struct small_body *small, const char *materials,
                                       const char *breaking)
 {
+    const bool two = strstr(materials, "B:") != NULL;
     small_body_new(small,
                    &(struct small_case){.size = {2, 2, 2},
                                         .horizon = 1,
                                         .stabilisation =
                                             strstr(materials, "correspondence") ? small_mix : NULL,
                                         .materials = materials,
-                                        .n_phases = strstr(materials, "B:") ? 2 : 1,
-                                        .phase = two_halves,
+                                        .n_phases = two ? 2 : 1,
+                                        .phase = two ? two_halves : NULL,
                                         .breaking = breaking});
     const struct damage_view see = {small->model, &small->materials, &small->body, small->bonds};
     return damage_rules_read(deck_get(deck_root(small->deck), "damage"), &see);

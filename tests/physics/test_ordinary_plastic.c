@@ -127,7 +127,7 @@ static void test_energy_of_bonds_after_flow(void **state)
 {
     (void)state;
     struct small_body small;
-    double flowing[LANES], again[LANES];
+    double flowing[BOND_LANES], again[BOND_LANES];
     int64_t compared = 0;
     body_of(&small, hard, "constant");
     shear(&small, 3 * yield / shear_stress(1));
@@ -367,6 +367,67 @@ static void test_limits_at_finite_strain(void **state)
     }
 }
 
+/* Blocks beyond each other's horizon. */
+enum { BLOCK = 6, GAP = 4 };
+static uint8_t two_blocks(const int size[3], const int at[3])
+{
+    (void)size;
+    return at[0] >= BLOCK && at[0] < BLOCK + GAP ? ABSENT : 0;
+}
+
+/* Both blocks sheared, the right one by another amplitude. */
+static void shear_blocks(struct small_body *small, double left, double right)
+{
+    shear(small, left);
+    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(small, site)) continue;
+        small_body_position(small, site, at);
+        for (int a = 0; a < 2 && at[0] >= BLOCK; a++) small->body.u[a][site] *= right / left;
+    }
+}
+
+/* What is left out of the work before anything yields changes no bit: the forces on a block are the same whether or not
+ * another one has yielded long before. */
+static void test_nothing_is_lost_before_yield(void **state)
+{
+    (void)state;
+    static const double left[] = {0.2, 0.6, 0.9, 1.3, 2, 0.5};
+    struct small_body small[2];
+    double range[2];
+    int64_t compared = 0;
+    const double gamma = yield / shear_stress(1);
+    for (int n = 0; n < 2; n++)
+        small_body_new(&small[n],
+                       &(struct small_case){
+                           {2 * BLOCK + GAP, 5, 5}, 3.015, .materials = hard, .phase = two_blocks});
+    for (size_t step = 0; step < sizeof left / sizeof *left; step++) {
+        for (int n = 0; n < 2; n++) {
+            shear_blocks(&small[n], left[step] * gamma, n ? 5 * gamma : 0.1 * gamma);
+            small_body_force(&small[n], true, false);
+        }
+        if (step == 0) {
+            body_need_gradient(&small[0].body);
+            body_need_gradient(&small[1].body);
+            small_body_plastic_range(&small[0], range);
+            assert_true(range[1] == 0);
+            small_body_plastic_range(&small[1], range);
+            assert_true(range[1] > 0);
+        }
+        for (int64_t site = 0; site < small[0].body.grid.n_sites; site++) {
+            int at[3];
+            if (!small_body_has(&small[0], site)) continue;
+            small_body_position(&small[0], site, at);
+            for (int a = 0; a < 3 && at[0] < BLOCK; a++, compared++)
+                assert_true(small[0].body.f[a][site] == small[1].body.f[a][site]);
+        }
+    }
+    small_body_plastic_range(&small[0], range);
+    assert_true(range[1] > 0);
+    assert_true(compared == 6 * 3 * BLOCK * 5 * 5);
+    for (int n = 0; n < 2; n++) small_body_free(&small[n]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -378,6 +439,7 @@ int main(void)
         cmocka_unit_test(test_held_body_settles),
         cmocka_unit_test(test_energy_of_plastic_vibration),
         cmocka_unit_test(test_limits_at_finite_strain),
+        cmocka_unit_test(test_nothing_is_lost_before_yield),
     };
     return cmocka_run_group_tests_name("ordinary_plastic", tests, small_ranks_start,
                                        small_ranks_stop);

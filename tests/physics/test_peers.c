@@ -160,7 +160,7 @@ static double middle_energy(struct small_body *small)
     for (int64_t s = 0; s < small->bonds->count; s++) {
         const struct bond_strip *strip = &small->bonds->strips[s];
         const struct bond_view view = bonds_view(small->bonds, strip);
-        double energy[LANES];
+        double energy[BOND_LANES];
         small->model->formulation->bond_energy(small->model->self, &small->body, strip, energy);
         for (int k = 0; k < view.count; k++)
             if (bond_lower(&view, k) == middle || bond_upper(&view, k) == middle)
