@@ -420,7 +420,7 @@ row_harder = -e 's/modulus: 898 MPa/modulus: 2100 MPa/'
 row_ufg = -e 's/yield: 185 MPa/yield: 1502 MPa/'
 row_whole = -e '/^damage:/,/critical_stretch/d' -e 's/ step: 0.0005/ step: 0.005/' -e 's/end_strain: 0.05/end_strain: $(1)/'
 row_crack = -e 's/^boundary:/cracks:\n  - {rectangle: [[0, $(1)], [0, $(2), 0], [0, 0, $(3)]]}\n\n&/'
-row_explicit = -e 's/type: quasi_static/type: explicit\n  safety: 0.4/' -e '/step:/d' -e '/break_at_once/d' -e 's/1 mm.s/10 m\/s/'
+row_explicit = -e 's/type: quasi_static/type: explicit\n  safety: $(1)/' -e '/step:/d' -e '/break_at_once/d' -e '/end_load/d' -e 's/end_strain: .*/end_time: 200 us/' -e 's/1 mm.s/10 m\/s/'
 # A harmonic plate in place of the specimen, of 25 um and of 25 mm.
 row_structure = -e '/^  specimen:/,/^  grips:/d' -e 's/^domain:/&\n  specimen: plate\n  size: [1.6 $(1), 0.4 $(1), 0.2 $(1)]\n  spacing: 0.025 $(1)\n  topology: harmonic\n  phases: {cg: M, ufg: UFG}\n  lattice: fcc\n  core: cell\n  core_distance: 0.25 $(1)\n  ufg_fraction: 0.40\n  seed: 1\n  grips: {length: 2 spacings, phase: structure}\n  gauge: {length: 0.8 $(1)}/' \
 	-e 's/^damage:/  UFG: {model: correspondence, density: 7850 kg\/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 1502 MPa, modulus: 4356 MPa}}\n\n&/' \
@@ -446,9 +446,9 @@ row_15 := $(row_ufg) -e 's/modulus: 898/modulus: 4356/' $(call row_stretch,0.02,
 row_15-whole := $(row_ufg) -e 's/modulus: 898/modulus: 4356/' $(call row_whole,0.10)
 row_16 := $(row_harder) $(call row_structure,mm)
 row_17 := $(row_harder) $(call row_structure,m)
-row_18 := $(row_harder) $(row_explicit) -e 's/value: 0.002/value: 0.01/'
-row_19 := -e 's/model: .*/model: correspondence_elastic/' -e '/hardening:/d' $(row_explicit) -e 's/value: 0.002/value: 0.02/'
-row_20 := -e 's/model: .*/model: ordinary/' -e '/hardening:/d' -e '/stabilisation/d' -e 's/horizon: 1 /horizon: 3 /' $(row_explicit) -e 's/value: 0.002/value: 0.02/'
+row_18 := $(row_harder) $(call row_explicit,0.4) -e 's/value: 0.002/value: 0.01/'
+row_19 := -e 's/model: .*/model: correspondence_elastic/' -e '/hardening:/d' $(call row_explicit,0.1) -e 's/value: 0.002/value: 0.02/'
+row_20 := -e 's/model: .*/model: ordinary/' -e '/hardening:/d' -e '/stabilisation/d' -e 's/horizon: 1 /horizon: 3 /' $(call row_explicit,0.4) -e 's/value: 0.002/value: 0.02/'
 $(ROWS:%=$(RESULTS)/thesis-calibration/%/study.yaml): $(RESULTS)/thesis-calibration/%/study.yaml: pipelines/thesis-calibration/study.yaml
 	$(call VARY,-e 's/^title: .*/title: row $*/' $(row_$*))
 $(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e): %/history.e: %/study.yaml | all
