@@ -81,6 +81,32 @@ double family_weight(const struct family *family, double length)
     return part * influences[family->influence](length, family->horizon);
 }
 
+static double weight_at(const struct family *family, int x, int y, int z)
+{
+    const double length = sqrt(x * x + y * y + z * z);
+    if (length > 0 && length <= family->horizon * (1 + 1e-9)) return family_weight(family, length);
+    return 0;
+}
+
+/* (family_sums.2): what the columns have at |x| = k and not yet at k + 1. */
+static struct columns columns_new(const struct family *family, int component, int k)
+{
+    const int reach = family->reach;
+    struct columns columns = {
+        .items = memory_new((size_t)((2 * reach + 1) * (reach + 1)), sizeof *columns.items)};
+    for (int z = 0; z <= reach; z++)
+        for (int y = -reach; y <= reach; y++) {
+            const double weight = weight_at(family, k, y, z) - weight_at(family, k + 1, y, z),
+                         factor = component == 0   ? 1
+                                  : component == 1 ? y
+                                                   : z;
+            if (y == 0 && z == 0 && component == 0) columns.own = weight;
+            if (in_half(0, y, z) && weight * factor != 0)
+                columns.items[columns.count++] = (struct column){y, z, weight * factor};
+        }
+    return columns;
+}
+
 struct family family_new(double horizon, int influence, bool partial)
 {
     const double limit = horizon * (1 + 1e-9);
@@ -99,6 +125,10 @@ struct family family_new(double horizon, int influence, bool partial)
                 family.half[family.n_half++] =
                     (struct offset){{x, y, z}, family_weight(&family, length)};
             }
+    for (int b = 0; b < 3; b++) {
+        family.columns[b] = memory_new((size_t)reach + 1, sizeof *family.columns[b]);
+        for (int k = 0; k <= reach; k++) family.columns[b][k] = columns_new(&family, b, k);
+    }
     return family;
 }
 
@@ -112,6 +142,10 @@ int family_number(const struct family *family, const int step[3])
 void family_free(struct family *family)
 {
     free(family->half);
+    for (int b = 0; b < 3; b++) {
+        for (int k = 0; k <= family->reach; k++) free(family->columns[b][k].items);
+        free(family->columns[b]);
+    }
     *family = (struct family){0};
 }
 

@@ -19,6 +19,19 @@ struct offset {
     double weight;
 };
 
+/* Members with the same y and z lie on one column along x. */
+struct column {
+    int y, z;
+    double weight; /* what it has more than at the next |x|; times y or z */
+};
+
+/* Those that a family meets at one |x|, one of each pair +-(y, z). */
+struct columns {
+    double own; /* the same weight of the site's own column, y = z = 0 */
+    int count;
+    struct column *items;
+};
+
 struct family {
     double horizon; /* in spacings */
     int influence;
@@ -26,6 +39,7 @@ struct family {
     int reach;  /* largest |step| along an axis */
     int n_half; /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
     struct offset *half;
+    struct columns *columns[3]; /* see family_sums.h: [component][|x| up to reach] */
 };
 
 /* influence: a name of the table in family.c.  partial: the volume of a member near the horizon counts by

@@ -1,14 +1,8 @@
 #include "gradient.h"
 
 #include "broken.h"
+#include "family_sums.h"
 #include "scattered.h"
-
-/* G_ab += (u_a(+xi) - u_a(-xi)) w xi_b over one pair of family members; u = 0 where there is none. */
-HS_SIMD void gradient_add_pair(int count, const double *restrict plus, const double *restrict minus,
-                               double weight, double *restrict out)
-{
-    for (int i = 0; i < count; i++) out[i] += (plus[i] - minus[i]) * weight;
-}
 
 /* row_b = (G_b - u s_b) K^-1, for one row (component) of H */
 HS_SIMD static void gradient_row(int count, const double *restrict u, const double *restrict sx,
@@ -38,7 +32,6 @@ void displacement_gradient(struct body *body)
             broken_keep_gradient(body, body->near.items[n].site, body->near.items[n].count);
         return;
     }
-    const struct family *family = body->family;
     double *const *K = body->inverse, *const *s = body->first;
     for (int64_t n = 0; n < body->near.count; n++) {
         const int count = body->near.items[n].count;
@@ -46,14 +39,8 @@ void displacement_gradient(struct body *body)
         for (int a = 0; a < 3; a++) {
             double G[3][LANES] = {{0}};
             const double *u = body->u[a] + i;
-            for (int o = 0; o < family->n_half; o++) {
-                const struct offset *offset = &family->half[o];
-                const int64_t shift = grid_shift(&body->grid, offset->step);
-                for (int b = 0; b < 3; b++)
-                    if (offset->step[b])
-                        gradient_add_pair(count, u + shift, u - shift,
-                                          offset->weight * offset->step[b], G[b]);
-            }
+            for (int b = 0; b < 3; b++)
+                family_sums_add(body->family, &body->grid, b, count, u, G[b]);
             for (int b = 0; body->broken && b < 3; b++)
                 broken_sums(body, i, count, body->u[a], b, G[b]);
             gradient_row(count, u, s[0] + i, s[1] + i, s[2] + i, K[0] + i, K[1] + i, K[2] + i,

@@ -7,13 +7,8 @@
 #define HS_GRADIENT_H
 
 #include "body.h"
-#include "simd.h"
 
 /* body->H at near sites from body->u, whose ghosts are up to date. */
 void displacement_gradient(struct body *body);
-
-/* out[i] += (plus[i] - minus[i]) weight: one pair +-xi of a family, u = 0 where there is no member. */
-void gradient_add_pair(int count, const double *restrict plus, const double *restrict minus,
-                       double weight, double *restrict out);
 
 #endif

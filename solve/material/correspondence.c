@@ -10,6 +10,7 @@
 #include "broken.h"
 #include "degradation.h"
 #include "die.h"
+#include "family_sums.h"
 #include "gradient.h"
 #include "integrity.h"
 #include "j2.h"
@@ -325,7 +326,6 @@ static void divergence(struct body *body)
         scattered_divergence(body);
         return;
     }
-    const struct family *family = body->family;
     double *const *s = body->first;
     for (int64_t n = 0; n < body->owned.count; n++) {
         const int count = body->owned.items[n].count;
@@ -333,14 +333,8 @@ static void divergence(struct body *body)
         for (int a = 0; a < 3; a++) {
             double G[LANES] = {0};
             double *const *Q = body->S + 3 * a;
-            for (int o = 0; o < family->n_half; o++) {
-                const struct offset *offset = &family->half[o];
-                const int64_t shift = grid_shift(&body->grid, offset->step);
-                for (int b = 0; b < 3; b++)
-                    if (offset->step[b])
-                        gradient_add_pair(count, Q[b] + i + shift, Q[b] + i - shift,
-                                          offset->weight * offset->step[b], G);
-            }
+            for (int b = 0; b < 3; b++)
+                family_sums_add(body->family, &body->grid, b, count, Q[b] + i, G);
             broken_divergence(body, i, count, Q, G);
             add_divergence(count, Q[0] + i, Q[1] + i, Q[2] + i, s[0] + i, s[1] + i, s[2] + i, G,
                            body->f[a] + i);

@@ -1,0 +1,64 @@
+#include "family_sums.h"
+
+#include "simd.h"
+
+#include <string.h>
+
+enum { VECTOR = 8, LONGEST_REACH = 8 /* of a deck */ };
+
+HS_SIMD static void add_sum(int count, const double *restrict plus, const double *restrict minus,
+                            double weight, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += (plus[i] + minus[i]) * weight;
+}
+HS_SIMD static void add_difference(int count, const double *restrict plus,
+                                   const double *restrict minus, double weight,
+                                   double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += (plus[i] - minus[i]) * weight;
+}
+HS_SIMD static void add_one(int count, const double *restrict a, double weight,
+                            double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += a[i] * weight;
+}
+
+static void add_columns(const struct grid *grid, int b, const struct columns *level, int count,
+                        const double *field, double *out)
+{
+    for (int c = 0; c < level->count; c++) {
+        const struct column *column = &level->items[c];
+        const int64_t shift = grid_shift(grid, (const int[]){0, column->y, column->z});
+        (b == 0 ? add_sum : add_difference)(count, field + shift, field - shift, column->weight,
+                                            out);
+    }
+}
+
+void family_sums_add(const struct family *family, const struct grid *grid, int b, int count,
+                     const double *field, double *out)
+{
+    double room[LANES + 2 * LONGEST_REACH + VECTOR], *const sums = room + LONGEST_REACH;
+    bool empty = true;
+    double own = 0; /* weight of the site's own column while there is no other */
+    for (int k = family->reach; k > 0; k--) {
+        const struct columns *level = &family->columns[b][k];
+        const int wide = (count + 2 * k + VECTOR - 1) / VECTOR * VECTOR;
+        own += level->own;
+        const bool first = empty && level->count > 0;
+        if (first) memset(room, 0, sizeof room);
+        empty &= !first;
+        const double added = first ? own : level->own;
+        if (!empty && added != 0) add_one(wide, field - k, added, sums - k);
+        add_columns(grid, b, level, wide, field - k, sums - k);
+        if (b > 0 && !empty)
+            add_sum(count, sums + k, sums - k, 1, out);
+        else if (b == 0 && empty)
+            add_difference(count, field + k, field - k, k * own, out);
+        else if (b == 0)
+            add_difference(count, sums + k, sums - k, k, out);
+    }
+    if (b == 0) return; /* where members at |x| = 0 give nothing */
+    const struct columns *level = &family->columns[b][0];
+    add_columns(grid, b, level, count, field, out);
+    if (!empty) add_one(count, sums, 1, out);
+}
