@@ -28,9 +28,10 @@
 struct mix {
     double share; /* a */
     const struct materials *materials;
-    int number[3];          /* of each axis among the half offsets */
-    double *share_of[3];    /* g_ib of either bond of the site along each axis (box field) */
-    double *state[3];       /* of the bonds along each axis, strip by strip */
+    int number[3]; /* of each axis among the half offsets */
+    uint8_t
+        *divisor[3];  /* n_i c_ib of the bonds of the site along each axis (box field), 0: none */
+    double *state[3]; /* of the bonds along each axis, strip by strip */
     double *degradation[3]; /* their records; NULL: none degrades */
 };
 
@@ -54,7 +55,7 @@ static int mix_bonds(const void *self, const struct family *family, const struct
     return 3;
 }
 
-static void find_shares(struct mix *mix, const struct body *body)
+static void find_divisors(struct mix *mix, const struct body *body)
 {
     for (int64_t s = 0; s < body->near.count; s++)
         for (int i = 0; i < body->near.items[s].count; i++) {
@@ -66,9 +67,21 @@ static void find_shares(struct mix *mix, const struct body *body)
                            (body->grid.phase[site + step] != ABSENT);
                 along += count[a] > 0;
             }
-            for (int a = 0; a < 3; a++)
-                if (count[a]) mix->share_of[a][site] = 1.0 / (along * count[a]);
+            for (int a = 0; a < 3; a++) mix->divisor[a][site] = (uint8_t)(along * count[a]);
         }
+}
+
+/* g of both ends (mix.3), and their sum. */
+HS_SIMD static void find_shares(int count, const uint8_t *restrict divisor_i,
+                                const uint8_t *restrict divisor_j, double *restrict gi,
+                                double *restrict gj, double *restrict beta)
+{
+    static const double share[] = {0, 1.0, 1.0 / 2, 1.0 / 3, 1.0 / 4, 1.0 / 5, 1.0 / 6};
+    for (int k = 0; k < count; k++) {
+        gi[k] = share[divisor_i[k]];
+        gj[k] = share[divisor_j[k]];
+        beta[k] = gi[k] + gj[k];
+    }
 }
 
 static double mix_node_share(const void *self)
@@ -134,11 +147,11 @@ static void mix_start(void *self, const struct body *body, const struct strips b
     const size_t sites = (size_t)body->grid.n_sites;
     for (int a = 0; a < 3; a++) {
         mix->number[a] = family_number(body->family, axes[a].step);
-        mix->share_of[a] = memory_new(sites, sizeof(double));
+        mix->divisor[a] = memory_new(sites, sizeof *mix->divisor[a]);
         start_bonds(mix, body, a, &bonds[a]);
         if (body->integrity) mix->degradation[a] = degradation_new(&bonds[a]);
     }
-    find_shares(mix, body);
+    find_divisors(mix, body);
 }
 
 /* The bonds of a strip that carry nothing: how many, and which. */
@@ -229,8 +242,8 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
         (struct j2_mode){mode.commit, mode.frozen, mode.energy},
         integrity_of_bonds(body, &ends, left), record ? record + DEGRADATION * strip->store : NULL);
 
-    const double *gi = mix->share_of[axis] + i, *gj = mix->share_of[axis] + j;
-    for (int k = 0; k < count; k++) beta[k] = gi[k] + gj[k];
+    double gi[LANES], gj[LANES];
+    find_shares(count, mix->divisor[axis] + i, mix->divisor[axis] + j, gi, gj, beta);
     const double a = mix->share;
     for (int k = 0; k < TENSOR; k++) {
         if (k % 3 == axis) {
@@ -251,7 +264,7 @@ static void mix_free(void *self)
 {
     struct mix *mix = self;
     for (int a = 0; a < 3; a++) {
-        free(mix->share_of[a]);
+        free(mix->divisor[a]);
         free(mix->state[a]);
         free(mix->degradation[a]);
     }
