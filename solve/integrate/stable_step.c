@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 30 };
+enum { FEWEST = 16, MOST = 30 }; /* the fewest see a stiff spot among 1e7 nodes */
 
 /* Three components over the grid's box. */
 struct vector {
@@ -19,7 +19,8 @@ struct lanczos {
     struct model *model;
     struct body *body;
     const struct materials *materials;
-    struct vector rest, current, before, image;
+    struct vector rest, force; /* as the body is: displacement, and the force to it */
+    struct vector current, before, image;
 };
 
 static struct vector vector_new(const struct body *body)
@@ -81,30 +82,26 @@ static void start_vector(const struct lanczos *l)
         }
 }
 
-/* image = -M^-1 df/du current, by central differences about rest. */
+/* image = -M^-1 df/du current, by differences from rest.  Their error is of the order of the displacement over the
+ * spacing, 1e-7. */
 static void apply(const struct lanczos *l, double amplitude)
 {
     struct body *body = l->body;
-    const struct force_mode frozen = {.frozen = true};
-    struct vector u = {{body->u[0], body->u[1], body->u[2]}}, image = l->image;
-    const struct vector force = {{body->f[0], body->f[1], body->f[2]}};
-    for (int sign = 1; sign >= -1; sign -= 2) {
-        for (int a = 0; a < 3; a++)
-            memcpy(u.component[a], l->rest.component[a],
-                   (size_t)body->grid.n_sites * sizeof(double));
-        combine(body, sign * amplitude, &l->current, 1, &u);
-        model_force(l->model, body, frozen, NULL);
-        combine(body, -0.5 * sign / amplitude, &force, sign > 0 ? 0 : 1, &image);
-    }
+    struct vector u = {{body->u[0], body->u[1], body->u[2]}};
+    for (int a = 0; a < 3; a++)
+        memcpy(u.component[a], l->rest.component[a], (size_t)body->grid.n_sites * sizeof(double));
+    combine(body, amplitude, &l->current, 1, &u);
+    model_force(l->model, body, (struct force_mode){.frozen = true}, NULL);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int64_t i = body->owned.items[s].site, end = i + body->owned.items[s].count; i < end;
              i++)
             for (int a = 0; a < 3; a++)
-                image.component[a][i] /= l->materials->items[body->grid.phase[i]].density;
+                l->image.component[a][i] = (l->force.component[a][i] - body->f[a][i]) / amplitude /
+                                           l->materials->items[body->grid.phase[i]].density;
 }
 
-/* Largest Ritz value of the tridiagonal matrix plus the norm of its residual. */
-static double upper_bound(const double *diagonal, const double *off, int n)
+/* Largest Ritz value of the tridiagonal matrix, and the norm of its residual. */
+static double largest_value(const double *diagonal, const double *off, int n, double *residual)
 {
     gsl_matrix *T = gsl_matrix_calloc((size_t)n, (size_t)n),
                *vectors = gsl_matrix_alloc((size_t)n, (size_t)n);
@@ -119,19 +116,19 @@ static double upper_bound(const double *diagonal, const double *off, int n)
     }
     gsl_eigen_symmv(T, values, vectors, work);
     size_t largest = gsl_vector_max_index(values);
-    double bound = gsl_vector_get(values, largest) +
-                   off[n - 1] * fabs(gsl_matrix_get(vectors, (size_t)n - 1, largest));
+    const double value = gsl_vector_get(values, largest);
+    *residual = off[n - 1] * fabs(gsl_matrix_get(vectors, (size_t)n - 1, largest));
     gsl_eigen_symmv_free(work);
     gsl_vector_free(values);
     gsl_matrix_free(vectors);
     gsl_matrix_free(T);
-    return bound;
+    return value;
 }
 
 static double largest_eigenvalue(struct lanczos *l)
 {
     const double nodes = (double)l->body->n_nodes;
-    double heaviest = 0, diagonal[STEPS], off[STEPS];
+    double heaviest = 0, diagonal[MOST], off[MOST];
     for (int i = 0; i < l->materials->count; i++)
         heaviest = fmax(heaviest, l->materials->items[i].density);
     start_vector(l);
@@ -141,15 +138,16 @@ static double largest_eigenvalue(struct lanczos *l)
     const double amplitude = 1e-7 * l->body->lattice->spacing * sqrt(3 * nodes * heaviest);
     const double speed = materials_wave_speed(l->materials), spacing = l->body->lattice->spacing;
     const double scale = 1e4 * speed * speed / (spacing * spacing); /* far above any eigenvalue */
-    int n = 0;
-    while (n < STEPS) {
+    double value = 0, residual = 0;
+    for (int n = 1; n <= MOST; n++) {
         apply(l, amplitude);
-        diagonal[n] = product(l, &l->current, &l->image, scale);
-        combine(l->body, -diagonal[n], &l->current, 1, &l->image);
-        if (n > 0) combine(l->body, -off[n - 1], &l->before, 1, &l->image);
-        off[n] = sqrt(product(l, &l->image, &l->image, scale * scale));
-        n++;
-        if (off[n - 1] <= 1e-9 * fabs(diagonal[n - 1]))
+        diagonal[n - 1] = product(l, &l->current, &l->image, scale);
+        combine(l->body, -diagonal[n - 1], &l->current, 1, &l->image);
+        if (n > 1) combine(l->body, -off[n - 2], &l->before, 1, &l->image);
+        off[n - 1] = sqrt(product(l, &l->image, &l->image, scale * scale));
+        value = largest_value(diagonal, off, n, &residual);
+        if (n >= FEWEST && residual < 1e-3 * value) break;
+        if (off[n - 1] <= 1e-6 * fabs(diagonal[n - 1]))
             break; /* an invariant space: small bodies */
         struct vector spare = l->before;
         l->before = l->current;
@@ -157,7 +155,7 @@ static double largest_eigenvalue(struct lanczos *l)
         l->image = spare;
         combine(l->body, 0, &l->before, 1 / off[n - 1], &l->current);
     }
-    return upper_bound(diagonal, off, n);
+    return value + residual;
 }
 
 double stable_step(struct model *model, struct body *body, const struct materials *materials)
@@ -166,6 +164,7 @@ double stable_step(struct model *model, struct body *body, const struct material
                         .body = body,
                         .materials = materials,
                         .rest = vector_new(body),
+                        .force = vector_new(body),
                         .current = vector_new(body),
                         .before = vector_new(body),
                         .image = vector_new(body)};
@@ -175,13 +174,17 @@ double stable_step(struct model *model, struct body *body, const struct material
         memcpy(l.rest.component[a], body->u[a], bytes);
         memcpy(force.component[a], body->f[a], bytes);
     }
+    const struct force_mode frozen = {.frozen = true};
+    model_force(model, body, frozen, NULL);
+    for (int a = 0; a < 3; a++) memcpy(l.force.component[a], body->f[a], bytes);
     double eigenvalue = largest_eigenvalue(&l);
     for (int a = 0; a < 3; a++) memcpy(body->u[a], l.rest.component[a], bytes);
     /* The gradients go back with the displacement, the force to its own bits. */
-    model_force(model, body, (struct force_mode){.frozen = true}, NULL);
+    model_force(model, body, frozen, NULL);
     for (int a = 0; a < 3; a++) memcpy(body->f[a], force.component[a], bytes);
     vector_free(&force);
     vector_free(&l.rest);
+    vector_free(&l.force);
     vector_free(&l.current);
     vector_free(&l.before);
     vector_free(&l.image);
