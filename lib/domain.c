@@ -89,13 +89,20 @@ void domain_add_set(struct domain *domain, const char *name, int64_t count, cons
     domain->n_sets++;
 }
 
-void domain_free(struct domain *domain)
+void domain_forget_nodes(struct domain *domain)
 {
     free(domain->x);
     free(domain->y);
     free(domain->z);
     free(domain->volume);
     free(domain->phase);
+    domain->x = domain->y = domain->z = domain->volume = NULL;
+    domain->phase = NULL;
+}
+
+void domain_free(struct domain *domain)
+{
+    domain_forget_nodes(domain);
     for (int i = 0; i < domain->n_phases; i++) free(domain->phase_names[i]);
     free(domain->phase_names);
     for (int i = 0; i < domain->n_sets; i++) {

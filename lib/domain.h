@@ -47,6 +47,8 @@ struct domain {
 /* NULL where there is no set of that name. */
 const struct node_set *domain_set(const struct domain *domain, const char *name);
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes);
+/* Frees what is known of each node; names, sets and attributes stay. */
+void domain_forget_nodes(struct domain *domain);
 void domain_free(struct domain *domain);
 
 /* Distance of the particles (m): the attribute spacing_m, of scattered ones mean_spacing_m, else the

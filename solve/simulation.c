@@ -245,6 +245,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
         s->fields =
             fields_open(&s->fields_output, own_domain(s), &s->scene.fields, &s->body, s->damage);
     }
+    domain_forget_nodes(&s->domain);
     return s;
 }
 
