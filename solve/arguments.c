@@ -59,6 +59,8 @@ struct arguments arguments_read(int argc, char **argv)
         {'o', "output", "FILE", "fields for ParaView (Exodus), as the deck's output section asks",
          NULL, &a.fields},
         {'H', "history", "FILE", "the history (default: the pipe)", NULL, &a.history},
+        {0, "profile", NULL, "at the end, where the time went and what was left out", &a.profile,
+         NULL},
         {'q', "quiet", NULL, "no notes, no progress", &a.quiet, NULL},
         {0, "spooled-history", "FILE", "used by -j for the processes it starts", NULL, &a.spooled},
     };

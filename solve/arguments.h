@@ -11,7 +11,7 @@ struct arguments {
     const char *history; /* NULL: standard output */
     const char *spooled; /* the history goes to this open file of the parent, whatever its name */
     int ranks;           /* of -j */
-    bool quiet;
+    bool quiet, profile;
     char *command; /* the whole line, for provenance */
 };
 

@@ -132,7 +132,10 @@ static void build(struct simulation *s)
 {
     const struct offset *near;
     int n_near = model_near(s->model, &s->family, &near);
+    profile_enter(s->profile, PART_PARTITION);
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
+    body_profile(&s->body, s->profile);
+    profile_enter(s->profile, PART_BONDS);
     yield_start(&s->body, &s->materials);
     s->bonds = bonds_new(&s->body);
     s->n_bonds = (double)bonds_total(s->bonds);
@@ -231,9 +234,12 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     struct simulation *s = memory_new(1, sizeof *s);
     s->arguments = arguments;
     s->ranks = ranks;
+    s->profile = arguments->profile ? profile_new() : NULL;
+    profile_enter(s->profile, PART_READ);
     read_inputs(s);
     open_outputs(s);
     build(s);
+    profile_enter(s->profile, PART_REST);
     plan_time(s);
     s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
                                boundary_has_grips(&s->boundary), s->gauge != NULL);
@@ -311,5 +317,6 @@ void simulation_free(struct simulation *s)
     if (s->fields_output.path) spool_close(&s->fields_output);
     free(s->axial);
     free(s->failure);
+    profile_free(s->profile);
     free(s);
 }

@@ -7,6 +7,7 @@
 #include "fields.h"
 #include "gauge.h"
 #include "model.h"
+#include "profile.h"
 #include "quantities.h"
 #include "quasi_static.h"
 #include "recorder.h"
@@ -23,7 +24,8 @@ extern const struct course course_explicit, course_static, course_hybrid;
 struct simulation {
     const struct arguments *arguments;
     struct ranks ranks;
-    struct domain domain; /* rank 0 */
+    struct profile *profile; /* NULL: not asked for */
+    struct domain domain;    /* rank 0 */
     struct deck *deck;
     struct scene scene;
     struct lattice lattice;

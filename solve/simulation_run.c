@@ -75,6 +75,8 @@ double simulation_grip_load(const struct simulation *s)
 
 void simulation_record(struct simulation *s)
 {
+    const enum profile_part before = profile_enter(s->profile, PART_RECORD);
+    profile_count(s->profile, WORK_RECORDS, 1, 0);
     const double load = simulation_grip_load(s);
     s->highest_load = fmax(s->highest_load, load);
     s->fallen = s->scene.end_load > 0 && damage_broken_bonds(s->damage) > 0 &&
@@ -82,11 +84,15 @@ void simulation_record(struct simulation *s)
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
                               s->model, &s->body, s->axial);
     s->deformation = s->gauge ? s->strain : mean_deformation(s);
+    profile_enter(s->profile, before);
 }
 
 void simulation_write_frame(struct simulation *s)
 {
+    const enum profile_part before = profile_enter(s->profile, PART_FRAME);
+    profile_count(s->profile, WORK_FRAMES, 1, 0);
     fields_write(s->fields, s->integration.time, s->model, &s->body);
+    profile_enter(s->profile, before);
 }
 
 bool simulation_frame_due(const struct simulation *s)
@@ -133,7 +139,9 @@ const char *simulation_run(struct simulation *s)
     s->checked_deformation = s->deformation;
     if (s->fields) simulation_write_frame(s);
     while (!s->failure && !simulation_at_end(s)) {
+        profile_enter(s->profile, PART_ADVANCE);
         s->course->advance(s);
+        profile_enter(s->profile, PART_REST);
         progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
     }

@@ -68,6 +68,14 @@ void body_need_gradient(struct body *body)
     if (!body->lattice->point[0]) shape_tensors(body);
 }
 
+void body_profile(struct body *body, struct profile *profile)
+{
+    body->profile = profile;
+    halo_profile(body->displacement_halo, profile);
+    halo_profile(body->stress_halo, profile);
+    halo_profile(body->gradient_halo, profile);
+}
+
 void body_free(struct body *body)
 {
     box_fields_free(body->u[0]);

@@ -15,6 +15,7 @@
 struct bonds;
 struct broken;
 struct integrity;
+struct profile;
 
 struct body {
     struct ranks ranks;
@@ -22,6 +23,7 @@ struct body {
     const struct family *family;
     struct partition partition;
     struct grid grid;
+    struct profile *profile; /* NULL: none */
     struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
     struct bonds *bonds;
@@ -49,6 +51,9 @@ struct body {
 struct body body_new(const struct lattice *lattice, const struct family *family,
                      const struct offset *bonds, int n_bonds, struct ranks ranks);
 void body_free(struct body *body);
+
+/* profile: lives as long as the body. */
+void body_profile(struct body *body, struct profile *profile);
 
 /* Makes the fields of gradients and stresses and counts the unsupported nodes, at the first call: formulations whose
  * forces come from bonds need them for output and for damage alone.  Collective. */

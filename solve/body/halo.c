@@ -1,6 +1,7 @@
 #include "halo.h"
 
 #include "memory.h"
+#include "profile.h"
 
 #include <mpi.h>
 #include <stdlib.h>
@@ -16,6 +17,7 @@ struct peer {
 };
 
 struct halo {
+    struct profile *profile; /* NULL: none */
     int n_peers;
     struct peer *peers;
     MPI_Request *requests; /* [2 * n_peers] */
@@ -114,8 +116,15 @@ void halo_free(struct halo *halo)
     free(halo);
 }
 
+void halo_profile(struct halo *halo, struct profile *profile)
+{
+    halo->profile = profile;
+}
+
 void halo_exchange(struct halo *halo, double *const fields[], int count)
 {
+    if (halo->n_peers == 0) return;
+    const enum profile_part before = profile_enter(halo->profile, PART_HALO);
     for (int p = 0; p < halo->n_peers; p++) {
         struct peer *peer = &halo->peers[p];
         MPI_Irecv(peer->in, (int)(peer->n_receive * count), MPI_DOUBLE, peer->rank, 0,
@@ -133,4 +142,5 @@ void halo_exchange(struct halo *halo, double *const fields[], int count)
             for (int64_t i = 0; i < peer->n_receive; i++)
                 fields[k][peer->receive[i]] = peer->in[k * peer->n_receive + i];
     }
+    profile_enter(halo->profile, before);
 }

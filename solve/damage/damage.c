@@ -2,6 +2,7 @@
 
 #include "broken.h"
 #include "memory.h"
+#include "profile.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -199,9 +200,15 @@ static void test_strip(struct damage *damage, int64_t s)
 
 static void test_bonds(struct damage *damage)
 {
+    int64_t tested = 0;
     travel(damage);
-    for (int64_t s = 0; s < damage->bonds->count; s++)
-        if (damage->travelled > damage->due[s] || damage->test_all) test_strip(damage, s);
+    for (int64_t s = 0; s < damage->bonds->count; s++) {
+        if (!(damage->travelled > damage->due[s] || damage->test_all)) continue;
+        test_strip(damage, s);
+        tested++;
+    }
+    profile_count(damage->body->profile, WORK_BOND_TESTS, (double)tested,
+                  (double)damage->bonds->count);
 }
 
 HS_SIMD static int64_t any_beyond(int count, const double *restrict p, double limit)
@@ -258,7 +265,9 @@ static void find_spent(struct damage *damage)
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         const double *p = model->formulation->plastic_strain(model->self, strip);
-        if (!p || !any_beyond(strip->count, p, damage->rules.least)) continue;
+        const bool beyond = p && any_beyond(strip->count, p, damage->rules.least);
+        profile_count(body->profile, WORK_NODE_TESTS, beyond, 1);
+        if (!beyond) continue;
         for (int i = 0; i < strip->count; i++) {
             const int64_t site = strip->site + i;
             const double full = damage->rules.full[body->grid.phase[site]];
@@ -302,9 +311,12 @@ bool damage_find(struct damage *damage)
     const struct damage_rules *rules = &damage->rules;
     damage->n_found = 0;
     if (!rules->bonds && !rules->nodes) return false;
+    const enum profile_part before = profile_enter(damage->body->profile, PART_DAMAGE);
     if (rules->bonds) test_bonds(damage);
     if (rules->nodes) find_spent(damage);
-    return count_beyond(damage, -1) > 0;
+    const bool found = count_beyond(damage, -1) > 0;
+    profile_enter(damage->body->profile, before);
+    return found;
 }
 
 void damage_choose(struct damage *damage, double most)

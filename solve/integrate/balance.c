@@ -1,6 +1,7 @@
 #include "balance.h"
 
 #include "memory.h"
+#include "profile.h"
 #include "simd.h"
 
 #include <math.h>
@@ -185,6 +186,7 @@ void balance_step(struct integration *integration, const struct body *body,
                   struct boundary *boundary, const struct force_energy *energy,
                   const struct balance_sums *sums)
 {
+    const enum profile_part before = profile_enter(body->profile, PART_BALANCE);
     double values[SUMS];
     finish(integration, body, boundary, energy, sums, values);
     integration->balance.damping += values[DAMPED];
@@ -192,6 +194,7 @@ void balance_step(struct integration *integration, const struct body *body,
     integration->balance.work += values[WORK] + (values[HELD] - integration->held);
     integration->held = values[HELD];
     if (energy) take_energies(integration, body, boundary, values);
+    profile_enter(body->profile, before);
 }
 
 void balance_motion(struct integration *integration, const struct body *body,

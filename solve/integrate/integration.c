@@ -2,6 +2,7 @@
 
 #include "balance.h"
 #include "memory.h"
+#include "profile.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +10,12 @@
 void integration_force(struct integration *integration, struct model *model, struct body *body,
                        struct force_mode mode, struct force_energy *energy)
 {
+    const enum profile_part before =
+        profile_enter(body->profile, mode.energy ? PART_FORCE_ENERGIES : PART_FORCE);
+    profile_count(body->profile, WORK_ENERGIES, mode.energy, 1);
     integration->evaluations++;
     model_force(model, body, mode, energy);
+    profile_enter(body->profile, before);
 }
 
 struct integration integration_new(bool moving, double dt, double damping,

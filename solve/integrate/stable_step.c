@@ -1,6 +1,7 @@
 #include "stable_step.h"
 
 #include "memory.h"
+#include "profile.h"
 #include "random.h"
 
 #include <gsl/gsl_eigen.h>
@@ -160,6 +161,7 @@ static double largest_eigenvalue(struct lanczos *l)
 
 double stable_step(struct model *model, struct body *body, const struct materials *materials)
 {
+    const enum profile_part before = profile_enter(body->profile, PART_STABLE_STEP);
     struct lanczos l = {.model = model,
                         .body = body,
                         .materials = materials,
@@ -188,5 +190,6 @@ double stable_step(struct model *model, struct body *body, const struct material
     vector_free(&l.current);
     vector_free(&l.before);
     vector_free(&l.image);
+    profile_enter(body->profile, before);
     return 2 / sqrt(eigenvalue);
 }

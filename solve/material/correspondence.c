@@ -16,6 +16,7 @@
 #include "j2.h"
 #include "memory.h"
 #include "model.h"
+#include "profile.h"
 #include "scattered.h"
 #include "stabilisation.h"
 
@@ -218,6 +219,7 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     struct j2_strip j2;
     load_nodes(model, body, strip, &j2);
     update_nodes(model, body, strip, (struct j2_mode){mode.commit, mode.frozen, mode.energy}, &j2);
+    if (!mode.frozen) profile_count(body->profile, WORK_FLOW_STRIPS, j2.flows, 1);
     const size_t bytes = (size_t)strip->count * sizeof(double);
     for (int k = 0; k < TENSOR; k++)
         write_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);

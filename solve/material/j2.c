@@ -212,6 +212,7 @@ void j2_update(struct j2_strip *s, double *state, int64_t stride, const double *
 
     int64_t beyond = trial_strain(s->count, s, c[0], c[1], c[2], c[3], c[4], c[5], c[J2_YIELD]);
     beyond = beyond && !mode.frozen;
+    s->flows = beyond;
     if (beyond)
         radial_return(&(struct radial_return){s->count, s->mu, s->q, s->yield, p, s->shift,
                                               s->curve, s->grown, s->scale, s->open, table});

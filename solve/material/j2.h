@@ -32,6 +32,7 @@ struct j2_strip {
     double bulk[LANES];         /* in: bulk modulus [Pa] */
     int64_t curve[LANES];       /* in: index of the flow curve */
     double shift[LANES];        /* in: what the flow stress has over the curve [Pa] */
+    bool flows;                 /* out: some point is beyond yield */
     double P[TENSOR][LANES];    /* out: first Piola-Kirchhoff stress [Pa] */
     double stored[LANES];       /* out, where asked for: elastic energy density [J/m^3] */
     double plastic[LANES];      /* out, where asked for: plastic work density [J/m^3] */

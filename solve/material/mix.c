@@ -20,6 +20,7 @@
 #include "integrity.h"
 #include "j2.h"
 #include "memory.h"
+#include "profile.h"
 #include "stabilisation.h"
 
 #include <stdlib.h>
@@ -241,6 +242,8 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
         &j2, mix->state[axis] + J2_STATE * strip->store, strip->stride, materials->curves.table,
         (struct j2_mode){mode.commit, mode.frozen, mode.energy},
         integrity_of_bonds(body, &ends, left), record ? record + DEGRADATION * strip->store : NULL);
+
+    if (!mode.frozen) profile_count(body->profile, WORK_FLOW_STRIPS, j2.flows, 1);
 
     double gi[LANES], gj[LANES];
     find_shares(count, mix->divisor[axis] + i, mix->divisor[axis] + j, gi, gj, beta);

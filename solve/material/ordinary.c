@@ -6,6 +6,7 @@
 #include "integrity.h"
 #include "memory.h"
 #include "opening.h"
+#include "profile.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -257,7 +258,9 @@ static void sum_scattered_strip(const struct ordinary *model, const struct body 
 static int push_depth(struct ordinary *model, int64_t number, bool flows, struct pass *pass)
 {
     if (!model->plastic) return ELASTIC;
-    if (flows && ordinary_plastic_flows(model, number)) {
+    const bool yields = flows && ordinary_plastic_flows(model, number);
+    profile_count(model->bonds->body->profile, WORK_FLOW_STRIPS, yields, 1);
+    if (yields) {
         pass->slip = ordinary_plastic_room(model, number);
         return YIELDING;
     }
