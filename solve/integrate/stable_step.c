@@ -59,15 +59,19 @@ static double product(const struct lanczos *l, const struct vector *x, const str
     return value;
 }
 
+HS_SIMD static void add_scaled(int count, double a, const double *restrict x, double b,
+                               double *restrict y)
+{
+    for (int i = 0; i < count; i++) y[i] = a * x[i] + b * y[i];
+}
 /* y = a x + b y at owned sites */
 static void combine(const struct body *body, double a, const struct vector *x, double b,
                     struct vector *y)
 {
     for (int64_t s = 0; s < body->owned.count; s++)
-        for (int64_t i = body->owned.items[s].site, end = i + body->owned.items[s].count; i < end;
-             i++)
-            for (int c = 0; c < 3; c++)
-                y->component[c][i] = a * x->component[c][i] + b * y->component[c][i];
+        for (int c = 0; c < 3; c++)
+            add_scaled(body->owned.items[s].count, a, x->component[c] + body->owned.items[s].site,
+                       b, y->component[c] + body->owned.items[s].site);
 }
 
 static void start_vector(const struct lanczos *l)
@@ -147,7 +151,7 @@ static double largest_eigenvalue(struct lanczos *l)
         if (n > 1) combine(l->body, -off[n - 2], &l->before, 1, &l->image);
         off[n - 1] = sqrt(product(l, &l->image, &l->image, scale * scale));
         value = largest_value(diagonal, off, n, &residual);
-        if (n >= FEWEST && residual < 1e-3 * value) break;
+        if (n >= FEWEST && residual < 1e-2 * value) break;
         if (off[n - 1] <= 1e-6 * fabs(diagonal[n - 1]))
             break; /* an invariant space: small bodies */
         struct vector spare = l->before;

@@ -105,7 +105,8 @@ HS_INLINE void pull(const struct pull *p, bool g, bool w, bool m, bool energy)
         double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
         double square = length * length + longer, now = sqrt(square);
         double both = length * square + (length * length) * now; /* (|y| + |xi|) |xi| |y| */
-        double i = (modulus * volume_j) * longer / both, j = (modulus * volume_i) * longer / both;
+        double share = longer / both;                            /* s/|y| */
+        double i = modulus * volume_j * share, j = modulus * volume_i * share;
         x += a;
         y += b;
         z += d;
@@ -116,7 +117,7 @@ HS_INLINE void pull(const struct pull *p, bool g, bool w, bool m, bool energy)
         jy[k] -= j * y;
         jz[k] -= j * z;
         if (energy) {
-            double s = longer / (length * (now + length));
+            double s = share * now;
             terms[k] = 0.5 * modulus * (s * s) * length * (volume_i * volume_j);
         }
     }
@@ -256,7 +257,7 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
 
 /* Half of the force of a bond belongs to either end. */
 static void add_stress(const struct bond_based *model, struct body *body,
-                       const struct bond_strip *strip)
+                       const struct bond_strip *strip, int rows)
 {
     const struct bond_view view = bonds_view(model->bonds, strip);
     double displacement[6][BOND_LANES], e[BOND_LANES], half[BOND_LANES];
@@ -265,16 +266,16 @@ static void add_stress(const struct bond_based *model, struct body *body,
     for (int k = 0; k < view.count; k++)
         half[k] = 0.5 * modulus_of(model, &view, k) * view.weight[k * view.weight_step] * e[k] /
                   view.length[k * view.geometry_step];
-    bond_ends_add_stress(&view, &u, half, half, body);
+    bond_ends_add_stress(&view, &u, e, half, half, rows, body);
 }
 
-static void bond_based_prepare(void *self, struct body *body, double *axial)
+static void bond_based_prepare(void *self, struct body *body, double *axial, int rows)
 {
     const struct bond_based *model = self;
     displacement_gradient(body);
-    body_clear(body, body->S, 9);
+    body_clear(body, body->S, 3 * rows);
     for (int64_t s = 0; s < model->bonds->count; s++)
-        add_stress(model, body, &model->bonds->strips[s]);
+        add_stress(model, body, &model->bonds->strips[s], rows);
     if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
 }
 

@@ -43,34 +43,36 @@ struct directions {
 };
 
 HS_INLINE void find_directions(const struct bond_view *v, const struct bond_ends *u, int g,
-                               const double *lower, const double *upper, struct directions *d)
+                               const double *e, const double *lower, const double *upper,
+                               struct directions *d)
 {
     const double *ux = u->lower[0], *uy = u->lower[1], *uz = u->lower[2];
     const double *vx = u->upper[0], *vy = u->upper[1], *vz = u->upper[2];
-    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2];
+    const double *X = v->xi[0], *Y = v->xi[1], *Z = v->xi[2], *L = v->length;
     const double *Vi = v->volume_i, *Vj = v->volume_j;
     const int count = v->count;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double x = X[k * g] + vx[k] - ux[k], y = Y[k * g] + vy[k] - uy[k],
-               z = Z[k * g] + vz[k] - uz[k], length = sqrt(x * x + y * y + z * z);
+               z = Z[k * g] + vz[k] - uz[k], inverse = 1 / (L[k * g] + e[k]);
         d->y[0][k] = x;
         d->y[1][k] = y;
         d->y[2][k] = z;
-        d->pull[0][k] = lower[k] * Vj[k * g] / length;
-        d->pull[1][k] = upper[k] * Vi[k * g] / length;
+        d->pull[0][k] = lower[k] * Vj[k * g] * inverse;
+        d->pull[1][k] = upper[k] * Vi[k * g] * inverse;
     }
 }
 HS_SIMD static void directions_alike(const struct bond_view *view, const struct bond_ends *u,
-                                     const double *lower, const double *upper, struct directions *d)
+                                     const double *e, const double *lower, const double *upper,
+                                     struct directions *d)
 {
-    find_directions(view, u, 0, lower, upper, d);
+    find_directions(view, u, 0, e, lower, upper, d);
 }
 HS_SIMD static void directions_scattered(const struct bond_view *view, const struct bond_ends *u,
-                                         const double *lower, const double *upper,
+                                         const double *e, const double *lower, const double *upper,
                                          struct directions *d)
 {
-    find_directions(view, u, 1, lower, upper, d);
+    find_directions(view, u, 1, e, lower, upper, d);
 }
 
 HS_SIMD static void add_alike(int count, const double *restrict pull, const double *restrict y,
@@ -85,13 +87,15 @@ HS_SIMD static void add_scattered(int count, const double *restrict pull, const 
 }
 
 void bond_ends_add_stress(const struct bond_view *view, const struct bond_ends *u,
-                          const double *lower, const double *upper, struct body *body)
+                          const double *extension, const double *lower, const double *upper,
+                          int rows, struct body *body)
 {
     struct directions d;
     double buffer[BOND_LANES];
-    (view->geometry_step ? directions_scattered : directions_alike)(view, u, lower, upper, &d);
+    (view->geometry_step ? directions_scattered : directions_alike)(view, u, extension, lower,
+                                                                    upper, &d);
     for (int end = 0; end < 2; end++)
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; a < rows; a++)
             for (int b = 0; b < 3; b++) {
                 double *S = body->S[3 * a + b], *target;
                 if (!view->geometry_step && view->xi[b][0] == 0) continue;

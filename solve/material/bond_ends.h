@@ -27,8 +27,10 @@ void bond_ends_extensions(const struct bond_view *view, const struct bond_ends *
                           double extension[BOND_LANES]);
 
 /* Nominal stress of the nodes, sum_j t_ij y/|y| (x) xi V_j, added to body->S: Silling, Lehoucq, J. Elasticity 93
- * (2008) 13, for uniform deformation.  lower and upper: force state t of either end on bond k [N/m^6]. */
+ * (2008) 13, for uniform deformation.  lower and upper: force state t of either end on bond k [N/m^6]; rows: of the
+ * stress, from xx, xy, xz on. */
 void bond_ends_add_stress(const struct bond_view *view, const struct bond_ends *u,
-                          const double *lower, const double *upper, struct body *body);
+                          const double *extension, const double *lower, const double *upper,
+                          int rows, struct body *body);
 
 #endif

@@ -187,9 +187,10 @@ static void correspondence_start(void *self, const struct body *body, struct bon
     }
 }
 
-static void correspondence_prepare(void *self, struct body *body, double *axial)
+static void correspondence_prepare(void *self, struct body *body, double *axial, int rows)
 {
-    (void)self, (void)body, (void)axial; /* the force has filled it, with the share of the bonds */
+    (void)self, (void)body, (void)axial,
+        (void)rows; /* the force has filled it, with the share of the bonds */
 }
 
 static void correspondence_observe(void *self, const struct body *body, const struct strip *strip,

@@ -54,9 +54,9 @@ void model_force(struct model *model, struct body *body, struct force_mode mode,
     model->formulation->force(model->self, body, mode, energy);
 }
 
-void model_prepare(struct model *model, struct body *body, double *axial)
+void model_prepare(struct model *model, struct body *body, double *axial, int rows)
 {
-    model->formulation->prepare(model->self, body, axial);
+    model->formulation->prepare(model->self, body, axial, rows);
 }
 
 const struct strips *model_strips(const struct model *model, const struct body *body)

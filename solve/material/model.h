@@ -51,8 +51,9 @@ struct formulation {
     void (*force)(void *self, struct body *body, struct force_mode mode,
                   struct force_energy *energy);
     /* Makes the nodes' states ready to be seen; axial as in struct force_mode, filled by whichever of
-     * force and prepare comes to it.  Nothing is committed.  Collective. */
-    void (*prepare)(void *self, struct body *body, double *axial);
+     * force and prepare comes to it; rows: of the stress, 1 where only xx will be looked at, or 3.  Nothing is committed.
+     * Collective. */
+    void (*prepare)(void *self, struct body *body, double *axial, int rows);
     void (*observe)(void *self, const struct body *body, const struct strip *strip,
                     struct node_state *state);
     /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip.  NULL: owned
@@ -89,7 +90,7 @@ int model_near(const struct model *model, const struct family *family,
 void model_start(struct model *model, const struct body *body, struct bonds *bonds);
 void model_force(struct model *model, struct body *body, struct force_mode mode,
                  struct force_energy *energy);
-void model_prepare(struct model *model, struct body *body, double *axial);
+void model_prepare(struct model *model, struct body *body, double *axial, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
 void model_observe(struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);

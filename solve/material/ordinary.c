@@ -434,18 +434,18 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     if (flows) settle_flow(model, body);
 }
 
-/* (ordinary.3) of both ends of the bonds of a strip, and their elastic extensions. */
+/* (ordinary.3) of both ends of the bonds of a strip, the extensions and their elastic parts. */
 struct states {
-    double t[2][BOND_LANES], elastic[2][BOND_LANES];
+    double extension[BOND_LANES], t[2][BOND_LANES], elastic[2][BOND_LANES];
 };
 
 static void find_states(const struct ordinary *model, const struct bond_view *view, int64_t number,
                         const struct bond_ends *u, struct states *states)
 {
     struct slip slip = {{NULL, NULL}};
-    double e[BOND_LANES];
+    const double *e = states->extension;
     if (model->plastic) slip = ordinary_plastic_slip(model, number);
-    bond_ends_extensions(view, u, e);
+    bond_ends_extensions(view, u, states->extension);
     for (int k = 0; k < view->count; k++) {
         const double reach = model->law->by_length ? view->length[k * view->geometry_step] : 1,
                      weight = view->weight[k * view->weight_step];
@@ -459,14 +459,14 @@ static void find_states(const struct ordinary *model, const struct bond_view *vi
     }
 }
 
-static void add_stress(const struct ordinary *model, struct body *body, int64_t number)
+static void add_stress(const struct ordinary *model, struct body *body, int64_t number, int rows)
 {
     const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
     double displacement[6][BOND_LANES];
     const struct bond_ends u = bond_ends_find(&view, body, displacement);
     struct states states;
     find_states(model, &view, number, &u, &states);
-    bond_ends_add_stress(&view, &u, states.t[0], states.t[1], body);
+    bond_ends_add_stress(&view, &u, states.extension, states.t[0], states.t[1], rows, body);
 }
 
 /* Energy density that each bond holds: that of the force states of both ends over its elastic extension. */
@@ -490,14 +490,14 @@ static const double *ordinary_plastic(const void *self, const struct strip *stri
     return model->plastic ? ordinary_plastic_strain(model) + strip->site : NULL;
 }
 
-static void ordinary_prepare(void *self, struct body *body, double *axial)
+static void ordinary_prepare(void *self, struct body *body, double *axial, int rows)
 {
     struct ordinary *model = self;
     body_need_gradient(body);
     find_nodes(model, body, body->S, (struct force_mode){0}, NULL);
     displacement_gradient(body);
-    body_clear(body, body->S, 9);
-    for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s);
+    body_clear(body, body->S, 3 * rows);
+    for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s, rows);
     if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
 }
 

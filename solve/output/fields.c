@@ -68,7 +68,7 @@ struct fields *fields_open(const struct spool *output, const struct domain *doma
 void fields_write(struct fields *fields, double time, struct model *model, struct body *body)
 {
     int variable = 0;
-    model_prepare(model, body, NULL);
+    model_prepare(model, body, NULL, 3);
     node_values_find(fields->nodes, model, body);
     for (int k = 0; k < fields->wanted.n_variables; k++)
         for (int c = 0; c < table[fields->wanted.variables[k]].count; c++, variable++)

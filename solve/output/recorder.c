@@ -161,7 +161,7 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     struct gauge_phase *phases = memory_new((size_t)recorder->n_phases, sizeof *phases);
     double *wanted = memory_new((size_t)quantities_count(quantities), sizeof *wanted);
     if (gauge) planes = gauge_displacements(gauge, body);
-    model_prepare(model, body, axial);
+    model_prepare(model, body, axial, quantities_count(quantities) > 0 ? 3 : 1);
     if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
     quantities_measure(quantities, model, body, wanted);
     const double unsteady =

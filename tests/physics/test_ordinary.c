@@ -274,7 +274,7 @@ static void test_bulk_modulus_is_exact(void **state)
                                                         .surface_correction = corrections[c]});
             small_body_deform(&small, (const double[]){e, 0, 0, 0, e, 0, 0, 0, e});
             flatten(&small);
-            model_prepare(small.model, &small.body, NULL);
+            model_prepare(small.model, &small.body, NULL, 3);
             for (int64_t i = 0; i < small.body.grid.n_sites; i++) {
                 if (!small_body_has(&small, i)) continue;
                 double *const *S = small.body.S, mean = flat ? (S[0][i] + S[4][i]) / 2
@@ -422,7 +422,7 @@ static void test_sheets_grow_thinner(void **state)
                                                 .plane = PLANE_STRESS});
     small_body_deform(&small, (double[9]){e, 0, 0, 0, -nu * e});
     small_body_force(&small, false, false);
-    model_prepare(small.model, &small.body, NULL);
+    model_prepare(small.model, &small.body, NULL, 3);
     const int64_t middle = small_body_middle(&small);
     const struct strips *strips = model_strips(small.model, &small.body);
     for (int64_t s = 0; s < strips->count; s++) {
