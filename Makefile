@@ -4,7 +4,9 @@
 #   make check           all tests (under ten minutes on two cores)
 #   make install         DESTDIR and PREFIX as usual
 #   make stress          numerical stability, the long form (minutes)
-#   make bench           kernels beside their bounds and LAMMPS, run time against error; QUICK=1: kernels
+#   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
+#                        QUICK=1: kernels alone
+#   make bench-compare REV=...  kernels beside those of an earlier commit
 #   make format          clang-format over the tree
 #   make first           the small study of the README
 #   make flagship study  the larger ones of pipelines/ (minutes to an hour)
@@ -66,7 +68,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-format install uninstall clean format help \
-        first flagship study stress bench
+        first flagship study stress bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -128,11 +130,22 @@ bench: all $(BUILD)/tests/bench/kernels
 ifndef QUICK
 	@mkdir -p docs/bench
 	$(BUILD)/tests/bench/kernels 500 100 40 > $(BENCH)/large.csv
-	{ cat $(BENCH)/kernels.csv; sed -e 1d -e 's/$$/,/' $(BENCH)/large.csv; } > docs/bench/kernels.csv
+	+$(MAKE) -s BUILD=$(BUILD)/avx2 CPPFLAGS=-DHS_NO_AVX512 $(BUILD)/avx2/tests/bench/kernels
+	$(BUILD)/avx2/tests/bench/kernels > $(BENCH)/measured-avx2.csv
+	{ cat $(BENCH)/kernels.csv; sed -e 1d -e 's/$$/,/' $(BENCH)/large.csv; \
+	    awk -f tests/bench/join.awk $(BENCH)/measured-avx2.csv $(BENCH)/lammps.txt | sed 1d; } > docs/bench/kernels.csv
+	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/runs $(BENCH)/runs > docs/bench/runs.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
-	gnuplot -c tests/bench/error.gp docs/bench/error.csv docs/bench/error.svg
-	for name in kernels error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
+	$(MAKE) bench-tables
 endif
+
+bench-tables:
+	gnuplot -c tests/bench/error.gp docs/bench/error.csv docs/bench/error.svg
+	gnuplot -c tests/bench/runs.gp docs/bench/runs.csv docs/bench/runs.svg
+	for name in kernels runs error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
+
+bench-compare: $(BUILD)/tests/bench/kernels
+	@tests/bench/compare $(or $(REV),HEAD) $(BUILD)/tests/bench/kernels $(abspath $(BENCH))
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 

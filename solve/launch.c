@@ -69,6 +69,7 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
     argv[n++] = "--spooled-history";
     argv[n++] = history;
     if (a->quiet) argv[n++] = "--quiet";
+    if (a->profile) argv[n++] = "--profile";
     set_environment();
     setenv("HSSOLVE_COMMAND", a->command, 1);
     if (isatty(STDERR_FILENO)) setenv("HSSOLVE_TERMINAL", "1", 1);

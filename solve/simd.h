@@ -2,14 +2,18 @@
  *
  * A function marked HS_SIMD is compiled for the baseline, AVX2 and AVX-512, and the loader picks one
  * by the processor.  Contraction is off (Makefile), so all of them give the same bits; HS_NARROW leaves the
- * baseline alone, to test that. */
+ * baseline alone, to test that, and HS_NO_AVX512 takes the widest away, to time the others. */
 #ifndef HS_SIMD_H
 #define HS_SIMD_H
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(HS_SANITIZE) &&    \
     !defined(HS_NARROW)
+#ifdef HS_NO_AVX512
+#define HS_SIMD __attribute__((noinline, target_clones("arch=x86-64-v3", "default")))
+#else
 #define HS_SIMD                                                                                    \
     __attribute__((noinline, target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#endif
 #else
 #define HS_SIMD __attribute__((noinline))
 #endif

@@ -209,7 +209,9 @@ static double time_law(const struct kernel *k)
 
 static const char *instruction_set(void)
 {
+#ifndef HS_NO_AVX512
     if (__builtin_cpu_supports("avx512f")) return "avx512";
+#endif
     return __builtin_cpu_supports("avx2") ? "avx2" : "sse2";
 }
 
