@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
+
 void simulation_find_step(struct simulation *s)
 {
     const double critical = stable_step(s->model, &s->body, &s->materials);
@@ -15,14 +17,16 @@ void simulation_find_step(struct simulation *s)
 }
 
 /* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is found again each 5 % of
- * strain, and each hundredth of the bonds. */
+ * strain, and each hundredth of the bonds.  When that is looked at does not depend on what the deck asks to see. */
 static void check_step(struct simulation *s)
 {
-    const double broken = damage_broken_bonds(s->damage);
-    if (fabs(s->deformation - s->checked_deformation) < 0.05 &&
+    const int64_t every = s->n_steps / 500 > LOOK_EVERY ? s->n_steps / 500 : LOOK_EVERY;
+    if (s->integration.step % every != 0) return;
+    const double broken = damage_broken_bonds(s->damage), deformation = simulation_deformation(s);
+    if (fabs(deformation - s->checked_deformation) < 0.05 &&
         broken - s->checked_broken < 0.01 * s->n_bonds)
         return;
-    s->checked_deformation = s->deformation;
+    s->checked_deformation = deformation;
     s->checked_broken = broken;
     simulation_find_step(s);
 }
@@ -61,7 +65,6 @@ static void raise_loads(struct simulation *s, bool looking)
 /* One step, and what it leaves behind. */
 static void explicit_advance(struct simulation *s)
 {
-    enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
     const bool recording = record_due(s) || near_end(s), framing = simulation_frame_due(s),
                looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
     if (recording) memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
@@ -72,10 +75,8 @@ static void explicit_advance(struct simulation *s)
         s->failure = simulation_find_failure(s);
         if (s->failure) return;
     }
-    if (recording) {
-        simulation_record(s);
-        check_step(s);
-    }
+    if (recording) simulation_record(s);
+    check_step(s);
     if (framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
     raise_loads(s, looking);
 }

@@ -40,7 +40,7 @@ static void begin_explicit(struct simulation *s, const char *reason)
     boundary_set_velocities(&s->boundary, &s->body, integration->time, integration->dt);
     balance_motion(integration, &s->body, &s->boundary);
     simulation_find_step(s);
-    s->checked_deformation = s->deformation;
+    s->checked_deformation = simulation_deformation(s);
     s->checked_broken = s->quiet_broken = damage_broken_bonds(s->damage);
     s->quiet_since = integration->time;
     if (s->ranks.rank == 0)

@@ -47,9 +47,8 @@ struct simulation {
     struct spool history_output, fields_output; /* rank 0 */
     double *axial;                              /* box field */
     double critical_step, end_time;
-    double strain; /* of the gauge */
-    double deformation,
-        checked_deformation;          /* as of the last record, and of the last critical step */
+    double strain;                    /* of the gauge */
+    double checked_deformation;       /* as of the last critical step */
     double n_bonds, checked_broken;   /* bonds at the start; broken as of the last critical step */
     double drift;                     /* of the energy balance when it was last looked at */
     bool framing;                     /* the load step ends at a frame */
@@ -87,6 +86,9 @@ double simulation_grip_load(const struct simulation *simulation);
 
 void simulation_record(struct simulation *simulation);
 void simulation_write_frame(struct simulation *simulation);
+
+/* Strain of the gauge, without one the root mean square displacement gradient.  Collective. */
+double simulation_deformation(struct simulation *simulation);
 
 /* NULL while the run is sound. */
 char *simulation_find_failure(const struct simulation *simulation);

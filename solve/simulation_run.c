@@ -46,8 +46,9 @@ char *simulation_find_failure(const struct simulation *s)
 }
 
 /* Root mean square displacement gradient, none of which counts more than 1. */
-static double mean_deformation(const struct simulation *s)
+static double mean_deformation(struct simulation *s)
 {
+    model_prepare(s->model, &s->body, NULL, 1);
     struct exact_sum sum = exact_sum_new((double)s->lattice.n_nodes);
     const struct strips *strips = model_strips(s->model, &s->body);
     for (int64_t k = 0; k < strips->count; k++) {
@@ -64,6 +65,13 @@ static double mean_deformation(const struct simulation *s)
     double total;
     exact_sum_finish(&sum, 1, &total);
     return sqrt(total / (double)s->lattice.n_nodes);
+}
+
+double simulation_deformation(struct simulation *s)
+{
+    if (!s->gauge) return mean_deformation(s);
+    const struct gauge_planes planes = gauge_displacements(s->gauge, &s->body);
+    return (planes.right - planes.left) / gauge_length(s->gauge);
 }
 
 double simulation_grip_load(const struct simulation *s)
@@ -83,7 +91,6 @@ void simulation_record(struct simulation *s)
                 load < s->scene.end_load * s->highest_load;
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
                               s->model, &s->body, s->axial);
-    s->deformation = s->gauge ? s->strain : mean_deformation(s);
     profile_enter(s->profile, before);
 }
 
@@ -136,7 +143,7 @@ const char *simulation_run(struct simulation *s)
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
     simulation_protect(s);
     simulation_record(s);
-    s->checked_deformation = s->deformation;
+    s->checked_deformation = simulation_deformation(s);
     if (s->fields) simulation_write_frame(s);
     while (!s->failure && !simulation_at_end(s)) {
         profile_enter(s->profile, PART_ADVANCE);

@@ -1,65 +1,21 @@
 # Numerical stability under stress.  LONG=1 (make stress): a million steps, every step length, every jitter.
 
+load bodies
 setup() { cd "$BATS_TEST_TMPDIR"; }
-
-# body NAME MODEL SOLVER REST [SIZE]: NAME.g of 8 x 6 x 5 nodes, 25 um apart
-body() {
-    cat >"$1.yaml" <<END
-title: Stress
-domain:
-  specimen: plate
-  size: ${5:-[0.2 mm, 0.15 mm, 0.125 mm]}
-  spacing: ${SPACING:-25 um}
-  topology: homogeneous
-  phase: M
-  grips: {length: ${GRIP:-1} spacings, phase: M}
-materials:
-  M: {density: 8900 kg/m3, $2}
-$4
-solver: {$3}
-output:
-  history: ${RECORDS:-40}
-  quantities:
-    - {name: pull, quantity: force_x, reduce: sum, set: grip_right}
-${QUANTITIES:-}
-END
-    hsgen -q "$1.yaml" -o "$1.g"
-}
-# The chequerboard of the lattice as velocities: the fastest waves, and those that a family's mean does not see.
-pi=3.141592653589793
-checks="initial:
-  - {where: \"1\", direction: x, velocity: \"V*sin($pi/25e-6*x)*cos($pi/25e-6*y)*sin($pi/25e-6*(z+12.5e-6))\"}
-  - {where: \"1\", direction: y, velocity: \"V*sin($pi/25e-6*x)\"}"
-
-columns() {
-    local file=$1
-    shift
-    hspost -q --columns "$file" | awk -F, -v names="$*" '/^#/ { next }
-        !n { n = split(names, name, " "); for (i = 1; i <= NF; i++) at[$i] = i; next }
-        { for (k = 1; k <= n; k++) printf "%.12g%s", $at[name[k]], k < n ? " " : "\n" }'
-}
-elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
-models=("model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015" "model: ordinary, $elastic|horizon: 3.015"
-    "model: madenci_oterkus, $elastic|horizon: 2.015"
-    "model: correspondence_elastic, $elastic|horizon: 1, stabilisation: {law: mix}"
-    "model: correspondence_elastic, $elastic|horizon: 2, stabilisation: {law: mix}"
-    "model: correspondence_elastic, $elastic|horizon: 1, stabilisation: {law: capped}"
-    "model: correspondence, $elastic, hardening: {law: linear, yield: 200 MPa, modulus: 1 GPa}|horizon: 1, stabilisation: {law: mix}"
-    "model: ordinary_plastic, $elastic, hardening: {law: linear, yield: 200 MPa, modulus: 1 GPa}|horizon: 2.015")
 
 @test "chequerboards at any step up to the bound do not grow; far beyond it the run is stopped" {
     for model in "${models[@]}"; do
         for safety in 0.5 ${LONG:+0.7 0.8 0.9} 0.99; do
-            body bound "${model%|*}" "type: explicit, safety: $safety, end_steps: 2000, energy_tolerance: 0.5, ${model#*|}" "${checks//V/0.5}"
+            body bound "${model%|*}" "type: explicit, safety: $safety, end_steps: 2000, energy_tolerance: 10, ${model#*|}" "${checks//V/0.5}"
             hssolve -q -i bound.g -H bound.e
-            # Near the bound the scheme keeps an energy of its own, around which the true one swings: by up to half of it,
-            # and no more in the last quarter of the run than in the second.
+            # At a share s of the bound a mode keeps an energy of the scheme's own, around which the true one swings, up to 1/(1 - s^2)
+            # times what it was given: 50 at 0.99.  And it swings no more in the last quarter of the run than in the second.
             columns bound.e energy_drift kinetic_energy_J | awk -v what="$model $safety" '
-                NR == 1 { first = $2 } { d[NR] = $1 < 0 ? -$1 : $1 }
+                NR == 1 { first = $2 } { d[NR] = $1 < 0 ? -$1 : $1; most = $2 > most ? $2 : most }
                 END { for (i = 1; i <= NR / 4; i++) { early += d[i + int(NR / 4)]; late += d[NR + 1 - i] }
-                      print what, early / int(NR / 4), late / int(NR / 4); exit !(late < 1.5 * early + 0.02 * NR / 4 && first > 0) }'
+                      print what, early / int(NR / 4), late / int(NR / 4), most / first; exit !(late < 1.5 * early + 0.02 * NR / 4 && first > 0 && most < 50 * first) }'
         done
-        body beyond "${model%|*}" "type: explicit, safety: 1.3, end_steps: 4000, ${model#*|}" "${checks//V/0.5}"
+        body beyond "${model%|*}" "type: explicit, safety: 1.3, end_steps: 4000, energy_tolerance: 0.9, ${model#*|}" "${checks//V/0.5}"
         run hssolve -q -i beyond.g -H beyond.e
         [ "$status" -ne 0 ]
         [[ $output == *"energy balance"* || $output == *"not a number"* ]]
@@ -217,15 +173,19 @@ END
     done | awk '$1 == 0 { exact[n0++] = $2; next } { d = $2 / exact[n++ % 3] - 1; print $1, d; if (d * d > (0.02 + 2 * $1) ^ 2 * (0.05 + $1) ^ 0) bad = 1 } END { exit bad }'
 }
 
-@test "metres and nanometres: the same strains, stresses, steps over the wave's time" {
-    for unit in m um nm; do
-        SPACING="25 $unit" body scaled "model: correspondence, $elastic, hardening: {law: linear, yield: 200 MPa, modulus: 1 GPa}" \
-            "type: explicit, end_steps: 400, horizon: 1, stabilisation: {law: mix}" 'boundary:
+@test "kilometres, metres and nanometres: the same strains, stresses, steps over the wave's time" {
+    # All numbers that a unit enters are powers of it times the same.  Rounding differs, and with it how soon the stable step is
+    # known to a per cent: the step may be another, the answer to 1e-5.
+    for model in "${models[@]}"; do
+        for unit in km m um nm; do
+            [ $unit = km ] && scale=0.01 || scale=1
+            SPACING="$(awk "BEGIN { print 25 * $scale }") $unit" body scaled "${model%|*}" "type: explicit, end_steps: 400, energy_tolerance: 0.1, ${model#*|}" 'boundary:
   - {set: grip_left, direction: x, velocity: -20 m/s}
-  - {set: grip_right, direction: x, velocity: 20 m/s}' "[200 $unit, 150 $unit, 125 $unit]"
-        hssolve -q -i scaled.g -H scaled.e
-        columns scaled.e force_right_N energy_drift | tail -n 1 | awk -v unit=$unit '{ l = unit == "m" ? 1 : unit == "um" ? 1e-6 : 1e-9; printf "%.12g %g\n", $1 / (150 * 125 * l * l), $2 }'
-    done | awk '{ s[NR] = $1; print } END { for (i = 1; i <= 3; i++) if ((s[i] / s[2] - 1) ^ 2 > 1e-14) exit 1; exit NR != 3 }'
+  - {set: grip_right, direction: x, velocity: 20 m/s}' "$(awk "BEGIN { printf \"[%g $unit, %g $unit, %g $unit]\", 200 * $scale, 150 * $scale, 125 * $scale }")"
+            hssolve -q -i scaled.g -H scaled.e
+            columns scaled.e force_right_N | tail -n 1 | awk -v unit=$unit '{ l = unit == "km" ? 10 : unit == "m" ? 1 : unit == "um" ? 1e-6 : 1e-9; printf "%.12g\n", $1 / (150 * 125 * l * l) }'
+        done | awk -v what="$model" '{ s[NR] = $1; print what, $1 } END { for (i = 1; i <= 4; i++) if ((s[i] / s[3] - 1) ^ 2 > 1e-10) exit 1; exit NR != 4 || s[3] < 1e6 }'
+    done
 }
 
 @test "damage from none to all of it" {

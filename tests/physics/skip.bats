@@ -1,0 +1,93 @@
+# What a scene does not ask for is left out: that changes no bit, and --profile says how much it was.
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+# study MODEL SOLVER [REST]: a torn bar of 160 nodes, study.g
+study() {
+    cat >study.yaml <<END
+title: Skip
+domain:
+  specimen: plate
+  size: [0.25 mm, 0.1 mm, 0.1 mm]
+  spacing: 25 um
+  topology: homogeneous
+  phase: M
+  grips: {length: 2 spacings, phase: M}
+  gauge: {length: 0.1 mm}
+materials:
+  M: {density: 8900 kg/m3, $1}
+boundary:
+  - {set: grip_left, direction: x, velocity: -20 m/s}
+  - {set: grip_right, direction: x, velocity: 20 m/s}
+solver: {type: explicit, end_steps: 200, energy_tolerance: 0.1, $2}
+${3:-}
+END
+    hsgen -q study.yaml -o study.g
+}
+
+elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
+law='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
+models=("model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015|{pair: [M, M], law: critical_stretch, value: 0.5}"
+    "model: ordinary, $elastic|horizon: 2.015|{pair: [M, M], law: critical_stretch, value: 0.5}"
+    "model: ordinary_plastic, $elastic, $law|horizon: 2.015|{phase: M, law: plastic_strain, value: 0.9}"
+    "model: correspondence, $elastic, $law|horizon: 1, stabilisation: {law: mix}|{phase: M, law: plastic_strain, value: 0.9}"
+    "model: correspondence, $elastic, $law|horizon: 2, stabilisation: {law: capped}|{phase: M, law: ductile, onset: 0.8, full: 0.9}")
+
+# The last values of a file's columns.
+last() { hspost -q --columns "$1" | awk -F, '/^#/ { next } !n { n = NF; for (i = 1; i <= n; i++) name[i] = $i; next } { line = $0 }
+    END { split(line, v, ","); for (i = 1; i <= n; i++) if (name[i] !~ /^all_/) print name[i], v[i] }'; }
+
+@test "records, frames, energies, quantities and laws of damage that never act change no bit" {
+    for model in "${models[@]}"; do
+        IFS='|' read -r material solver damage <<<"$model"
+        study "$material" "$solver" 'output: {history: 1, fields: {frames: 1, variables: [displacement, velocity, force]}}'
+        hssolve -q -i study.g -H little.e -o little-fields.e
+        study "$material" "$solver" "damage:
+  - $damage
+output:
+  history: 40000
+  fields: {every: 1 steps, variables: [displacement, velocity, force]}
+  quantities:
+    - {name: all_stress, quantity: von_mises, reduce: max, where: \"1\"}"
+        hssolve -q -i study.g -H much.e -o much-fields.e
+        cmp <(last little.e) <(last much.e)
+        # Some 200 records against two.
+        [ "$(hspost -q --columns much.e | grep -cv '^#')" -gt 190 ]
+        for name in DisplacementX VelocityY ForceZ; do
+            number=$(ncdump -v name_nod_var little-fields.e | sed -n '/^ name_nod_var =/,$p' | grep '"' | grep -n "\"$name\"" | cut -d: -f1)
+            for file in little much; do
+                ncdump -p 9,17 -v "vals_nod_var$number" $file-fields.e | sed -n "/^ vals_nod_var$number =/,/;/p" | tr -d ' \n;' | tr ',' '\n' | tail -n 100 >$file.values
+            done
+            [ "$(sort -u little.values | wc -l)" -gt 20 ]
+            cmp little.values much.values
+        done
+    done
+}
+
+@test "--profile changes no bit, and its sums are right" {
+    for model in "${models[@]:2:2}"; do
+        IFS='|' read -r material solver damage <<<"$model"
+        study "$material" "$solver" "damage:
+  - $damage
+output: {history: 20}"
+        hssolve -q -i study.g -H plain.e
+        for ranks in 1 2; do
+            hssolve -q -j $ranks --profile -i study.g -H profiled.e 2>report
+            cat report
+            cmp <(last plain.e) <(last profiled.e)
+            cmp <(hspost -q --columns plain.e | grep -v "^#") <(hspost -q --columns profiled.e | grep -v "^#")
+            records=$(hspost -q --columns plain.e | grep -v '^#' | sed 1d | wc -l)
+            # Energies are looked at with each record, and each 16th step.
+            awk -v records="$records" -v ranks=$ranks '
+                /evaluations of the force/ { nodes = $1; of = $5; ok += $3 == ranks }
+                / [0-9.]+% +[0-9.]+$/ { share += substr($0, 51, 6) + 0; seconds += substr($0, 28, 11) + 0 }
+                /^all / { total = $2 }
+                /^energies/ { ok += $7 >= ranks * 12 && $7 <= ranks * (12 + records + 1) && $9 == ranks * 201 "," }
+                /^record of a step/ { ok += $6 == ranks * records && $8 == ranks * 201 "," }
+                /^frame of a step/ { ok += $6 == 0 }
+                /^damage test/ { ok += $0 ~ /done 0 of/ }
+                /^plastic flow/ { ok += $7 > 0 && $7 < $9 + 0 }
+                END { print ok, share, seconds, total; exit !(ok == 6 && nodes == 160 && of == 201 && (share - 100) ^ 2 < 1 && (seconds - total) ^ 2 < 1e-4) }' report
+        done
+    done
+}
