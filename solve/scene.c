@@ -46,7 +46,9 @@ static void read_type(struct scene *scene, struct deck_node solver)
 {
     const char *names[SOLVER_TYPES];
     for (int k = 0; k < SOLVER_TYPES; k++) names[k] = types[k].name;
-    scene->type = (enum scene_type)deck_choice(deck_get(solver, "type"), names, SOLVER_TYPES);
+    scene->type = SOLVER_QUASI_STATIC;
+    if (deck_has(solver, "type"))
+        scene->type = (enum scene_type)deck_choice(deck_get(solver, "type"), names, SOLVER_TYPES);
     deck_keys(solver, types[scene->type].keys);
 }
 
@@ -54,7 +56,8 @@ static void read_body(struct scene *scene, struct deck_node solver)
 {
     static const char *const volumes[] = {"whole", "partial"}, *const planes[] = {"stress",
                                                                                   "strain"};
-    scene->horizon = deck_number(deck_get(solver, "horizon"), "1", 1, 8);
+    if (deck_has(solver, "horizon"))
+        scene->horizon = deck_number(deck_get(solver, "horizon"), "1", 1, 8);
     scene->influence = -1;
     if (deck_has(solver, "influence"))
         scene->influence =

@@ -76,7 +76,7 @@ struct scene {
     enum scene_type type;
     struct scene_static statics;
     struct scene_hybrid hybrid;
-    double horizon;          /* spacings */
+    double horizon;          /* spacings; 0: that of the formulation */
     int influence;           /* -1: that of the formulation */
     struct deck_node solver; /* for what belongs to the formulation */
     bool partial_volumes;

@@ -42,6 +42,8 @@ static void read_model(struct simulation *s)
                                   s->domain.phase_names, scene->plane);
     for (int p = 0; p < s->materials.count; p++)
         s->materials.items[p].density *= scene->mass_scaling;
+    if (scene->horizon == 0) s->scene.horizon = s->materials.formulation->horizon;
+    if (scene->horizon == 0) deck_get(scene->solver, "horizon"); /* dies */
     int influence = scene->influence >= 0 ? scene->influence
                                           : family_influence(s->materials.formulation->influence);
     s->family = family_new(scene->horizon, influence, scene->partial_volumes);

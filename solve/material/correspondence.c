@@ -92,7 +92,7 @@ static void *correspondence_read(struct deck_node solver, const struct family *f
                                  const struct materials *materials)
 {
     struct correspondence *model = memory_new(1, sizeof *model);
-    struct deck_node map = deck_get(solver, "stabilisation");
+    struct deck_node map = deck_find(solver, "stabilisation");
     model->materials = materials;
     model->stabilisation = stabilisation_choose(map);
     model->self = model->stabilisation->read(map, family, materials);
@@ -367,6 +367,7 @@ static const struct strips *correspondence_strips(const void *self, const struct
 const struct formulation formulation_correspondence = {
     .name = "correspondence",
     .influence = "constant",
+    .horizon = 1,
     .keys = (const char *const[]){"stabilisation", NULL},
     .read = correspondence_read,
     .near = correspondence_near,

@@ -44,7 +44,9 @@ static void *mix_read(struct deck_node map, const struct family *family,
 {
     (void)family;
     struct mix *mix = memory_new(1, sizeof *mix);
-    mix->share = deck_has(map, "share") ? deck_number(deck_get(map, "share"), "1", 0.01, 1) : 0.1;
+    mix->share = 0.1;
+    if (map.index && deck_has(map, "share"))
+        mix->share = deck_number(deck_get(map, "share"), "1", 0.01, 1);
     mix->materials = materials;
     return mix;
 }

@@ -38,6 +38,7 @@ struct node_state {
 struct formulation {
     const char *name;
     const char *influence;   /* the function it takes where the deck names none */
+    double horizon;          /* the same, in spacings; 0: a deck names one */
     const char *const *keys; /* of the deck's solver section that only some formulations have */
     /* Reads what the deck's solver section says to it. */
     void *(*read)(struct deck_node solver, const struct family *family,

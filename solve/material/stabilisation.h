@@ -36,7 +36,8 @@ struct stabilisation {
 
 extern const struct stabilisation stabilisation_mix, stabilisation_capped;
 
-/* The entry the deck names: "stabilisation: {law: ..., ...}"; checks its keys. */
+/* The entry the deck names: "stabilisation: {law: ..., ...}"; checks its keys.  Where the deck has no such map, the first one
+ * with its defaults. */
 const struct stabilisation *stabilisation_choose(struct deck_node map);
 
 #endif

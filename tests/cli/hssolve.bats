@@ -89,7 +89,8 @@ wrong() {
 @test "a wrong key, type, unit or range is refused with its place and what is known" {
     wrong 29:37 "unknown key 'velocty' (did you mean velocity? known: set, block, box, where, direction, velocity, displacement, force, body_force)" \
         's/velocity: 10/velocty: 10/'
-    wrong 31:3 "key 'horizon' is missing here" '/horizon: 1/d'
+    wrong 27:3 "key 'horizon' is missing here" \
+        's/model: correspondence/model: bond_based/; /poissons/d; /hardening/d; /stabilisation/d; /horizon: 1/d'
     wrong 31:9 "'implicit' is not known here" 's/explicit/implicit/'
     wrong 32:12 "'mm' is a length, expected a pure number" 's/horizon: 1/horizon: 1 mm/'
     wrong 32:12 "0.5 is out of range, expected 1 to 8" 's/horizon: 1/horizon: 0.5/'
@@ -108,6 +109,14 @@ wrong() {
     wrong 36:12 "'2.5' is not a whole number" 's/history: 20/history: 2.5/'
     wrong 37:35 "did you mean displacement?" 's/displacement/displacements/'
     wrong 37:34 "no variables" '/variables/,$s/\[.*/[]}/; /^ *equivalent_/d'
+}
+
+@test "what a deck need not say: load steps, and the horizon and stabilisation of correspondence" {
+    change 's/type: explicit/type: quasi_static/'
+    hssolve -q -i domain.g -d changed.yaml -H said.e
+    change '/type: explicit/d; /horizon: 1/d; /stabilisation/d'
+    hssolve -q -i domain.g -d changed.yaml -H unsaid.e
+    cmp <(hspost -q --columns said.e | grep -v '^#') <(hspost -q --columns unsaid.e | grep -v '^#')
 }
 
 @test "a wrong material is refused with its place and what is known" {
