@@ -16,10 +16,13 @@ struct damage {
     double broken, removed; /* bonds and nodes of the whole body */
     double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
-    /* A strip is tested again only when its ends may have closed the room of its closest bond: travelled is
-     * not less than the way of any node so far, due what it must be beyond. */
-    double travelled, *due;
-    double *last[3]; /* box fields: u at the last update */
+    /* A strip is tested again only when its ends may have closed the room of its closest bond: due is what the way of
+     * its ends must be beyond, soonest the least of all.  No node is farther from where it was at any test than the way
+     * has grown since: by the largest distance from one test to the next. */
+    double travelled, *due, soonest; /* travelled: the way at the last test */
+    double *last[3];                 /* box fields: u then */
+    double reach;                    /* no node of the body is farther from there than that */
+    double moved; /* nor has any moved farther since bonds were looked for; below 0: nobody knows */
     /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at that site; how far
      * it is beyond its limit, as a stretch or a share of it; 1 where this rank counts it. */
     struct found {
@@ -64,6 +67,7 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     if (damage->rules.nodes) damage->spent = memory_new(sites, sizeof(double));
     if (!damage->rules.bonds) return damage;
     damage->due = memory_new((size_t)bonds->count, sizeof(double));
+    damage->soonest = damage->moved = -1;
     for (int64_t s = 0; s < bonds->count; s++) damage->due[s] = -1;
     for (int a = 0; a < 3; a++) damage->last[a] = memory_new(sites, sizeof(double));
     return damage;
@@ -107,23 +111,21 @@ void damage_index(const struct damage *damage, double *index)
     free(now);
 }
 
-/* most[i] = the larger of itself and the square of the way of node i since the last update. */
+/* most[i] = the larger of itself and the square of the distance of node i from where it was. */
 HS_SIMD static void longer_ways(int count, const double *restrict x, const double *restrict y,
-                                const double *restrict z, double *restrict px, double *restrict py,
-                                double *restrict pz, double *restrict most)
+                                const double *restrict z, const double *restrict px,
+                                const double *restrict py, const double *restrict pz,
+                                double *restrict most)
 {
     for (int i = 0; i < count; i++) {
         double a = x[i] - px[i], b = y[i] - py[i], d = z[i] - pz[i];
         double square = a * a + b * b + d * d;
         most[i] = square > most[i] ? square : most[i];
-        px[i] = x[i];
-        py[i] = y[i];
-        pz[i] = z[i];
     }
 }
 
-/* The factors outweigh the rounding, so that travelled never grows by less than a node has moved. */
-static void travel(struct damage *damage)
+/* How far any node that this rank knows is from where it was at the last test. */
+static double distance(const struct damage *damage)
 {
     double *const *u = damage->body->u, *const *last = damage->last;
     const int64_t sites = damage->body->grid.n_sites;
@@ -132,7 +134,32 @@ static void travel(struct damage *damage)
         longer_ways((int)(sites - i < LANES ? sites - i : LANES), u[0] + i, u[1] + i, u[2] + i,
                     last[0] + i, last[1] + i, last[2] + i, most);
     for (int k = 0; k < LANES; k++) square = fmax(square, most[k]);
-    damage->travelled = (damage->travelled + sqrt(square) * (1 + 0x1p-48)) * (1 + 0x1p-51);
+    return sqrt(square) * (1 + 0x1p-48);
+}
+
+/* The way with that distance.  The factors outweigh the rounding: it never grows by less than a node has moved. */
+static double way(const struct damage *damage, double far)
+{
+    return (damage->travelled + far) * (1 + 0x1p-51);
+}
+
+void damage_moved(struct damage *damage, double most)
+{
+    damage->moved = fmax(damage->moved, 0) + most;
+}
+
+/* Whether a rank has to look where its nodes are: one message, of how far nodes have moved and of how far they may go.
+ * Collective. */
+static bool may_be_due(struct damage *damage)
+{
+    const double moved = damage->moved < 0 || damage->test_all ? INFINITY : damage->moved;
+    double least[] = {-moved, INFINITY};
+    if (damage->soonest < INFINITY)
+        least[1] = damage->soonest * (1 - 0x1p-48) - way(damage, damage->reach);
+    damage->moved = -1;
+    ranks_minimum(least, 2);
+    damage->reach = (damage->reach - least[0]) * (1 + 0x1p-48);
+    return !(-least[0] * (1 + 0x1p-48) < least[1]);
 }
 
 /* Room of each bond of a strip; INFINITY where it is broken or never breaks. */
@@ -200,15 +227,25 @@ static void test_strip(struct damage *damage, int64_t s)
 
 static void test_bonds(struct damage *damage)
 {
+    const struct body *body = damage->body;
+    damage->reach = distance(damage);
+    const double travelled = way(damage, damage->reach);
     int64_t tested = 0;
-    travel(damage);
-    for (int64_t s = 0; s < damage->bonds->count; s++) {
-        if (!(damage->travelled > damage->due[s] || damage->test_all)) continue;
-        test_strip(damage, s);
-        tested++;
+    if (travelled > damage->soonest || damage->test_all) {
+        damage->travelled = travelled;
+        damage->reach = 0;
+        damage->soonest = INFINITY;
+        for (int a = 0; a < 3; a++)
+            memcpy(damage->last[a], body->u[a], (size_t)body->grid.n_sites * sizeof(double));
+        for (int64_t s = 0; s < damage->bonds->count; s++) {
+            if (travelled > damage->due[s] || damage->test_all) {
+                test_strip(damage, s);
+                tested++;
+            }
+            damage->soonest = fmin(damage->soonest, damage->due[s]);
+        }
     }
-    profile_count(damage->body->profile, WORK_BOND_TESTS, (double)tested,
-                  (double)damage->bonds->count);
+    profile_count(body->profile, WORK_BOND_TESTS, (double)tested, (double)damage->bonds->count);
 }
 
 HS_SIMD static int64_t any_beyond(int count, const double *restrict p, double limit)
@@ -250,9 +287,10 @@ double damage_grow(struct damage *damage)
             change = fmin(change, degrade(damage, &strips->items[s], p));
     }
     ranks_minimum(&change, 1);
-    if (!(change < 0)) return 0;
-    body->integrity->whole = false;
-    halo_exchange(body->displacement_halo, &body->integrity->node, 1);
+    if (change < 0) {
+        body->integrity->whole = false;
+        halo_exchange(body->displacement_halo, &body->integrity->node, 1);
+    }
     return -change;
 }
 
@@ -312,9 +350,12 @@ bool damage_find(struct damage *damage)
     damage->n_found = 0;
     if (!rules->bonds && !rules->nodes) return false;
     const enum profile_part before = profile_enter(damage->body->profile, PART_DAMAGE);
-    if (rules->bonds) test_bonds(damage);
+    const bool due = rules->bonds && may_be_due(damage);
+    if (due) test_bonds(damage);
     if (rules->nodes) find_spent(damage);
-    const bool found = count_beyond(damage, -1) > 0;
+    const bool found = (due || rules->nodes) && count_beyond(damage, -1) > 0;
+    if (rules->bonds && !due)
+        profile_count(damage->body->profile, WORK_BOND_TESTS, 0, (double)damage->bonds->count);
     profile_enter(damage->body->profile, before);
     return found;
 }

@@ -75,6 +75,10 @@ void damage_free(struct damage *damage);
 bool damage_find(struct damage *damage);
 void damage_break(struct damage *damage);
 
+/* No owned node has moved by more than that [m] since the last call of damage_find, and since the last of this one; then
+ * bonds far from breaking are not looked at.  Who has not said so has them looked at. */
+void damage_moved(struct damage *damage, double most);
+
 /* Between the two: of what has been found only the worst are left, that many, with all that are as bad as the last
  * one (symmetric bodies stay so).  Collective. */
 void damage_choose(struct damage *damage, double most);

@@ -119,9 +119,10 @@ static bool try_step(struct quasi_static *q, double dt)
     return equilibrium_solve(e);
 }
 
-/* The equilibrium becomes the state. */
+/* The equilibrium becomes the state, which may be far from the last one. */
 static struct force_energy commit(struct equilibrium *e, double *axial)
 {
+    if (e->integration->damage) damage_moved(e->integration->damage, INFINITY);
     struct force_energy energy = e->integration->zero;
     if (axial) memset(axial, 0, (size_t)e->body->grid.n_sites * sizeof *axial);
     integration_force(e->integration, e->model, e->body,

@@ -20,9 +20,15 @@ HS_SIMD static void kick_loaded(int count, const double *restrict f, const doubl
 {
     for (int i = 0; i < count; i++) v[i] += half_step * (f[i] + b[i]) * inverse_density[i];
 }
-HS_SIMD static void drift(int count, const double *restrict v, double dt, double *restrict u)
+/* most[i] = the larger of itself and the way of node i, of which rounding hides nothing. */
+HS_SIMD static void drift(int count, const double *restrict v, double dt, double *restrict u,
+                          double *restrict most)
 {
-    for (int i = 0; i < count; i++) u[i] += dt * v[i];
+    for (int i = 0; i < count; i++) {
+        u[i] += dt * v[i];
+        double way = fabs(dt * v[i]) + 0x1p-52 * fabs(u[i]);
+        most[i] = way > most[i] ? way : most[i];
+    }
 }
 
 static void half_kick(const struct integration *integration, struct body *body)
@@ -42,12 +48,18 @@ static void half_kick(const struct integration *integration, struct body *body)
     }
 }
 
-static void move(const struct integration *integration, struct body *body)
+/* Returns what no node has moved farther than [m]. */
+static double move(const struct integration *integration, struct body *body)
 {
+    double most[3][LANES] = {{0}}, square = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int a = 0; a < 3; a++)
             drift(body->owned.items[s].count, body->v[a] + body->owned.items[s].site,
-                  integration->dt, body->u[a] + body->owned.items[s].site);
+                  integration->dt, body->u[a] + body->owned.items[s].site, most[a]);
+    for (int i = 1; i < LANES; i++)
+        for (int a = 0; a < 3; a++) most[a][0] = fmax(most[a][0], most[a][i]);
+    for (int a = 0; a < 3; a++) square += most[a][0] * most[a][0];
+    return sqrt(square) * (1 + 0x1p-48);
 }
 
 /* dt/2 sum V v . f at owned nodes, v in the middle of the step [J]. */
@@ -99,7 +111,8 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
         damping_apply(integration, body, boundary, integration->time, &sums.damped);
     boundary_set_ways(boundary, body, integration->time, integration->dt);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
-    move(integration, body);
+    const double most = move(integration, body);
+    if (integration->damage) damage_moved(integration->damage, most);
     integration->step++;
     integration->time += integration->dt;
 

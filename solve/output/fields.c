@@ -40,6 +40,7 @@ struct fields {
     struct exodus_fields *file; /* rank 0 */
     struct scene_fields wanted;
     int n_variables;
+    bool states;     /* some are the nodes' states */
     double **values; /* [n_variables][nodes] on rank 0 */
     struct node_values *nodes;
 };
@@ -51,9 +52,11 @@ struct fields *fields_open(const struct spool *output, const struct domain *doma
     struct fields *fields = memory_new(1, sizeof *fields);
     const char **names = memory_new((size_t)wanted->n_variables * MOST_COMPONENTS, sizeof *names);
     fields->wanted = *wanted;
-    for (int k = 0; k < wanted->n_variables; k++)
+    for (int k = 0; k < wanted->n_variables; k++) {
+        fields->states |= node_value_is_state(table[wanted->variables[k]].first);
         for (int c = 0; c < table[wanted->variables[k]].count; c++)
             names[fields->n_variables++] = table[wanted->variables[k]].components[c];
+    }
     if (domain) {
         fields->file = exodus_fields_open(output, domain, fields->n_variables, names);
         fields->values = memory_new((size_t)fields->n_variables, sizeof *fields->values);
@@ -68,8 +71,10 @@ struct fields *fields_open(const struct spool *output, const struct domain *doma
 void fields_write(struct fields *fields, double time, struct model *model, struct body *body)
 {
     int variable = 0;
-    model_prepare(model, body, NULL, 3);
-    node_values_find(fields->nodes, model, body);
+    if (fields->states) {
+        model_prepare(model, body, NULL, 3);
+        node_values_find(fields->nodes, model, body);
+    }
     for (int k = 0; k < fields->wanted.n_variables; k++)
         for (int c = 0; c < table[fields->wanted.variables[k]].count; c++, variable++)
             body_gather(body,

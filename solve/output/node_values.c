@@ -23,7 +23,8 @@ enum { STRESSES = 6 };
 
 struct node_values {
     const struct damage *damage;
-    double *stress[STRESSES], *plastic, *scalar; /* box fields */
+    double *stress[STRESSES], *plastic,
+        *scalar; /* box fields; but for the last, NULL until the first look */
 };
 
 struct node_values *node_values_new(const struct body *body, const struct damage *damage)
@@ -31,8 +32,6 @@ struct node_values *node_values_new(const struct body *body, const struct damage
     const size_t n = (size_t)body->grid.n_sites;
     struct node_values *values = memory_new(1, sizeof *values);
     values->damage = damage;
-    for (int k = 0; k < STRESSES; k++) values->stress[k] = memory_new(n, sizeof(double));
-    values->plastic = memory_new(n, sizeof(double));
     values->scalar = memory_new(n, sizeof(double));
     return values;
 }
@@ -46,8 +45,17 @@ void node_values_free(struct node_values *values)
     free(values);
 }
 
+static void make_states(struct node_values *values, const struct body *body)
+{
+    const size_t n = (size_t)body->grid.n_sites;
+    if (values->plastic) return;
+    for (int k = 0; k < STRESSES; k++) values->stress[k] = memory_new(n, sizeof(double));
+    values->plastic = memory_new(n, sizeof(double));
+}
+
 void node_values_find(struct node_values *values, struct model *model, struct body *body)
 {
+    make_states(values, body);
     const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];

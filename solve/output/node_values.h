@@ -22,12 +22,18 @@ enum node_value {
 extern const char *const node_value_names[NODE_VALUES];
 extern const int node_value_count; /* of quantities */
 
+/* Whether it is one that node_values_find sees. */
+static inline bool node_value_is_state(int which)
+{
+    return which >= STRESS_XX && which <= PLASTIC_STRAIN;
+}
+
 struct node_values;
 
 struct node_values *node_values_new(const struct body *body, const struct damage *damage);
 void node_values_free(struct node_values *values);
 
-/* Sees the nodes' states; model_prepare goes before it.  Collective. */
+/* Sees the nodes' states, for the values that are such; model_prepare goes before it.  Collective. */
 void node_values_find(struct node_values *values, struct model *model, struct body *body);
 
 /* One of them (enum node_value) as a box field, good at owned nodes until the next call. */

@@ -15,6 +15,7 @@ struct quantity {
 
 struct quantities {
     int count;
+    bool states; /* some are of the nodes' states */
     struct quantity *items;
     struct node_values *nodes;
 };
@@ -27,6 +28,7 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
     quantities->items = memory_new((size_t)scene->n_quantities, sizeof *quantities->items);
     for (int k = 0; k < scene->n_quantities; k++) {
         const struct scene_quantity *wanted = &scene->quantities[k];
+        quantities->states |= node_value_is_state(wanted->value);
         quantities->items[k] = (struct quantity){
             .value = wanted->value,
             .reduction = wanted->reduction,
@@ -48,6 +50,11 @@ void quantities_free(struct quantities *quantities)
 int quantities_count(const struct quantities *quantities)
 {
     return quantities->count;
+}
+
+bool quantities_need_states(const struct quantities *quantities)
+{
+    return quantities->states;
 }
 
 /* Of this rank's members: smallest value, minus the largest, and both of what is summed up. */
@@ -109,7 +116,7 @@ void quantities_measure(struct quantities *quantities, struct model *model, stru
     struct range *ranges = memory_new((size_t)count, sizeof *ranges);
     struct exact_sum *sums = memory_new(2 * (size_t)count, sizeof *sums);
     double *totals = memory_new(2 * (size_t)count, sizeof *totals);
-    node_values_find(quantities->nodes, model, body);
+    if (quantities->states) node_values_find(quantities->nodes, model, body);
     for (int k = 0; k < count; k++)
         ranges[k] =
             find_range(&quantities->items[k], body,

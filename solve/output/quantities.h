@@ -14,9 +14,11 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
 void quantities_free(struct quantities *quantities);
 
 int quantities_count(const struct quantities *quantities);
+/* Whether any is of the nodes' states. */
+bool quantities_need_states(const struct quantities *quantities);
 
 /* Forces are those of nodes [N], not densities; a mean is weighted by volume.  values[quantities_count],
- * the same on all ranks.  model_prepare goes before it.  Collective. */
+ * the same on all ranks.  model_prepare goes before it where they need states.  Collective. */
 void quantities_measure(struct quantities *quantities, struct model *model, struct body *body,
                         double *values);
 

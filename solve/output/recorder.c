@@ -161,7 +161,9 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     struct gauge_phase *phases = memory_new((size_t)recorder->n_phases, sizeof *phases);
     double *wanted = memory_new((size_t)quantities_count(quantities), sizeof *wanted);
     if (gauge) planes = gauge_displacements(gauge, body);
-    model_prepare(model, body, axial, quantities_count(quantities) > 0 ? 3 : 1);
+    /* At rest the energies of bonds are tested after the record, of what it has prepared. */
+    const bool states = quantities_need_states(quantities);
+    if (gauge || states || !integration->moving) model_prepare(model, body, axial, states ? 3 : 1);
     if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
     quantities_measure(quantities, model, body, wanted);
     const double unsteady =

@@ -13,13 +13,13 @@ domain:
   topology: homogeneous
   phase: M
   grips: {length: 2 spacings, phase: M}
-  gauge: {length: 0.1 mm}
+  ${GAUGE-gauge: {length: 0.1 mm\}}
 materials:
   M: {density: 8900 kg/m3, $1}
 boundary:
   - {set: grip_left, direction: x, velocity: -20 m/s}
   - {set: grip_right, direction: x, velocity: 20 m/s}
-solver: {type: explicit, end_steps: 200, energy_tolerance: 0.1, $2}
+solver: {${TYPE:-type: explicit, end_steps: 200, energy_tolerance: 0.1}, $2}
 ${3:-}
 END
     hsgen -q study.yaml -o study.g
@@ -37,30 +37,42 @@ models=("model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015|{pair: [M, M]
 last() { hspost -q --columns "$1" | awk -F, '/^#/ { next } !n { n = NF; for (i = 1; i <= n; i++) name[i] = $i; next } { line = $0 }
     END { split(line, v, ","); for (i = 1; i <= n; i++) if (name[i] !~ /^all_/) print name[i], v[i] }'; }
 
-@test "records, frames, energies, quantities and laws of damage that never act change no bit" {
-    for model in "${models[@]}"; do
-        IFS='|' read -r material solver damage <<<"$model"
-        study "$material" "$solver" 'output: {history: 1, fields: {frames: 1, variables: [displacement, velocity, force]}}'
-        hssolve -q -i study.g -H little.e -o little-fields.e
-        study "$material" "$solver" "damage:
+# leaves_out MODEL: asked for everything in each step it ends with the bits of a run that is asked for the end alone.
+leaves_out() {
+    IFS='|' read -r material solver damage <<<"$1"
+    study "$material" "$solver" 'output: {history: 1, fields: {frames: 1, variables: [displacement, velocity, force]}}'
+    hssolve -q -i study.g -H little.e -o little-fields.e
+    study "$material" "$solver" "damage:
   - $damage
 output:
   history: 40000
-  fields: {every: 1 steps, variables: [displacement, velocity, force]}
+  fields: {${EVERY:-every: 1 steps}, variables: [displacement, velocity, force, stress]}
   quantities:
     - {name: all_stress, quantity: von_mises, reduce: max, where: \"1\"}"
-        hssolve -q -i study.g -H much.e -o much-fields.e
-        cmp <(last little.e) <(last much.e)
+    hssolve -q -i study.g -H much.e -o much-fields.e
+    cmp <(last little.e) <(last much.e)
+    for name in DisplacementX VelocityY ForceZ; do
+        for file in little much; do
+            number=$(ncdump -v name_nod_var $file-fields.e | sed -n '/^ name_nod_var =/,$p' | grep '"' | grep -n "\"$name\"" | cut -d: -f1)
+            ncdump -p 9,17 -v "vals_nod_var$number" $file-fields.e | sed -n "/^ vals_nod_var$number =/,/;/p" | tr -d ' \n;' | tr ',' '\n' | tail -n 100 >$file.values
+        done
+        [ "$name" = VelocityY ] || [ "$(sort -u little.values | wc -l)" -gt 20 ]
+        cmp little.values much.values
+    done
+}
+
+@test "records, frames, energies, quantities and laws of damage that never act change no bit" {
+    for model in "${models[@]}"; do
+        leaves_out "$model"
         # Some 200 records against two.
         [ "$(hspost -q --columns much.e | grep -cv '^#')" -gt 190 ]
-        for name in DisplacementX VelocityY ForceZ; do
-            number=$(ncdump -v name_nod_var little-fields.e | sed -n '/^ name_nod_var =/,$p' | grep '"' | grep -n "\"$name\"" | cut -d: -f1)
-            for file in little much; do
-                ncdump -p 9,17 -v "vals_nod_var$number" $file-fields.e | sed -n "/^ vals_nod_var$number =/,/;/p" | tr -d ' \n;' | tr ',' '\n' | tail -n 100 >$file.values
-            done
-            [ "$(sort -u little.values | wc -l)" -gt 20 ]
-            cmp little.values much.values
-        done
+    done
+    for model in "${models[@]:0:4}"; do GAUGE='' leaves_out "$model"; done
+}
+
+@test "nor do they in load steps" {
+    for model in "${models[@]:1:3}"; do
+        TYPE='type: quasi_static, step: 0.001, end_strain: 0.006' EVERY='frames: 1' leaves_out "$model"
     done
 }
 
