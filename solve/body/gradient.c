@@ -23,17 +23,10 @@ HS_SIMD static void gradient_row(int count, const double *restrict u, const doub
     }
 }
 
-void displacement_gradient(struct body *body)
+void displacement_gradient_strips(struct body *body, int64_t first, int64_t end)
 {
-    body_need_gradient(body);
-    if (body->lattice->point[0]) {
-        scattered_gradient(body);
-        for (int64_t n = 0; body->broken && n < body->near.count; n++)
-            broken_keep_gradient(body, body->near.items[n].site, body->near.items[n].count);
-        return;
-    }
     double *const *K = body->inverse, *const *s = body->first;
-    for (int64_t n = 0; n < body->near.count; n++) {
+    for (int64_t n = first; n < end; n++) {
         const int count = body->near.items[n].count;
         const int64_t i = body->near.items[n].site;
         for (int a = 0; a < 3; a++) {
@@ -50,6 +43,18 @@ void displacement_gradient(struct body *body)
         }
         if (body->broken) broken_keep_gradient(body, i, count);
     }
+}
+
+void displacement_gradient(struct body *body)
+{
+    body_need_gradient(body);
+    if (body->lattice->point[0]) {
+        scattered_gradient(body);
+        for (int64_t n = 0; body->broken && n < body->near.count; n++)
+            broken_keep_gradient(body, body->near.items[n].site, body->near.items[n].count);
+        return;
+    }
+    displacement_gradient_strips(body, 0, body->near.count);
     /* A ghost's bonds are known to its owner. */
     if (body->broken) halo_exchange(body->gradient_halo, body->H, 9);
 }

@@ -20,6 +20,7 @@
 #include "scattered.h"
 #include "stabilisation.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -255,26 +256,6 @@ static void clear_ghosts(struct body *body)
     }
 }
 
-static void stresses(struct correspondence *model, struct body *body, struct force_mode mode,
-                     struct force_energy *energy)
-{
-    /* The flow stress of both ends must be known before their bond. */
-    if (model->near_nodes) {
-        for (int64_t s = 0; s < body->near.count; s++)
-            node_law(model, body, &body->near.items[s], mode, energy);
-        for (int64_t s = 0; s < body->bonds->count; s++)
-            model->stabilisation->add_family(model->self, body, &body->bonds->strips[s],
-                                             model->flow, mode, energy);
-    }
-    for (int64_t t = 0; t < model->n_tasks; t++) {
-        const struct task *task = &model->tasks[t];
-        if (task->kind < 0)
-            node_law(model, body, &task->strip, mode, energy);
-        else
-            model->stabilisation->add(model->self, body, task->kind, &task->strip, mode, energy);
-    }
-}
-
 /* S becomes S K^-1, in place, row by row. */
 HS_SIMD static void divide_row(int count, const double *restrict xx, const double *restrict yy,
                                const double *restrict zz, const double *restrict xy,
@@ -291,16 +272,66 @@ HS_SIMD static void divide_row(int count, const double *restrict xx, const doubl
     }
 }
 
-static void divide_by_shape(struct body *body)
+/* Of owned strips first to end - 1. */
+static void divide_by_shape(struct body *body, int64_t first, int64_t end)
 {
     double *const *K = body->inverse, *const *S = body->S;
-    for (int64_t n = 0; n < body->owned.count; n++) {
+    for (int64_t n = first; n < end; n++) {
         const int64_t i = body->owned.items[n].site;
         if (body->broken) broken_keep_stress(body, i, body->owned.items[n].count);
         for (int a = 0; a < 9; a += 3)
             divide_row(body->owned.items[n].count, K[0] + i, K[1] + i, K[2] + i, K[3] + i, K[4] + i,
                        K[5] + i, 1 / body->lattice->spacing, S[a] + i, S[a + 1] + i, S[a + 2] + i);
     }
+}
+
+/* The strips from first on up to a plane of the box. */
+static int64_t strips_below(const struct strips *strips, const struct grid *grid, int64_t first,
+                            int plane)
+{
+    const int64_t limit = (plane + 1 - grid->origin[2]) * grid->step[2];
+    while (first < strips->count && strips->items[first].site < limit) first++;
+    return first;
+}
+
+/* Gradients, laws and Q of nodes and of bonds to the nearest neighbours, in one walk through the planes: what a plane needs is
+ * still in the caches. */
+static void walk(struct correspondence *model, struct body *body, struct force_mode mode,
+                 struct force_energy *energy)
+{
+    int64_t gradients = 0, divided = 0;
+    if (body->broken) displacement_gradient(body);
+    for (int64_t t = 0; t < model->n_tasks; t++) {
+        const struct task *task = &model->tasks[t];
+        if (!body->broken && (t == 0 || task->key[0] != task[-1].key[0])) {
+            const int64_t end = strips_below(&body->near, &body->grid, gradients, task->key[0]);
+            displacement_gradient_strips(body, gradients, end);
+            gradients = end;
+        }
+        if (task->kind < 0)
+            node_law(model, body, &task->strip, mode, energy);
+        else
+            model->stabilisation->add(model->self, body, task->kind, &task->strip, mode, energy);
+        if (t + 1 == model->n_tasks || task->key[0] != task[1].key[0]) {
+            const int done = t + 1 == model->n_tasks ? INT_MAX / 2 : task->key[0] - 1;
+            const int64_t end = strips_below(&body->owned, &body->grid, divided, done);
+            divide_by_shape(body, divided, end);
+            divided = end;
+        }
+    }
+}
+
+/* The same where bonds reach farther, or are listed: the flow stress of both ends must be known before their bond. */
+static void near_nodes_first(struct correspondence *model, struct body *body,
+                             struct force_mode mode, struct force_energy *energy)
+{
+    displacement_gradient(body);
+    for (int64_t s = 0; s < body->near.count; s++)
+        node_law(model, body, &body->near.items[s], mode, energy);
+    for (int64_t s = 0; s < body->bonds->count; s++)
+        model->stabilisation->add_family(model->self, body, &body->bonds->strips[s], model->flow,
+                                         mode, energy);
+    divide_by_shape(body, 0, body->owned.count);
 }
 
 /* f += sum_b Q_b s_b + G, G the sum over the family */
@@ -350,10 +381,8 @@ static void correspondence_force(void *self, struct body *body, struct force_mod
 {
     struct correspondence *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
-    displacement_gradient(body);
     clear_ghosts(body);
-    stresses(model, body, mode, energy);
-    divide_by_shape(body);
+    (model->near_nodes ? near_nodes_first : walk)(model, body, mode, energy);
     halo_exchange(body->stress_halo, body->S, 9);
     divergence(body);
 }
