@@ -88,8 +88,8 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (s->fields) fields_close(s->fields);
     s->fields = NULL;
     const double steps = (double)s->integration.step + 1;
-    profile_count(s->profile, WORK_RECORDS, 0, s->ranks.rank == 0 ? steps * s->ranks.size : 0);
-    profile_count(s->profile, WORK_FRAMES, 0, s->ranks.rank == 0 ? steps * s->ranks.size : 0);
+    profile_count(s->profile, WORK_RECORDS, 0, steps);
+    profile_count(s->profile, WORK_FRAMES, 0, steps);
     profile_print(s->profile, s->ranks, (double)s->lattice.n_nodes,
                   (double)s->integration.evaluations);
     if (s->ranks.rank != 0) return;

@@ -225,27 +225,27 @@ static void test_strip(struct damage *damage, int64_t s)
     damage->due[s] = damage->travelled + 0.5 * least * (1 - 0x1p-48);
 }
 
-static void test_bonds(struct damage *damage)
+/* Returns how many strips have been tested. */
+static int64_t test_bonds(struct damage *damage)
 {
     const struct body *body = damage->body;
     damage->reach = distance(damage);
     const double travelled = way(damage, damage->reach);
     int64_t tested = 0;
-    if (travelled > damage->soonest || damage->test_all) {
-        damage->travelled = travelled;
-        damage->reach = 0;
-        damage->soonest = INFINITY;
-        for (int a = 0; a < 3; a++)
-            memcpy(damage->last[a], body->u[a], (size_t)body->grid.n_sites * sizeof(double));
-        for (int64_t s = 0; s < damage->bonds->count; s++) {
-            if (travelled > damage->due[s] || damage->test_all) {
-                test_strip(damage, s);
-                tested++;
-            }
-            damage->soonest = fmin(damage->soonest, damage->due[s]);
+    if (!(travelled > damage->soonest || damage->test_all)) return 0;
+    damage->travelled = travelled;
+    damage->reach = 0;
+    damage->soonest = INFINITY;
+    for (int a = 0; a < 3; a++)
+        memcpy(damage->last[a], body->u[a], (size_t)body->grid.n_sites * sizeof(double));
+    for (int64_t s = 0; s < damage->bonds->count; s++) {
+        if (travelled > damage->due[s] || damage->test_all) {
+            test_strip(damage, s);
+            tested++;
         }
+        damage->soonest = fmin(damage->soonest, damage->due[s]);
     }
-    profile_count(body->profile, WORK_BOND_TESTS, (double)tested, (double)damage->bonds->count);
+    return tested;
 }
 
 HS_SIMD static int64_t any_beyond(int count, const double *restrict p, double limit)
@@ -287,10 +287,9 @@ double damage_grow(struct damage *damage)
             change = fmin(change, degrade(damage, &strips->items[s], p));
     }
     ranks_minimum(&change, 1);
-    if (change < 0) {
-        body->integrity->whole = false;
-        halo_exchange(body->displacement_halo, &body->integrity->node, 1);
-    }
+    if (!(change < 0)) return 0;
+    body->integrity->whole = false;
+    halo_exchange(body->displacement_halo, &body->integrity->node, 1);
     return -change;
 }
 
@@ -351,11 +350,12 @@ bool damage_find(struct damage *damage)
     if (!rules->bonds && !rules->nodes) return false;
     const enum profile_part before = profile_enter(damage->body->profile, PART_DAMAGE);
     const bool due = rules->bonds && may_be_due(damage);
-    if (due) test_bonds(damage);
+    const int64_t tested = due ? test_bonds(damage) : 0;
+    if (rules->bonds)
+        profile_count(damage->body->profile, WORK_BOND_TESTS, (double)tested,
+                      (double)damage->bonds->count);
     if (rules->nodes) find_spent(damage);
     const bool found = (due || rules->nodes) && count_beyond(damage, -1) > 0;
-    if (rules->bonds && !due)
-        profile_count(damage->body->profile, WORK_BOND_TESTS, 0, (double)damage->bonds->count);
     profile_enter(damage->body->profile, before);
     return found;
 }

@@ -20,7 +20,6 @@
 #include "scattered.h"
 #include "stabilisation.h"
 
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -188,10 +187,10 @@ static void correspondence_start(void *self, const struct body *body, struct bon
     }
 }
 
+/* The force has filled axial, with the share of the bonds. */
 static void correspondence_prepare(void *self, struct body *body, double *axial, int rows)
 {
-    (void)self, (void)body, (void)axial,
-        (void)rows; /* the force has filled it, with the share of the bonds */
+    (void)self, (void)body, (void)axial, (void)rows;
 }
 
 static void correspondence_observe(void *self, const struct body *body, const struct strip *strip,
@@ -285,13 +284,22 @@ static void divide_by_shape(struct body *body, int64_t first, int64_t end)
     }
 }
 
-/* The strips from first on up to a plane of the box. */
+/* The first strip, from first on, beyond a plane: one of global z. */
 static int64_t strips_below(const struct strips *strips, const struct grid *grid, int64_t first,
                             int plane)
 {
     const int64_t limit = (plane + 1 - grid->origin[2]) * grid->step[2];
     while (first < strips->count && strips->items[first].site < limit) first++;
     return first;
+}
+
+static void do_task(struct correspondence *model, struct body *body, const struct task *task,
+                    struct force_mode mode, struct force_energy *energy)
+{
+    if (task->kind < 0)
+        node_law(model, body, &task->strip, mode, energy);
+    else
+        model->stabilisation->add(model->self, body, task->kind, &task->strip, mode, energy);
 }
 
 /* Gradients, laws and Q of nodes and of bonds to the nearest neighbours, in one walk through the planes: what a plane needs is
@@ -301,24 +309,21 @@ static void walk(struct correspondence *model, struct body *body, struct force_m
 {
     int64_t gradients = 0, divided = 0;
     if (body->broken) displacement_gradient(body);
-    for (int64_t t = 0; t < model->n_tasks; t++) {
-        const struct task *task = &model->tasks[t];
-        if (!body->broken && (t == 0 || task->key[0] != task[-1].key[0])) {
-            const int64_t end = strips_below(&body->near, &body->grid, gradients, task->key[0]);
+    for (int64_t t = 0; t < model->n_tasks;) {
+        const int plane = model->tasks[t].key[0];
+        if (!body->broken) {
+            const int64_t end = strips_below(&body->near, &body->grid, gradients, plane);
             displacement_gradient_strips(body, gradients, end);
             gradients = end;
         }
-        if (task->kind < 0)
-            node_law(model, body, &task->strip, mode, energy);
-        else
-            model->stabilisation->add(model->self, body, task->kind, &task->strip, mode, energy);
-        if (t + 1 == model->n_tasks || task->key[0] != task[1].key[0]) {
-            const int done = t + 1 == model->n_tasks ? INT_MAX / 2 : task->key[0] - 1;
-            const int64_t end = strips_below(&body->owned, &body->grid, divided, done);
-            divide_by_shape(body, divided, end);
-            divided = end;
-        }
+        for (; t < model->n_tasks && model->tasks[t].key[0] == plane; t++)
+            do_task(model, body, &model->tasks[t], mode, energy);
+        /* The bonds from this plane on are still to come. */
+        const int64_t end = strips_below(&body->owned, &body->grid, divided, plane - 1);
+        divide_by_shape(body, divided, end);
+        divided = end;
     }
+    divide_by_shape(body, divided, body->owned.count);
 }
 
 /* The same where bonds reach farther, or are listed: the flow stress of both ends must be known before their bond. */

@@ -29,10 +29,9 @@
 struct mix {
     double share; /* a */
     const struct materials *materials;
-    int number[3]; /* of each axis among the half offsets */
-    uint8_t
-        *divisor[3];  /* n_i c_ib of the bonds of the site along each axis (box field), 0: none */
-    double *state[3]; /* of the bonds along each axis, strip by strip */
+    int number[3];          /* of each axis among the half offsets */
+    uint8_t *divisor[3];    /* n_i c_ib of each site's bonds along each axis (box field), 0: none */
+    double *state[3];       /* of the bonds along each axis, strip by strip */
     double *degradation[3]; /* their records; NULL: none degrades */
 };
 
