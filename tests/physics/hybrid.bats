@@ -1,5 +1,6 @@
 # Load steps, explicit steps, and both in one run: the same curve, and bars that break at rest.
 
+load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
@@ -30,15 +31,6 @@ END
 }
 
 solve() { hssolve -q -i "$1.g" -H "$1.e" 2>"$1.log" || { cat "$1.log" && false; }; }
-
-# columns FILE NAME...: of each record, in this order
-columns() {
-    local file=$1
-    shift
-    hspost -q --columns "$file" | awk -F, -v names="$*" '/^#/ { next }
-        !n { n = split(names, name, " "); for (i = 1; i <= NF; i++) at[$i] = i; next }
-        { for (k = 1; k <= n; k++) printf "%.9g%s", $at[name[k]], k < n ? " " : "\n" }'
-}
 
 holds() { awk "BEGIN { exit !($1) }"; }
 

@@ -1,6 +1,7 @@
 # Load steps through the programs as a user runs them: exact elastic and plastic answers, loads, all methods, the balance of
 # energy, what has no equilibrium.
 
+load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
@@ -33,15 +34,6 @@ END
 }
 
 solve() { hssolve -q -i "$1.g" -H "$1.e" 2>"$1.log" || { cat "$1.log" && false; }; }
-
-# columns FILE NAME...: of each record, in this order
-columns() {
-    local file=$1
-    shift
-    hspost -q --columns "$file" | awk -F, -v names="$*" '/^#/ { next }
-        !n { n = split(names, name, " "); for (i = 1; i <= NF; i++) at[$i] = i; next }
-        { for (k = 1; k <= n; k++) printf "%.12g%s", $at[name[k]], k < n ? " " : "\n" }'
-}
 
 # converged FILE [TOLERANCE]: no record is above the tolerance
 converged() {
