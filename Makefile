@@ -58,11 +58,11 @@ ALL_LDFLAGS = $(SANITIZERS) $(LDFLAGS)
 PROGRAMS := hsgen hssolve hspost
 lib_SOURCES := $(sort $(wildcard lib/*.c))
 gen_SOURCES := $(sort $(filter-out gen/hsgen.c,$(wildcard gen/*.c)))
-solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/*/*.c)))
+solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/*/*.c solve/*/*/*.c)))
 post_SOURCES := $(sort $(filter-out post/hspost.c,$(wildcard post/*.c)))
 test_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/physics/test_*.c))
 
-SOLVE_INCLUDES := $(addprefix -I,solve solve/body solve/material solve/damage solve/integrate solve/output)
+SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.h solve/*/*/*.h))))
 
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a

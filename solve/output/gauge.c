@@ -1,6 +1,6 @@
 #include "gauge.h"
 
-#include "body/members.h"
+#include "members.h"
 #include "die.h"
 #include "memory.h"
 

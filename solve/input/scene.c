@@ -1,7 +1,7 @@
 #include "scene.h"
 
-#include "body/family.h"
-#include "integrate/equilibrium.h"
+#include "family.h"
+#include "equilibrium.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* The deck's section output: records, columns and frames. */
 #include "memory.h"
-#include "output/fields.h"
-#include "output/node_values.h"
+#include "fields.h"
+#include "node_values.h"
 #include "scene.h"
 
 #include <ctype.h>
