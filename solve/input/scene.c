@@ -1,7 +1,7 @@
 #include "scene.h"
 
-#include "family.h"
 #include "equilibrium.h"
+#include "family.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* The deck's section output: records, columns and frames. */
-#include "memory.h"
 #include "fields.h"
+#include "memory.h"
 #include "node_values.h"
 #include "scene.h"
 

@@ -1,7 +1,7 @@
 #include "gauge.h"
 
-#include "members.h"
 #include "die.h"
+#include "members.h"
 #include "memory.h"
 
 #include <math.h>
