@@ -261,9 +261,14 @@ static yaml_node_pair_t pair(struct deck_node map, int i)
     return yaml_node(map)->data.mapping.pairs.start[i];
 }
 
+struct deck_node deck_key_node(struct deck_node map, int i)
+{
+    return (struct deck_node){map.deck, pair(map, i).key};
+}
+
 const char *deck_key(struct deck_node map, int i)
 {
-    return deck_string((struct deck_node){map.deck, pair(map, i).key});
+    return deck_string(deck_key_node(map, i));
 }
 
 struct deck_node deck_value(struct deck_node map, int i)

@@ -75,6 +75,7 @@ int deck_choice(struct deck_node node, const char *const names[], int count);
 int deck_count(struct deck_node node);
 struct deck_node deck_item(struct deck_node list, int i);
 const char *deck_key(struct deck_node map, int i);
+struct deck_node deck_key_node(struct deck_node map, int i); /* the key itself, for messages */
 struct deck_node deck_value(struct deck_node map, int i);
 
 /* "file:line:column: message", exit 2. */
