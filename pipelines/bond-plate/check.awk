@@ -1,16 +1,6 @@
-# What the table of the bond-based sheet must show: awk -f check.awk table.csv
-# Prints what fails; leaves with 1 then.
+# What the table of the bond-based sheet must show: awk -v study=bond-plate [-v small=yes] -f pipelines/must.awk -f check.awk table.csv
+# small: of one horizon.
 
-function must(holds, what) {
-    checks++
-    if (holds) return
-    print "bond-plate: " what > "/dev/stderr"
-    failed++
-}
-
-function off(a, b) { return a > b ? a - b : b - a }
-
-BEGIN { FS = "," }
 FNR == 1 { next }
 {
     kind = $4 "-" $5
@@ -36,8 +26,9 @@ END {
     for (kind in strain)
         must(off(strain[kind], error["3.015", 2, kind]) < 0.01, kind ": plane strain is off by " strain[kind] " %, plane stress by " error["3.015", 2, kind] " %")
     # E comes back where the quadrature is good and the edges are corrected.
-    must(off(error["4.015", 1, "whole-energy"], 0) < 2 && off(error["5.015", 1, "whole-energy"], 0) < 2, "E is off by more than 2 %")
-    must(checks == 16 + 16 + 4 + 1, checks " checks instead of 37")
-    if (failed) exit 1
-    print "bond-plate: " checks - 1 " checks hold"
+    if (small == "") must(off(error["4.015", 1, "whole-energy"], 0) < 2 && off(error["5.015", 1, "whole-energy"], 0) < 2, "E is off by more than 2 %")
+    complete(error, "error")
+    complete(lattice, "error of the lattice")
+    complete(strain, "error in plane strain")
+    finish()
 }

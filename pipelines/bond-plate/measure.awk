@@ -35,18 +35,18 @@ BEGIN {
 }
 
 "engineering_strain" in column {
-    measured = $column["engineering_stress_MPa"] * 1e6 / $column["engineering_strain"]
+    measured = $col("engineering_stress_MPa") * 1e6 / $col("engineering_strain")
     next
 }
 
 {
-    x = $column["x_m"]
-    y = $column["y_m"]
+    x = $col("x_m")
+    y = $col("y_m")
     if (x * x > 0.02 ^ 2 || y * y > 0.01 ^ 2) next   # the gauge, half the width
     xx += x * x
     yy += y * y
-    ux += x * $column["DisplacementX"]               # the sums of x and of y vanish
-    uy += y * $column["DisplacementY"]
+    ux += x * $col("DisplacementX")               # the sums of x and of y vanish
+    uy += y * $col("DisplacementY")
 }
 
 END {

@@ -14,10 +14,10 @@ BEGIN { n = split("0.01 0.02 0.05 0.10 0.1575", wanted, " "); at = 1 }
     print "engineering_strain,engineering_stress_MPa,exact_MPa,excess,volume"
     next
 }
-at <= n && $column["engineering_strain"] >= wanted[at] {
-    e = $column["engineering_strain"]
-    s = $column["engineering_stress_MPa"]
+at <= n && $col("engineering_strain") >= wanted[at] {
+    e = $col("engineering_strain")
+    s = $col("engineering_stress_MPa")
     printf "%.4f,%.1f,%.1f,%.3f,%.4f\n", e, s, exact(e), s / exact(e) - 1,
-        (1 + e) * $column["minimum_section_ratio"]
+        (1 + e) * $col("minimum_section_ratio")
     at++
 }

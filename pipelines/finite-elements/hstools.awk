@@ -6,6 +6,6 @@
     for (i = 1; i <= NF; i++) column[$i] = i
     next
 }
-$column["right"] > 0 {
-    printf "hstools,%s,%.8g,%.8g,%s\n", spacing, ($column["right"] - $column["left"]) / 0.4e-3, ($column["force_right_N"] - $column["force_left_N"]) / 2 / 0.02, cpu
+$col("right") > 0 {
+    printf "hstools,%s,%.8g,%.8g,%s\n", spacing, ($col("right") - $col("left")) / 0.4e-3, ($col("force_right_N") - $col("force_left_N")) / 2 / 0.02, cpu
 }

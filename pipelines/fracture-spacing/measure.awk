@@ -16,15 +16,15 @@ BEGIN {
 }
 {
     n++
-    force[n] = $column["force_right_N"]
-    extension[n] = $column["extension_m"]
-    dissipated[n] = $column["plastic_energy_J"] + $column["fracture_energy_J"]
-    if (!damaged && $column["most_damage"] > 0) damaged = n
-    if (!$column["removed_nodes"] && force[n] > peak) peak = force[n]
-    drift = $column["energy_drift"]
+    force[n] = $col("force_right_N")
+    extension[n] = $col("extension_m")
+    dissipated[n] = $col("plastic_energy_J") + $col("fracture_energy_J")
+    if (!damaged && $col("most_damage") > 0) damaged = n
+    if (!$col("removed_nodes") && force[n] > peak) peak = force[n]
+    drift = $col("energy_drift")
     drifts[n] = drift < 0 ? -drift : drift
-    removed = $column["removed_nodes"]
-    width = 1e3 * $column["mean_damage"]
+    removed = $col("removed_nodes")
+    width = 1e3 * $col("mean_damage")
 }
 END {
     for (k = 1; k <= n; k++) {

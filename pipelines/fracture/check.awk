@@ -1,12 +1,5 @@
-# What the four must show: awk -f check.awk table.csv
+# What the four must show: awk -v study=fracture -v rows=4 -f pipelines/must.awk -f check.awk table.csv
 
-function must(holds, what) {
-    if (holds) return
-    print "fracture: " what > "/dev/stderr"
-    failed = 1
-}
-
-BEGIN { FS = "," }
 FNR > 1 {
     must($4 > $3, $1 ": not broken behind its largest load: " $4 " and " $3)
     must($9 > 0 && $13 > 0, $1 ": no node is gone")
@@ -19,6 +12,7 @@ FNR > 1 {
 END {
     must(most["cg"] < most["r40"] && most["r40"] < most["hs40"] && most["hs40"] < most["ufg"], "order of the largest stresses")
     must(broken["ufg"] < broken["r40"] && broken["hs40"] < broken["cg"], "order of the strains at fracture")
-    if (failed) exit 1
-    print "fracture: all checks hold"
+    complete(most, "largest stress")
+    complete(broken, "strain at fracture")
+    finish()
 }

@@ -9,21 +9,21 @@ BEGIN { FS = ","; section = 0.08e-6; between_grips = 1.5e-3 }
 /^#/ { next }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
-    f = $column["force_right_N"]
-    apart = f + $column["force_left_N"]
+    f = $col("force_right_N")
+    apart = f + $col("force_left_N")
     apart = apart < 0 ? -apart : apart
-    x = $column["extension_m"] / gauge
+    x = $col("extension_m") / gauge
     if (f > most) { most = f; at = x; until_most = apart > until_most ? apart : until_most }
     all = apart > all ? apart : all
-    if (!broken && $column["broken_bonds"] > 0 && f < 0.05 * most) {
+    if (!broken && $col("broken_bonds") > 0 && f < 0.05 * most) {
         broken = x
-        grips = $column["grip_extension_m"] / between_grips
-        work = $column["external_work_J"]
+        grips = $col("grip_extension_m") / between_grips
+        work = $col("external_work_J")
     }
-    if ($column["quasi_static"]) at_rest = $column["force_evaluations"]
-    forces = $column["force_evaluations"]
-    gone = $column["removed_nodes"]
-    drift = $column["energy_drift"]
+    if ($col("quasi_static")) at_rest = $col("force_evaluations")
+    forces = $col("force_evaluations")
+    gone = $col("removed_nodes")
+    drift = $col("energy_drift")
 }
 END {
     printf "%s,%.1f,%.4f,%.4f,%.4f,%.1f,%.3f,%.2f,%d,%.1e,%d,%d\n", name, 1e-6 * most / section, at, broken, grips, \

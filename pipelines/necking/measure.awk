@@ -26,12 +26,12 @@ BEGIN { FS = ","; E = 210e3; considere() }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
     records++
-    x[records] = $column["extension_m"] / gauge
-    f[records] = 1e-6 * $column["force_right_N"] / (section * 1e-6)
+    x[records] = $col("extension_m") / gauge
+    f[records] = 1e-6 * $col("force_right_N") / (section * 1e-6)
     if (f[records] > f[top]) top = records
-    ratio = $column["minimum_section_ratio"]
-    p_most = $column["largest_plastic_strain"]
-    evaluations = $column["force_evaluations"]
+    ratio = $col("minimum_section_ratio")
+    p_most = $col("largest_plastic_strain")
+    evaluations = $col("force_evaluations")
 }
 END {
     u = x[top - 1] - x[top]; v = x[top + 1] - x[top]

@@ -19,15 +19,15 @@ files == 2 { if ($0 ~ /^user/) seconds = substr($0, 6); if (match($0, /[0-9]+ fo
 /^#/ { next }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
-    strain = $column["extension_m"] / gauge
-    stress = 1e-6 * ($column["force_right_N"] - $column["force_left_N"]) / 2 / 0.04e-6
+    strain = $col("extension_m") / gauge
+    stress = 1e-6 * ($col("force_right_N") - $col("force_left_N")) / 2 / 0.04e-6
     if (strain > 0.0002 && strain < 0.0008) { m++; sx += strain; sy += stress; sxx += strain * strain; sxy += strain * stress }
     while (k < wanted && strain >= at[k + 1]) {
         k++
         w = (at[k] - before) / (strain - before)
         error[k] = 100 * ((stress_before + w * (stress - stress_before)) / exact(at[k]) - 1)
     }
-    if (strain > 0.01 && $column["kinetic_to_internal"] > kinetic) kinetic = $column["kinetic_to_internal"]
+    if (strain > 0.01 && $col("kinetic_to_internal") > kinetic) kinetic = $col("kinetic_to_internal")
     before = strain; stress_before = stress
 }
 END {

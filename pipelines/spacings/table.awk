@@ -1,23 +1,18 @@
 # Stress in MPa of curves (hspost) of three spacings, coarsest first, at a few strains; extrapolated from the two finest (errors that
 # fall with the square of the spacing); what the finest differs from that, and the coarser ones from the finest, in per cent.
 #   awk -f table.awk 25um/curve.csv 12.5um/curve.csv 8.33um/curve.csv
-function must(holds, what) {
-    if (holds) return
-    print "spacings: " what > "/dev/stderr"
-    failed = 1
-}
 BEGIN { FS = ","; wanted = split("0.005 0.01 0.02 0.04 0.06 0.08 0.1", at, " ") }
 FNR == 1 { files++; k = strain = stress = 0; delete column }
 /^# spacing_m/ { split($0, word, ": "); spacing[files] = word[2] }
 /^#/ { next }
 !("engineering_strain" in column) { for (i = 1; i <= NF; i++) column[$i] = i; next }
 {
-    while (k < wanted && $column["engineering_strain"] >= at[k + 1]) {
+    while (k < wanted && $col("engineering_strain") >= at[k + 1]) {
         k++
-        value[files, k] = stress + (at[k] - strain) / ($column["engineering_strain"] - strain) * ($column["engineering_stress_MPa"] - stress)
+        value[files, k] = stress + (at[k] - strain) / ($col("engineering_strain") - strain) * ($col("engineering_stress_MPa") - stress)
     }
-    strain = $column["engineering_strain"]
-    stress = $column["engineering_stress_MPa"]
+    strain = $col("engineering_strain")
+    stress = $col("engineering_stress_MPa")
 }
 END {
     weight = spacing[3] ^ 2 / (spacing[2] ^ 2 - spacing[3] ^ 2)

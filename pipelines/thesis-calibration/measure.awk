@@ -9,13 +9,13 @@ BEGIN { FS = "," }
 /^#/ { next }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
-    strain = $column["extension_m"] / gauge
-    stress = 1e-6 * $column["force_right_N"] / section
-    bonds = $column["broken_bonds"]
-    drift = $column["energy_drift"]
-    moving = $column["quasi_static"] == 0
-    if (moving && $column["time_s"] > 100e-6) { sum += (stress + last) / 2 * ($column["time_s"] - time); whole += $column["time_s"] - time }
-    last = stress; time = $column["time_s"]
+    strain = $col("extension_m") / gauge
+    stress = 1e-6 * $col("force_right_N") / section
+    bonds = $col("broken_bonds")
+    drift = $col("energy_drift")
+    moving = $col("quasi_static") == 0
+    if (moving && $col("time_s") > 100e-6) { sum += (stress + last) / 2 * ($col("time_s") - time); whole += $col("time_s") - time }
+    last = stress; time = $col("time_s")
     if (stress > most) { most = stress; at = strain }
     if (!moving && !broken && bonds > 0 && stress < 0.05 * most) { broken = 1; end = before }
     if (!broken) end = strain
