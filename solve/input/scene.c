@@ -2,6 +2,7 @@
 
 #include "equilibrium.h"
 #include "family.h"
+#include "sections.h"
 
 #include <math.h>
 
@@ -160,7 +161,7 @@ struct scene scene_read(struct deck *deck)
 {
     struct scene scene = {.deck = deck, .history = 500};
     struct deck_node root = deck_root(deck);
-    deck_check_sections(deck);
+    sections_read(deck);
     read_solver(&scene, deck_get(root, "solver"));
     scene_read_entries(&scene, root);
     if (deck_has(root, "output")) scene_read_output(&scene, deck_get(root, "output"));
