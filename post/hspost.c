@@ -8,6 +8,7 @@
 #include "keys_options.h"
 #include "memory.h"
 #include "request.h"
+#include "snapshot.h"
 #include "spool.h"
 #include "text_output.h"
 #include "view.h"
@@ -46,6 +47,13 @@ static struct deck *find_deck(const struct request *request, const struct input 
     return deck_parse(within, strlen(within), name ? name : "the deck within the history");
 }
 
+static struct choices choose(const struct request *request, const struct deck *deck)
+{
+    struct choices choices = choices_read(deck);
+    keys_read_options(&post_section.keys, request->choices, &choices);
+    return choices;
+}
+
 static struct study read_and_analyse(const struct request *request, const char *maker)
 {
     size_t n = (size_t)request->n_files;
@@ -58,8 +66,7 @@ static struct study read_and_analyse(const struct request *request, const char *
     for (size_t i = 0; i < n; i++) {
         struct input input = input_read(request->files[i]);
         struct deck *deck = find_deck(request, &input);
-        study.choices[i] = choices_read(deck);
-        keys_read_options(&post_section.keys, request->choices, &study.choices[i]);
+        study.choices[i] = choose(request, deck);
         study.curves[i] = curve_make(&input, &study.choices[i]);
         deck_free(deck);
         input_free(&input);
@@ -155,13 +162,64 @@ static void treat_curves(const struct request *request, const char *maker)
     study_free(&study);
 }
 
+static void check_frames(const struct view_request *request)
+{
+    struct snapshot snapshot = snapshot_read(request);
+    note("%s: frame %lld of %lld, %g s, %lld particles, %d variables", request->frames,
+         (long long)snapshot.frame, (long long)snapshot.n_frames, snapshot.time,
+         (long long)snapshot.domain.n_nodes, snapshot.n_fields);
+    snapshot_free(&snapshot);
+}
+
+static void check_columns(const char *file)
+{
+    struct input input = input_read(file);
+    note("%s: %d columns of %ld rows", input.name, input.table.n_columns, input.table.n_rows);
+    input_free(&input);
+}
+
+static void check_curves(const struct request *request)
+{
+    struct deck *deck = request->deck ? deck_read(request->deck) : NULL;
+    choose(request, deck);
+    deck_free(deck);
+    struct study study = read_and_analyse(request, "");
+    for (int i = 0; i < study.count; i++)
+        note("%s: curve '%s' of %ld points, %d properties", request->files[i], study.titles[i],
+             study.curves[i].n, study.properties[i].count);
+    study_free(&study);
+}
+
+/* Does all but writing: what is wrong ends the program. */
+static void check_all(const struct request *request)
+{
+    const struct {
+        const char *what, *file;
+    } outputs[] = {
+        {"curve or table", request->output},    {"properties (CSV)", request->properties},
+        {"properties (JSON)", request->json},   {"figure", request->plot},
+        {"iso-strain mixture", request->voigt}, {"iso-stress mixture", request->reuss},
+        {"picture", request->view.picture},
+    };
+    if (request->view.frames)
+        check_frames(&request->view);
+    else if (request->columns && request->n_files > 0)
+        check_columns(request->files[0]);
+    else
+        check_curves(request);
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
+        if (outputs[i].file) note("would write %s: %s", outputs[i].file, outputs[i].what);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hspost");
     struct request request = request_read(argc, argv);
     note_set_quiet(request.quiet);
     char *maker = describe_maker(argc, argv);
-    if (request.view.frames)
+    if (request.check)
+        check_all(&request);
+    else if (request.view.frames)
         view_write(&request.view, request.output, maker);
     else if (request.columns)
         columns_write(request.files[0], request.output, maker);

@@ -125,7 +125,8 @@ struct request request_read(int argc, char **argv)
     static const char *const standard_input[] = {"-"};
     struct request r = {.fraction = NAN, .strain_range = {NAN, NAN}};
     const int first = read_options(&r, argc, argv);
-    r.n_files = argc > first ? argc - first : 1;
+    /* A check of the options alone waits for no pipe. */
+    r.n_files = argc > first || r.check ? argc - first : 1;
     r.files = argc > first ? (const char *const *)(argv + first) : standard_input;
     view_request_check(&r.view);
     if (r.view.frames)

@@ -17,7 +17,7 @@ struct request {
     const struct law *law;  /* of the constituents */
     const char **choices;   /* texts of the options of post_section; NULL: not given */
     struct view_request view;
-    int n_files;
+    int n_files;              /* with --check perhaps none */
     const char *const *files; /* [n_files]; "-": standard input */
 };
 
