@@ -91,7 +91,7 @@ void simulation_record(struct simulation *s)
     s->fallen = s->scene.end_load > 0 && damage_broken_bonds(s->damage) > 0 &&
                 load < s->scene.end_load * s->highest_load;
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
-                              s->model, &s->body, s->axial);
+                              s->model, &s->body);
     profile_enter(s->profile, before);
 }
 
