@@ -127,7 +127,7 @@ static void start_damage(struct simulation *s)
 
 static bool needs_gradient(const struct simulation *s)
 {
-    return s->materials.formulation == &formulation_correspondence;
+    return s->materials.formulation->stress_of == STRESS_OF_NODES;
 }
 
 static void build(struct simulation *s)

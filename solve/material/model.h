@@ -37,8 +37,13 @@ struct node_state {
     double plastic[LANES]; /* equivalent plastic strain */
 };
 
+/* Whose law gives the stress.  Of nodes: each needs a deformation gradient; the force leaves body->H as that of u, and what
+ * carries force along a bond has an integrity of its own. */
+enum stress_of { STRESS_OF_BONDS, STRESS_OF_NODES };
+
 struct formulation {
     const char *name;
+    enum stress_of stress_of;
     const char *influence;   /* the function it takes where the deck names none */
     double horizon;          /* the same, in spacings; 0: a deck names one */
     const char *const *keys; /* of the deck's solver section that only some formulations have */

@@ -399,6 +399,7 @@ static const struct strips *correspondence_strips(const void *self, const struct
 
 const struct formulation formulation_correspondence = {
     .name = "correspondence",
+    .stress_of = STRESS_OF_NODES,
     .influence = "constant",
     .horizon = 1,
     .keys = (const char *const[]){"stabilisation", NULL},
