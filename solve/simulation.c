@@ -284,7 +284,7 @@ void simulation_announce(struct simulation *s)
                   "load steps from %g up to %g %s by %s, residual under %g; %.0f MB; %.2g s each "
                   "evaluation of the force",
                   statics->first_step, statics->largest_step,
-                  s->scene.end_strain > 0 ? "of strain" : "s", s->equilibrium->method->name,
+                  s->scene.end_strain > 0 ? "of strain" : "s", equilibrium_methods[statics->method],
                   statics->tolerance, memory * 1e-6, force);
     note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
          (long long)s->n_bonds, s->ranks.size, steps);

@@ -20,7 +20,6 @@
 struct equilibrium;
 
 struct equilibrium_method {
-    const char *name;
     int64_t usual_evaluations; /* at most, of one solution, where nobody says another number */
     bool preconditions;        /* else it takes equilibrium->bound */
     const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
@@ -58,9 +57,8 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials);
 void equilibrium_free(struct equilibrium *equilibrium);
-extern const char *const equilibrium_methods[];
+extern const char *const equilibrium_methods[]; /* ended by NULL */
 int64_t equilibrium_usual_evaluations(int method);
-extern const int equilibrium_method_count;
 
 /* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
  * body->u, too.  True where the residual is below the tolerance.  Collective. */
