@@ -7,12 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const keys[] = {SELECTION_KEYS};
+static const struct key keys[SELECTORS] = {SELECTION_KEYS(0)};
 static const char *const axes[] = {"x", "y", "z"};
-enum { KEYS = sizeof keys / sizeof *keys };
 
 /* Of lengths in a deck: no specimen is larger [m]. */
-static const double farthest = 1e6;
+#define FARTHEST 1e6
 /* What counts as the same place, in spacings. */
 static const double slack = 1e-6;
 
@@ -28,18 +27,18 @@ static void check_box(struct deck_node box)
         deck_error(box, "a box is two corners: [[x, y, z], [x, y, z]], or of [x, y] for any z");
 }
 
-struct selection selection_read(struct deck_node map)
+struct selection selection_read(struct deck_node map, const struct deck_node selector[SELECTORS])
 {
     struct selection selection = {0};
     int found = 0;
-    for (int k = 0; k < KEYS; k++) {
-        struct deck_node where = deck_find(map, keys[k]);
-        if (where.index == 0) continue;
+    for (int k = 0; k < SELECTORS; k++) {
+        if (selector[k].index == 0) continue;
         if (found++ > 0)
-            deck_error(where, "'%s' beside '%s', expected exactly one of: set, block, box, where",
-                       keys[k], keys[selection.kind]);
+            deck_error(selector[k],
+                       "'%s' beside '%s', expected exactly one of: set, block, box, where",
+                       keys[k].name, keys[selection.kind].name);
         selection.kind = (enum selection_kind)k;
-        selection.where = where;
+        selection.where = selector[k];
     }
     if (!found) deck_error(map, "which nodes? Expected exactly one of: set, block, box, where");
     if (selection.kind == SELECT_BOX)
@@ -60,7 +59,7 @@ void selection_free(struct selection *selection)
 char *selection_name(const struct selection *selection)
 {
     if (selection->kind == SELECT_BOX) return memory_text("box");
-    return memory_print("%s %s", keys[selection->kind], deck_string(selection->where));
+    return memory_print("%s %s", keys[selection->kind].name, deck_string(selection->where));
 }
 
 /* "x = -0.1 to 0.1 m, y = ..." of the nodes. */
@@ -118,15 +117,14 @@ static int64_t take_box(const struct selection *selection, const struct domain *
     const int dimensions = deck_count(deck_item(box, 0));
     double corner[2][3];
     int64_t count = 0;
-    for (int a = 0; a < dimensions; a++) {
-        for (int end = 0; end < 2; end++)
-            corner[end][a] =
-                deck_length(deck_item(deck_item(box, end), a), spacing, -farthest, farthest);
+    const struct key row = {"box", KEY_LENGTH, .low = -FARTHEST, .high = FARTHEST,
+                            .size = dimensions};
+    for (int end = 0; end < 2; end++) keys_list(&row, deck_item(box, end), spacing, corner[end]);
+    for (int a = 0; a < dimensions; a++)
         if (corner[0][a] > corner[1][a])
             deck_error(deck_item(deck_item(box, 1), a),
                        "the second corner's %s, %g m, is below the first one's, %g m", axes[a],
                        corner[1][a], corner[0][a]);
-    }
     for (int64_t i = 0; i < domain->n_nodes; i++) {
         bool inside = true;
         for (int a = 0; a < dimensions; a++)
@@ -183,11 +181,11 @@ int64_t *selection_nodes(const struct selection *selection, const struct domain 
 
 int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing)
 {
+    static const struct key row = {"nearest", KEY_LENGTH, .low = -FARTHEST, .high = FARTHEST,
+                                   .size = 3};
     double x[3], best = INFINITY;
     int64_t node = 0;
-    if (!deck_is_list(place) || deck_count(place) != 3) deck_error(place, "a place is [x, y, z]");
-    for (int a = 0; a < 3; a++)
-        x[a] = deck_length(deck_item(place, a), spacing, -farthest, farthest);
+    keys_list(&row, place, spacing, x);
     for (int64_t i = 0; i < domain->n_nodes; i++) {
         const double away =
             hypot(hypot(domain->x[i] - x[0], domain->y[i] - x[1]), domain->z[i] - x[2]);

@@ -33,8 +33,8 @@ const char *const field_names[] = {"displacement",
                                    "von_mises",
                                    "equivalent_plastic_strain",
                                    "phase",
-                                   "damage"};
-const int field_count = sizeof field_names / sizeof *field_names;
+                                   "damage",
+                                   NULL};
 
 struct fields {
     struct exodus_fields *file; /* rank 0 */

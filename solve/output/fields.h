@@ -10,7 +10,6 @@
 
 /* What a deck may ask for: displacement, velocity, force, stress, ... */
 extern const char *const field_names[];
-extern const int field_count;
 
 struct fields;
 

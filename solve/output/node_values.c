@@ -16,8 +16,7 @@ const char *const node_value_names[NODE_VALUES] = {"displacement_x",   "displace
                                                    "stress_zz",        "stress_xy",
                                                    "stress_yz",        "stress_zx",
                                                    "von_mises",        "equivalent_plastic_strain",
-                                                   "damage",           "phase"};
-const int node_value_count = PHASE;
+                                                   "damage",           NULL};
 
 enum { STRESSES = 6 };
 

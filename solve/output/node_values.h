@@ -18,9 +18,8 @@ enum node_value {
     NODE_VALUES
 };
 
-/* In the deck's words: displacement_x, ..., phase.  Those but phase are quantities. */
+/* In the deck's words, of those that are quantities: displacement_x, ..., damage; ended by NULL. */
 extern const char *const node_value_names[NODE_VALUES];
-extern const int node_value_count; /* of quantities */
 
 /* Whether it is one that node_values_find sees. */
 static inline bool node_value_is_state(int which)
