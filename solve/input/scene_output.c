@@ -1,5 +1,4 @@
 /* The deck's section output: records, columns and frames. */
-#include "fields.h"
 #include "memory.h"
 #include "node_values.h"
 #include "scene.h"
@@ -21,7 +20,7 @@ static void read_fields(struct scene_fields *fields, struct deck_node map)
     if (deck_count(list) == 0) deck_error(list, "no variables; for no fields leave out 'fields'");
     fields->variables = memory_new((size_t)deck_count(list), sizeof(int));
     for (int i = 0; i < deck_count(list); i++)
-        fields->variables[i] = deck_choice(deck_item(list, i), field_names, field_count);
+        fields->variables[i] = node_value_read(deck_item(list, i));
 }
 
 /* The name becomes a column: one word that a table of text can hold. */
@@ -42,10 +41,9 @@ static struct scene_quantity read_quantity(struct deck_node where)
     static const char *const reductions[] = {"sum", "mean", "min", "max"};
     deck_keys(where,
               (const char *const[]){"name", "quantity", "reduce", "nearest", SELECTION_KEYS, NULL});
-    struct scene_quantity quantity = {
-        .where = where,
-        .name = read_name(deck_get(where, "name")),
-        .value = deck_choice(deck_get(where, "quantity"), node_value_names, node_value_count)};
+    struct scene_quantity quantity = {.where = where,
+                                      .name = read_name(deck_get(where, "name")),
+                                      .value = node_component_read(deck_get(where, "quantity"))};
     if (deck_has(where, "nearest")) {
         quantity.place = deck_get(where, "nearest");
         for (int i = 0; i < deck_count(where); i++)
