@@ -57,7 +57,7 @@ struct fields *fields_open(const struct spool *output, struct domain *domain,
 
 void fields_write(struct fields *fields, double time, struct model *model, struct body *body)
 {
-    if (fields->states) model_prepare(model, body, NULL, 3);
+    if (fields->states) model_prepare(model, body, 3);
     for (int k = 0; k < fields->n_variables; k++)
         body_gather(body, node_values_field(fields->nodes, fields->variables[k], model, body),
                     fields->file ? fields->values[k] : NULL);
