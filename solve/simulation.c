@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct domain *own_domain(const struct simulation *s)
+static struct domain *own_domain(struct simulation *s)
 {
     return s->ranks.rank == 0 ? &s->domain : NULL;
 }

@@ -62,7 +62,7 @@ enum scene_reduction { REDUCE_SUM, REDUCE_MEAN, REDUCE_MINIMUM, REDUCE_MAXIMUM }
 /* A column of the history that the deck asks for. */
 struct scene_quantity {
     const char *name;
-    int value; /* index into the table of output/node_values.c */
+    int value; /* a node_component */
     enum scene_reduction reduction;
     struct deck_node place; /* of its nearest node; index 0: the selection counts */
     struct scene_nodes nodes;
@@ -73,7 +73,7 @@ struct scene_fields {
     int64_t frames; /* roughly; 0: none, or every */
     int64_t every;  /* steps; 0: by frames */
     int n_variables;
-    int *variables; /* indices into the table of output/fields.c */
+    int *variables; /* [n_variables] node_values */
 };
 
 struct scene {

@@ -1,5 +1,4 @@
 /* The deck's section output: records, columns and frames. */
-#include "fields.h"
 #include "memory.h"
 #include "node_values.h"
 #include "scene.h"
@@ -26,15 +25,16 @@ static const char *const reductions[] = {"sum", "mean", "min", "max", NULL};
 
 struct given_quantity {
     struct scene_quantity quantity;
-    struct deck_node name, selector[SELECTORS];
+    struct deck_node name, value, selector[SELECTORS];
 };
 #define OF(member) offsetof(struct given_quantity, member)
 
 static const struct key quantity_keys[] = {
     {"name", KEY_NODE, OF(name), .form = "NAME", .required = true,
      .help = "of the column: up to 32 letters, digits and _"},
-    {"quantity", KEY_CHOICE, OF(quantity.value), .names = node_value_names, .required = true,
-     .help = "forces are those on nodes: force the inner one, external_force the loads, in N"},
+    {"quantity", KEY_NODE, OF(value), .form = "a value of nodes, with its component",
+     .required = true,
+     .help = "such as stress_xx, displacement_x, damage; forces are those on nodes, in N"},
     {"reduce", KEY_CHOICE, OF(quantity.reduction), .names = reductions,
      .otherwise = "required without nearest", .help = "of the nodes selected; mean: by volume"},
     {"nearest", KEY_NODE, OF(quantity.place), .form = "[x, y, z]", .otherwise = "none",
@@ -64,6 +64,7 @@ static struct scene_quantity read_quantity(struct deck_node where)
     keys_read(where, &section_quantity, 0, 0, &given, NULL);
     given.quantity.where = where;
     given.quantity.name = read_name(given.name);
+    given.quantity.value = node_component_read(given.value);
     if (given.quantity.place.index)
         refuse_beside_nearest(where);
     else {
@@ -102,8 +103,7 @@ static const struct key fields_keys[] = {
     {"every", KEY_NODE, AT(every), .form = "N steps", .otherwise = "by frames",
      .help = "in place of frames"},
     {"variables", KEY_NODE, AT(variables), .form = "[NAME, ...]", .required = true,
-     .help = "from displacement, velocity, force, external_force, stress, von_mises, "
-             "equivalent_plastic_strain, phase, damage"},
+     .help = "values of nodes, such as displacement, stress, equivalent_plastic_strain, phase"},
 };
 static const struct section section_fields = {
     .path = "output.fields",
@@ -123,7 +123,7 @@ static void read_fields(struct scene_fields *fields, struct deck_node map)
     if (deck_count(list) == 0) deck_error(list, "no variables; for no fields leave out 'fields'");
     fields->variables = memory_new((size_t)deck_count(list), sizeof(int));
     for (int i = 0; i < deck_count(list); i++)
-        fields->variables[i] = keys_choice(deck_item(list, i), field_names);
+        fields->variables[i] = node_value_read(deck_item(list, i));
 }
 
 /* --- the section ------------------------------------------------------------------------------ */
