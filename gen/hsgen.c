@@ -37,6 +37,7 @@ static struct choices read_choices(int argc, char **argv)
         "Makes a particle domain with a harmonic, random or homogeneous microstructure.",
         rows,
         sizeof rows / sizeof *rows,
+        NULL,
     };
     int first = options_read(&table, argc, argv);
     if (first < argc - 1)

@@ -110,11 +110,14 @@ struct request request_read(int argc, char **argv)
     view_request_options(rows + OWN, &r.view);
     choices_options(rows + OWN + VIEW_OPTION_COUNT, r.choices);
     const struct option_table table = {
-        "hspost", "[FILE...] [-o FILE]",
+        "hspost",
+        "[FILE...] [-o FILE]",
         "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
         "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.\n"
         "With --frames instead: pictures of particle fields.",
-        rows, ROWS};
+        rows,
+        ROWS,
+        NULL};
     int first = options_read(&table, argc, argv);
 
     r.n_files = argc > first ? argc - first : 1;

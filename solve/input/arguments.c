@@ -65,9 +65,12 @@ struct arguments arguments_read(int argc, char **argv)
         {0, "spooled-history", "FILE", "used by -j for the processes it starts", NULL, &a.spooled},
     };
     const struct option_table table = {
-        "hssolve", "[-i domain.g] [-d study.yaml] [-j N] [-o fields.e] [-H history.e]",
-        "Peridynamic tension test of a multi-phase body: domain in, histories out.", rows,
-        sizeof rows / sizeof *rows};
+        "hssolve",
+        "[-i domain.g] [-d study.yaml] [-j N] [-o fields.e] [-H history.e]",
+        "Peridynamic tension test of a multi-phase body: domain in, histories out.",
+        rows,
+        sizeof rows / sizeof *rows,
+        NULL};
     int first = options_read(&table, argc, argv);
     if (first < argc) die_user("unexpected argument '%s' (the domain goes with -i)", argv[first]);
     if (ranks) a.ranks = number_of_ranks(ranks);
