@@ -2,6 +2,7 @@
 
 #include "equilibrium.h"
 #include "family.h"
+#include "surface_correction.h"
 
 #include <math.h>
 
@@ -58,7 +59,7 @@ static const struct key solver_keys[] = {
     {"plane", KEY_CHOICE, AT(plane), .usual = -1, .names = planes,
      .otherwise = "required of a domain of two dimensions",
      .help = "of such a domain alone; correspondence has strain alone"},
-    {"surface_correction", KEY_NODE, AT(elsewhere), .form = "none, volume or energy",
+    {"surface_correction", KEY_NODE, AT(elsewhere), .form = "one", .names = surface_corrections,
      .otherwise = "none",
      .help = "factors on the bonds of nodes near a surface; not for correspondence"},
     {"stabilisation", KEY_NODE, AT(elsewhere), .form = "{law: mix or capped, ...}",

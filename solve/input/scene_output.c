@@ -146,8 +146,8 @@ const struct section section_output = {
 
 void scene_read_output(struct scene *scene, struct deck_node output)
 {
-    struct given_output given = {.history = (int64_t)output_keys[0].usual};
-    if (output.index) keys_read(output, &section_output, 0, 0, &given, NULL);
+    struct given_output given;
+    keys_read(output, &section_output, 0, 0, &given, NULL);
     scene->history = given.history;
     read_quantities(scene, given.quantities);
     if (given.fields.index) read_fields(&scene->fields, given.fields);
