@@ -1,6 +1,7 @@
 #include "recipe.h"
 
 #include "die.h"
+#include "sections.h"
 #include "topology.h"
 
 #include <string.h>
@@ -67,7 +68,7 @@ static void read_grip_phase(struct deck_node domain, struct deck_node root, stru
 
 struct recipe recipe_read(const struct deck *deck)
 {
-    deck_check_sections(deck);
+    sections_read(deck);
     struct deck_node root = deck_root(deck);
     struct deck_node domain = deck_get(root, "domain");
     const char *names[N_TOPOLOGIES];

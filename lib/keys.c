@@ -100,6 +100,7 @@ static const char **known_names(const struct section *section, int variant)
 
 void keys_check(struct deck_node map, const struct section *section, int variant)
 {
+    (void)deck_find(map, ""); /* dies where it is no mapping */
     for (int i = 0; i < deck_count(map); i++) {
         const char *name = deck_key(map, i);
         if (belongs(section, variant, name)) continue;
@@ -109,7 +110,6 @@ void keys_check(struct deck_node map, const struct section *section, int variant
                        section->chooser, section->variant(variant)->name);
         deck_keys(map, known_names(section, variant)); /* dies */
     }
-    (void)deck_find(map, ""); /* dies where it is no mapping */
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */

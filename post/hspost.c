@@ -5,6 +5,7 @@
 #include "die.h"
 #include "difference.h"
 #include "figure.h"
+#include "keys_options.h"
 #include "memory.h"
 #include "request.h"
 #include "spool.h"
@@ -35,20 +36,14 @@ static char *describe_maker(int argc, char **argv)
     return text;
 }
 
-static struct choices choose(const struct request *request, const struct input *input)
+/* The deck whose section post counts; NULL: there is none. */
+static struct deck *find_deck(const struct request *request, const struct input *input)
 {
-    struct choices choices = choices_default();
     const char *within = attributes_text(&input->attributes, "deck");
     const char *name = attributes_text(&input->attributes, "deck_name");
-    struct deck *deck = NULL;
-    if (request->deck)
-        deck = deck_read(request->deck);
-    else if (within)
-        deck = deck_parse(within, strlen(within), name ? name : "the deck within the history");
-    if (deck) choices_read_deck(&choices, deck);
-    deck_free(deck);
-    choices_read_options(&choices, request->choices);
-    return choices;
+    if (request->deck) return deck_read(request->deck);
+    if (!within) return NULL;
+    return deck_parse(within, strlen(within), name ? name : "the deck within the history");
 }
 
 static struct study read_and_analyse(const struct request *request, const char *maker)
@@ -62,8 +57,11 @@ static struct study read_and_analyse(const struct request *request, const char *
     study.titles = memory_new(n, sizeof *study.titles);
     for (size_t i = 0; i < n; i++) {
         struct input input = input_read(request->files[i]);
-        study.choices[i] = choose(request, &input);
+        struct deck *deck = find_deck(request, &input);
+        study.choices[i] = choices_read(deck);
+        keys_read_options(&post_section.keys, request->choices, &study.choices[i]);
         study.curves[i] = curve_make(&input, &study.choices[i]);
+        deck_free(deck);
         input_free(&input);
         study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
         study.properties[i] =
@@ -133,7 +131,6 @@ static void study_free(struct study *study)
 {
     for (int i = 0; i < study->count; i++) {
         curve_free(&study->curves[i]);
-        choices_free(&study->choices[i]);
         properties_free(&study->properties[i]);
     }
     free(study->curves);

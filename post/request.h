@@ -11,11 +11,11 @@
 struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss;
     const char *deck;
-    bool true_curve, difference, columns, quiet;
+    bool true_curve, difference, columns, check, quiet;
     double fraction;        /* of the second curve; NAN where not given */
     double strain_range[2]; /* NAN where not given */
     const struct law *law;  /* of the constituents */
-    const char *choices[CHOICE_COUNT];
+    const char **choices;   /* texts of the options of post_section; NULL: not given */
     struct view_request view;
     int n_files;
     const char *const *files; /* [n_files]; "-": standard input */

@@ -2,6 +2,7 @@
 
 #include "equilibrium.h"
 #include "family.h"
+#include "sections.h"
 #include "surface_correction.h"
 
 #include <math.h>
@@ -192,7 +193,7 @@ static void read_solver(struct scene *scene)
 struct scene scene_read(struct deck *deck)
 {
     const struct deck_node root = deck_root(deck);
-    deck_check_sections(deck);
+    sections_read(deck);
     struct scene scene = {.deck = deck, .solver = deck_get(root, "solver")};
     read_solver(&scene);
     scene_read_entries(&scene, root);

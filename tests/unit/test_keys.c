@@ -190,7 +190,7 @@ static void test_what_is_refused(void **state)
         {"spacing: 1\nname: [a]\n", "expected a single value"},
         {"spacing: 1\nlamp: {factor: 1}\n", "oven.yaml:2:7: key 'length' is missing here"},
         {"spacing: 1\nlamp: {length: 1, type: 1}\n", "unknown key 'type' (known: length, factor)"},
-        {"spacing: 1\nlamp: 3\n", "expected a list"},
+        {"spacing: 1\nlamp: 3\n", "oven.yaml:2:7: expected a mapping"},
         /* A chooser outside is no key of the section that it changes. */
         {"spacing: 1\ndoor: {type: gas}\n", "unknown key 'type' (known: width)"},
         {"spacing: 1\ndoor: {handle: 1}\n",

@@ -49,7 +49,7 @@ static void law_comes_back(void **state)
 {
     (void)state;
     struct curve curve = voce_curve(601);
-    struct choices choices = choices_default();
+    struct choices choices = choices_read(NULL);
     struct analysis found = analysis_make(&curve, &choices);
     /* The chord of s = E ln(1+e)/(1+e) bends by 1.5 e, 0.05 % of E at 40 % of Rp0.2. */
     assert_relative(found.line.slope, young, 1e-3);
@@ -175,7 +175,7 @@ static void poor_curves(void **state)
                  {5, none, elastic}, {2, rising, elastic},         {5, falling, rising}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct curve curve = curve_of(cases[i].n, cases[i].strain, cases[i].stress);
-        struct choices choices = choices_default();
+        struct choices choices = choices_read(NULL);
         struct analysis found = analysis_make(&curve, &choices);
         struct properties list = analysis_report(&curve, &found, &choices);
         assert_true(list.count > 40);

@@ -28,12 +28,11 @@ static void drop(struct case_of *c)
 {
     properties_free(&c->properties);
     curve_free(&c->curve);
-    choices_free(&c->choices);
 }
 
 static struct case_of nickel_200(void)
 {
-    struct case_of c = {.path = "tests/data/ni200_cg.csv", .choices = choices_default()};
+    struct case_of c = {.path = "tests/data/ni200_cg.csv", .choices = choices_read(NULL)};
     c.choices.modulus_rows[0] = 1;
     c.choices.modulus_rows[1] = 3;
     return c;
@@ -41,7 +40,7 @@ static struct case_of nickel_200(void)
 
 static struct case_of torsion_nickel(void)
 {
-    struct case_of c = {.path = "tests/data/hpt_ni_ufg.csv", .choices = choices_default()};
+    struct case_of c = {.path = "tests/data/hpt_ni_ufg.csv", .choices = choices_read(NULL)};
     c.choices.modulus_rows[0] = 1;
     c.choices.modulus_rows[1] = 4;
     return c;
