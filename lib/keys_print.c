@@ -104,6 +104,7 @@ static void write_values(FILE *file, const struct key *key)
     case KEY_NODE:
         fputs(key->form ? key->form : "mapping", file);
         if (key->names) fputs(" of ", file), write_names(file, key->names);
+        if (key->unit) fprintf(file, ", %s", key->unit), write_range(file, key);
         break;
     default:
         if (key->rising) fputs("[low, high], ", file);

@@ -25,11 +25,9 @@ static const struct section disc = {.path = "cracks.disc",
                                     .keys = KEYS(disc_keys)};
 static const struct key keys[] = {
     {"rectangle", KEY_NODE, AT(rectangle), .form = "[corner, edge, edge]",
-     .otherwise = "one of the two",
      .help = "three lengths each, in m or spacings, the edges at right angles; in a body of one "
              "layer one edge lies along z and has no end"},
-    {"disc", KEY_SECTION, .form = "{...}", .section = &disc, .otherwise = "one of the two",
-     .help = "round"},
+    {"disc", KEY_SECTION, .section = &disc, .help = "a round one"},
 };
 const struct section section_cracks = {
     .path = "cracks",

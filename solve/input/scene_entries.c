@@ -10,7 +10,6 @@ struct given {
 };
 #define AT(member)     offsetof(struct given, member)
 #define VALUE_OF(kind) KEY_NODE, AT(value) + (kind) * sizeof(struct deck_node)
-#define ONE_OF         .form = "VALUE", .otherwise = "one of them"
 
 static const char *const directions[] = {"x", "y", "z", NULL};
 
@@ -19,11 +18,14 @@ static const struct key rows[] = {
     SELECTION_KEYS(AT(selector)),
     {"direction", KEY_CHOICE, AT(direction), .names = directions, .required = true,
      .help = "across it the nodes are free"},
-    {"velocity", VALUE_OF(SCENE_VELOCITY), "m/s", -1e5, 1e5, ONE_OF, .help = "of each node"},
-    {"displacement", VALUE_OF(SCENE_DISPLACEMENT), "m", -1e3, 1e3, ONE_OF, .help = "of each node"},
-    {"force", VALUE_OF(SCENE_FORCE), "N", -1e15, 1e15, ONE_OF,
+    {"velocity", VALUE_OF(SCENE_VELOCITY), "m/s", -1e5, 1e5, .form = "VALUE",
+     .help = "of each node"},
+    {"displacement", VALUE_OF(SCENE_DISPLACEMENT), "m", -1e3, 1e3, .form = "VALUE",
+     .help = "of each node"},
+    {"force", VALUE_OF(SCENE_FORCE), "N", -1e15, 1e15, .form = "VALUE",
      .help = "of the whole selection, spread evenly over its volume"},
-    {"body_force", VALUE_OF(SCENE_BODY_FORCE), "N/m3", -1e18, 1e18, ONE_OF, .help = "per volume"},
+    {"body_force", VALUE_OF(SCENE_BODY_FORCE), "N/m3", -1e18, 1e18, .form = "VALUE",
+     .help = "per volume"},
 };
 enum { FIRST_KIND = SELECTORS + 1 };
 

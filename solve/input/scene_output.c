@@ -37,7 +37,7 @@ static const struct key quantity_keys[] = {
      .help = "such as stress_xx, displacement_x, damage; forces are those on nodes, in N"},
     {"reduce", KEY_CHOICE, OF(quantity.reduction), .names = reductions,
      .otherwise = "required without nearest", .help = "of the nodes selected; mean: by volume"},
-    {"nearest", KEY_NODE, OF(quantity.place), .form = "[x, y, z]", .otherwise = "none",
+    {"nearest", KEY_NODE, OF(quantity.place), .form = "[x, y, z]",
      .help = "in place of reduce and selector: the node nearest to a place, in m or spacings"},
     SELECTION_KEYS(OF(selector)),
 };
@@ -100,8 +100,7 @@ struct given {
 static const struct key fields_keys[] = {
     {"frames", KEY_INTEGER, AT(fields.frames), NULL, 1, 1e6, .otherwise = "by every",
      .help = "beside the start, roughly, and the end"},
-    {"every", KEY_NODE, AT(every), .form = "N steps", .otherwise = "by frames",
-     .help = "in place of frames"},
+    {"every", KEY_NODE, AT(every), .form = "N steps", .help = "in place of frames"},
     {"variables", KEY_NODE, AT(variables), .form = "[NAME, ...]", .required = true,
      .help = "values of nodes, such as displacement, stress, equivalent_plastic_strain, phase"},
 };
@@ -136,10 +135,10 @@ struct given_output {
 static const struct key output_keys[] = {
     {"history", KEY_INTEGER, offsetof(struct given_output, history), NULL, 1, 1e7, .usual = 500,
      .help = "number of records, roughly; denser at the start"},
-    {"quantities", KEY_NODE, offsetof(struct given_output, quantities), .form = "[{...}, ...]",
-     .section = &section_quantity, .otherwise = "none", .help = "columns of your own"},
-    {"fields", KEY_NODE, offsetof(struct given_output, fields), .form = "{...}",
-     .section = &section_fields, .otherwise = "none", .help = "pictures of the body"},
+    {"quantities", KEY_NODE, offsetof(struct given_output, quantities), .form = "list of mappings",
+     .section = &section_quantity, .help = "columns of your own"},
+    {"fields", KEY_NODE, offsetof(struct given_output, fields), .section = &section_fields,
+     .help = "pictures of the body"},
 };
 const struct section section_output = {
     .path = "output", .help = "What is written of a run.", .keys = KEYS(output_keys)};

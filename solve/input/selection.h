@@ -20,33 +20,19 @@ enum { SELECTORS = SELECT_WHERE + 1 };
 
 /* First rows of a section whose mappings hold a selection; at: where in its struct selection_read may find
  * struct deck_node selector[SELECTORS]. */
-#define SELECTION_KEYS(at)                                                                         \
-    {"set",                                                                                        \
-     KEY_NODE,                                                                                     \
-     (at) + SELECT_SET * sizeof(struct deck_node),                                                 \
-     .form = "NAME",                                                                               \
-     .otherwise = "one of the four",                                                               \
-     .help = "node set of the domain"},                                                            \
-        {"block",                                                                                  \
-         KEY_NODE,                                                                                 \
-         (at) + SELECT_BLOCK * sizeof(struct deck_node),                                           \
-         .form = "NAME",                                                                           \
-         .otherwise = "one of the four",                                                           \
-         .help = "phase"},                                                                         \
-        {"box",                                                                                    \
-         KEY_NODE,                                                                                 \
-         (at) + SELECT_BOX * sizeof(struct deck_node),                                             \
-         .form = "[[x, y, z], [x, y, z]]",                                                         \
-         .unit = "m",                                                                              \
-         .otherwise = "one of the four",                                                           \
-         .help = "two corners, in m or spacings, or of [x, y] for any z; nodes on its faces "      \
-                 "(within 1e-6 spacings) belong to it"},                                           \
+#define SELECTOR(at, kind, name, form_of_it, words)                                                \
     {                                                                                              \
-        "where", KEY_NODE, (at) + SELECT_WHERE * sizeof(struct deck_node),                         \
-            .form = "EXPRESSION", .otherwise = "one of the four",                                  \
-            .help = "in x, y, z [m, of the unloaded body], true where it is not "                  \
-                    "0; it compares to the last bit, so put limits between nodes"                  \
+        name, KEY_NODE, (at) + kind * sizeof(struct deck_node), .form = form_of_it, .help = words  \
     }
+#define SELECTION_KEYS(at)                                                                         \
+    SELECTOR(at, SELECT_SET, "set", "NAME", "node set of the domain"),                             \
+        SELECTOR(at, SELECT_BLOCK, "block", "NAME", "phase"),                                      \
+        SELECTOR(at, SELECT_BOX, "box", "[[x, y, z], [x, y, z]]",                                  \
+                 "two corners, in m or spacings, or of [x, y] for any z; faces (within 1e-6 "      \
+                 "spacings) belong to it"),                                                        \
+        SELECTOR(at, SELECT_WHERE, "where", "EXPRESSION",                                          \
+                 "in x, y, z [m, of the unloaded body], true where it is not 0; it compares to "   \
+                 "the last bit, so put limits between nodes")
 
 struct selection {
     enum selection_kind kind;
