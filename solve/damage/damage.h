@@ -3,7 +3,7 @@
  * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the
  * configuration that a step has led to: what the body holds less after they have broken is the energy of
  * fracture.  Of nodes, also what their stress loses before that.  To add a law: one file after the pattern of
- * critical_stretch.c (bonds) or ductile.c (nodes), one line in the table of damage_rules.c. */
+ * critical_stretch.c (bonds) or ductile.c (nodes), its name in one of the lists below. */
 #ifndef HS_DAMAGE_H
 #define HS_DAMAGE_H
 
@@ -51,8 +51,11 @@ struct damage_law {
     double (*limit)(const void *own, const double state[]);
 };
 
-extern const struct damage_law damage_critical_stretch, damage_bond_energy, damage_plastic_strain,
-    damage_ductile;
+/* All laws, in the order of the manual: damage_NAME, each in a file of its own. */
+#define DAMAGE_BOND_LAWS(DO) DO(critical_stretch), DO(bond_energy)
+#define DAMAGE_NODE_LAWS(DO) DO(plastic_strain), DO(ductile)
+#define DAMAGE_LAW(name)     damage_##name
+extern const struct damage_law DAMAGE_BOND_LAWS(DAMAGE_LAW), DAMAGE_NODE_LAWS(DAMAGE_LAW);
 
 /* What the nodes of a phase obey. */
 struct node_rule {

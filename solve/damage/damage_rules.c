@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define BOND_LAWS &damage_critical_stretch, &damage_bond_energy
-#define NODE_LAWS &damage_plastic_strain, &damage_ductile
-static const struct damage_law *const bond_laws[] = {BOND_LAWS}, *const table[] = {BOND_LAWS,
-                                                                                   NODE_LAWS};
+#define ADDRESS(name) &damage_##name
+static const struct damage_law *const bond_laws[] = {DAMAGE_BOND_LAWS(ADDRESS)},
+                                      *const table[] = {DAMAGE_BOND_LAWS(ADDRESS),
+                                                        DAMAGE_NODE_LAWS(ADDRESS)};
 enum {
     LAWS = sizeof table / sizeof *table,
     OF_BONDS = (1 << sizeof bond_laws / sizeof *bond_laws) - 1, /* sets of variants */

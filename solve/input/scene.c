@@ -30,7 +30,7 @@ static const struct variant *type_variant(int i)
 static const char *const volumes[] = {"whole", "partial", NULL};
 static const char *const planes[] = {"stress", "strain", NULL};
 static const char *const starts[] = {"affine", "ramp", NULL};
-static const char *const events[] = {"damage", "maximum_load"};
+static const char *const events[] = {"damage", "maximum_load", NULL};
 
 #define AT(member) offsetof(struct scene, member)
 
@@ -42,21 +42,18 @@ static const struct key back_keys[] = {
 };
 static const struct section back = {
     .path = "solver.static_when",
-    .help = "When a hybrid run goes back to load steps.  What is left of the motion counts as "
-            "damped.",
+    .help = "When a hybrid run goes back to load steps; what is left of its motion is damped.",
     .keys = KEYS(back_keys)};
 
 static const struct key solver_keys[] = {
     {"horizon", KEY_NUMBER, AT(horizon), "1", 1, 8,
      .otherwise = "1 of correspondence, else required", .help = "in spacings"},
     {"influence", KEY_CHOICE, AT(influence), .usual = -1, .names = family_influences,
-     .otherwise = "linear of ordinary and ordinary_plastic, inverse of madenci_oterkus, which has "
-                  "no other, else constant",
+     .otherwise = "constant; of ordinary ones linear, of madenci_oterkus inverse and no other",
      .help = "of a bond of the length r, the horizon being d: constant; steep (dx/r)^8, not for "
              "bond_based; inverse dx/r; linear 1 - r/d; gaussian exp(-4 r^2/d^2); spline, cubic"},
     {"volumes", KEY_CHOICE, AT(partial_volumes), .names = volumes,
-     .help = "partial: members within half a spacing of the horizon count by the part of their "
-             "cell within it; none beyond it"},
+     .help = "partial: members near the horizon count by the part of their cell within it"},
     {"plane", KEY_CHOICE, AT(plane), .usual = -1, .names = planes,
      .otherwise = "required of a domain of two dimensions",
      .help = "of such a domain alone; correspondence has strain alone"},
@@ -76,8 +73,7 @@ static const struct key solver_keys[] = {
     {"safety", KEY_NUMBER, AT(safety), "1", 1e-3, 10, .usual = 0.8, .users = MOVING,
      .help = "time step over the critical one; above 1 the run explodes and is stopped"},
     {"damping", KEY_NUMBER, AT(damping), "1/s", 0, 1e15, .users = MOVING,
-     .help = "of velocities relative to the uniform motion between the grips; to rest without "
-             "grips"},
+     .help = "of velocities relative to the uniform motion between the grips, if there are any"},
     {"local_damping", KEY_NUMBER, AT(local_damping), "1", 0, 0.95, .users = MOVING,
      .help = "share of the force on each node that acts against its motion, relative as above"},
     {"mass_scaling", KEY_NUMBER, AT(mass_scaling), "1", 1e-6, 1e12, .usual = 1, .users = MOVING,
@@ -85,26 +81,22 @@ static const struct key solver_keys[] = {
     {"energy_tolerance", KEY_NUMBER, AT(energy_tolerance), "1", 1e-12, 1e6, .usual = 0.01,
      .users = MOVING, .help = "relative drift of the energy balance that stops the run"},
     {"start", KEY_CHOICE, AT(start), .names = starts, .users = EXPLICIT,
-     .help = "affine: the body moves with the grips from the first step, without grips from rest; "
-             "ramp: from rest"},
+     .help = "affine: the body moves with its grips from the first step; ramp: from rest"},
     {"ramp", KEY_NUMBER, AT(ramp), "s", 1e-15, 1e6, .users = EXPLICIT,
      .otherwise = "required with 'start: ramp', an error without",
      .help = "time in which velocities that are numbers are reached"},
     {"method", KEY_CHOICE, AT(statics.method), .names = equilibrium_methods, .users = RESTING,
-     .help = "how an equilibrium is found: lbfgs, which leaves to newton what it does not find; "
-             "newton alone; relaxation, adaptive dynamic relaxation, which takes ten times as "
-             "many evaluations"},
+     .help = "of finding equilibria: lbfgs, which leaves to newton what it does not find; newton; "
+             "adaptive dynamic relaxation, which takes ten times as many evaluations"},
     {"step", KEY_NODE, AT(statics.given.largest), .form = "NUMBER", .users = RESTING,
      .otherwise = "0.005 of strain, or a hundredth of end_time, or 1 s",
-     .help = "largest load step: of strain between the grips where the run ends at a strain, 1e-12 "
-             "to 10, else in s, 1e-15 to 1e12.  Steps grow where they are easy, and are halved and "
-             "tried again where no equilibrium is found"},
+     .help = "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
+             "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where in vain"},
     {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
      .otherwise = "5e-6 of strain, so that the elastic slope has its records, else the largest",
-     .help = "the first one, in the same unit"},
+     .help = "first load step, in the same unit"},
     {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,
-     .otherwise = "1e-4 of the largest",
-     .help = "in the same unit; a run that needs smaller ones stops"},
+     .otherwise = "1e-4 of the largest", .help = "in the same unit; below it the run stops"},
     {"tolerance", KEY_NUMBER, AT(statics.tolerance), "1", 1e-10, 1e-2, .usual = 1e-6,
      .users = RESTING,
      .help = "of the residual: norm of the unbalanced forces over that of reactions and loads"},
@@ -113,10 +105,9 @@ static const struct key solver_keys[] = {
      .help = "of the force, for one equilibrium; steps grow where it takes up to a quarter of it"},
     {"break_at_once", KEY_INTEGER, AT(statics.break_at_once), NULL, 1, 1e9, .usual = 10,
      .users = RESTING, .help = "bonds and nodes that break in one round at rest, the worst ones"},
-    {"explicit_when", KEY_NODE, AT(hybrid.events), .form = "[damage, maximum_load]",
-     .users = HYBRID, .otherwise = "where no equilibrium is found",
-     .help = "events that call for explicit steps, too: something has to break; the force on the "
-             "grips falls"},
+    {"explicit_when", KEY_NODE, AT(hybrid.events), .form = "list", .names = events, .users = HYBRID,
+     .help =
+         "beside where no equilibrium is found: something has to break; the grips' force falls"},
     {"explicit_strain", KEY_NUMBER, AT(hybrid.strain), "1", 0, 10, .usual = INFINITY,
      .users = HYBRID, .otherwise = "none",
      .help = "of the gauge, from which on steps are explicit"},
@@ -168,8 +159,8 @@ static void read_events(struct scene_hybrid *hybrid)
 {
     const struct deck_node list = hybrid->events;
     for (int i = 0; list.index && i < deck_count(list); i++)
-        *(deck_choice(deck_item(list, i), events, 2) == 0 ? &hybrid->at_damage
-                                                          : &hybrid->at_maximum) = true;
+        *(keys_choice(deck_item(list, i), events) == 0 ? &hybrid->at_damage : &hybrid->at_maximum) =
+            true;
 }
 
 static void read_solver(struct scene *scene)
@@ -178,9 +169,7 @@ static void read_solver(struct scene *scene)
     scene->type = (enum scene_type)keys_variant(solver, &section_solver);
     keys_read(solver, &section_solver, (int)scene->type, 0, scene, NULL);
     scene->plane++; /* SPACE stands before the two names */
-    if (deck_has(solver, "end_strain") + deck_has(solver, "end_time") +
-            deck_has(solver, "end_steps") !=
-        1)
+    if ((scene->end_strain > 0) + (scene->end_time > 0) + (scene->end_steps > 0) != 1)
         deck_error(solver, "give one of end_strain, end_time and end_steps");
     if (scene->start == START_RAMP)
         deck_get(solver, "ramp"); /* dies */

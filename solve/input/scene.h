@@ -70,6 +70,9 @@ struct scene_quantity {
 };
 
 struct scene_fields {
+    struct {
+        struct deck_node every, variables; /* index 0: no fields */
+    } given;
     int64_t frames; /* roughly; 0: none, or every */
     int64_t every;  /* steps; 0: by frames */
     int n_variables;
@@ -100,6 +103,7 @@ struct scene {
     double mass_scaling;     /* of the inertia alone */
     double energy_tolerance; /* of the balance, relative */
     int64_t history;         /* records */
+    struct deck_node columns;
     int n_quantities;
     struct scene_quantity *quantities;
     struct scene_fields fields;

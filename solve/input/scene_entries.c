@@ -32,15 +32,14 @@ enum { FIRST_KIND = SELECTORS + 1 };
 const struct section section_boundary = {
     .path = "boundary",
     .help =
-        "A list of entries, each with exactly one selector, a direction, and exactly one of the "
-        "four values.  A value is a number with its unit; or an expression in x, y, z (reference "
-        "position) and t, in SI, of force in t alone; or {ramp: TIME, to: NUMBER}; or, of the two "
-        "forces, {initial: NUMBER, increment: NUMBER, every: N steps}.  Expressions know + - * / "
-        "^, comparisons, && ||, c ? a : b, and sin cos tan sqrt exp ln abs min max and their like; "
-        "they are tried at all their nodes before the first step.  Loads add up; a node held twice "
-        "along one direction is an error.  The grips are, of the selections whose nodes all have "
-        "the same motion along x, the leftmost and the rightmost, where these lie one beside the "
-        "other.",
+        "A list of entries with one selector, a direction and one of the four values: a number "
+        "with its unit; an expression in x, y, z (reference position) and t, in SI, of force in t "
+        "alone; {ramp: TIME, to: NUMBER}; or, of forces, {initial: NUMBER, increment: NUMBER, "
+        "every: N steps}.  Expressions know + - * / ^, comparisons, && ||, c ? a : b, sin cos tan "
+        "sqrt exp ln abs min max and their like; they are tried at all nodes before the first "
+        "step.  Loads add up; a node held twice along one direction is an error.  The grips are, "
+        "of the selections that move along x as one, the leftmost and the rightmost, where these "
+        "lie one beside the other.",
     .keys = {FIRST_KIND + SCENE_KINDS, rows}};
 
 const struct section section_initial = {

@@ -23,11 +23,11 @@ static const char *read_name(struct deck_node where)
 
 static const char *const reductions[] = {"sum", "mean", "min", "max", NULL};
 
-struct given_quantity {
+struct given {
     struct scene_quantity quantity;
     struct deck_node name, value, selector[SELECTORS];
 };
-#define OF(member) offsetof(struct given_quantity, member)
+#define OF(member) offsetof(struct given, member)
 
 static const struct key quantity_keys[] = {
     {"name", KEY_NODE, OF(name), .form = "NAME", .required = true,
@@ -60,7 +60,7 @@ static void refuse_beside_nearest(struct deck_node where)
 
 static struct scene_quantity read_quantity(struct deck_node where)
 {
-    struct given_quantity given = {0};
+    struct given given = {0};
     keys_read(where, &section_quantity, 0, 0, &given, NULL);
     given.quantity.where = where;
     given.quantity.name = read_name(given.name);
@@ -88,20 +88,15 @@ static void read_quantities(struct scene *scene, struct deck_node list)
     }
 }
 
-/* --- fields ----------------------------------------------------------------------------------- */
+/* --- fields, and the section ------------------------------------------------------------------ */
 
-#define AT(member) offsetof(struct given, member)
-
-struct given {
-    struct scene_fields fields;
-    struct deck_node every, variables;
-};
+#define AT(member) offsetof(struct scene, member)
 
 static const struct key fields_keys[] = {
     {"frames", KEY_INTEGER, AT(fields.frames), NULL, 1, 1e6, .otherwise = "by every",
      .help = "beside the start, roughly, and the end"},
-    {"every", KEY_NODE, AT(every), .form = "N steps", .help = "in place of frames"},
-    {"variables", KEY_NODE, AT(variables), .form = "[NAME, ...]", .required = true,
+    {"every", KEY_NODE, AT(fields.given.every), .form = "N steps", .help = "in place of frames"},
+    {"variables", KEY_NODE, AT(fields.given.variables), .form = "[NAME, ...]", .required = true,
      .help = "values of nodes, such as displacement, stress, equivalent_plastic_strain, phase"},
 };
 static const struct section section_fields = {
@@ -109,15 +104,22 @@ static const struct section section_fields = {
     .help = "Fields for ParaView, written where hssolve is given -o FILE.",
     .keys = KEYS(fields_keys)};
 
-static void read_fields(struct scene_fields *fields, struct deck_node map)
+static const struct key output_keys[] = {
+    {"history", KEY_INTEGER, AT(history), NULL, 1, 1e7, .usual = 500,
+     .help = "number of records, roughly; denser at the start"},
+    {"quantities", KEY_NODE, AT(columns), .form = "list of mappings", .section = &section_quantity,
+     .help = "columns of your own"},
+    {"fields", KEY_SECTION, .section = &section_fields, .help = "pictures of the body"},
+};
+const struct section section_output = {
+    .path = "output", .help = "What is written of a run.", .keys = KEYS(output_keys)};
+
+static void finish_fields(struct scene_fields *fields, struct deck_node map)
 {
-    struct given given = {0};
-    keys_read(map, &section_fields, 0, 0, &given, NULL);
-    *fields = given.fields;
-    if ((fields->frames > 0) == (given.every.index != 0))
+    const struct deck_node list = fields->given.variables;
+    if ((fields->frames > 0) == (fields->given.every.index != 0))
         deck_error(map, "give one of frames and every");
-    if (given.every.index) fields->every = value_every(given.every, false);
-    const struct deck_node list = given.variables;
+    if (!fields->frames) fields->every = value_every(fields->given.every, false);
     fields->n_variables = deck_count(list);
     if (deck_count(list) == 0) deck_error(list, "no variables; for no fields leave out 'fields'");
     fields->variables = memory_new((size_t)deck_count(list), sizeof(int));
@@ -125,29 +127,10 @@ static void read_fields(struct scene_fields *fields, struct deck_node map)
         fields->variables[i] = node_value_read(deck_item(list, i));
 }
 
-/* --- the section ------------------------------------------------------------------------------ */
-
-struct given_output {
-    int64_t history;
-    struct deck_node quantities, fields;
-};
-
-static const struct key output_keys[] = {
-    {"history", KEY_INTEGER, offsetof(struct given_output, history), NULL, 1, 1e7, .usual = 500,
-     .help = "number of records, roughly; denser at the start"},
-    {"quantities", KEY_NODE, offsetof(struct given_output, quantities), .form = "list of mappings",
-     .section = &section_quantity, .help = "columns of your own"},
-    {"fields", KEY_NODE, offsetof(struct given_output, fields), .section = &section_fields,
-     .help = "pictures of the body"},
-};
-const struct section section_output = {
-    .path = "output", .help = "What is written of a run.", .keys = KEYS(output_keys)};
-
 void scene_read_output(struct scene *scene, struct deck_node output)
 {
-    struct given_output given;
-    keys_read(output, &section_output, 0, 0, &given, NULL);
-    scene->history = given.history;
-    read_quantities(scene, given.quantities);
-    if (given.fields.index) read_fields(&scene->fields, given.fields);
+    keys_read(output, &section_output, 0, 0, scene, NULL);
+    read_quantities(scene, scene->columns);
+    if (scene->fields.given.variables.index)
+        finish_fields(&scene->fields, deck_get(output, "fields"));
 }

@@ -73,9 +73,9 @@ static const struct key steps_keys[] = {
     {"increment", KEY_NODE, AT(increment), .form = "NUMBER", .required = true,
      .help = "by which it is raised"},
     {"every", KEY_NODE, AT(every), .form = "N steps, or equilibrium", .required = true,
-     .help = "when; equilibrium: whenever the kinetic energy has stayed below a thousandth of the "
-             "internal one while a wave would have crossed the longest side of the body twice; of "
-             "load steps, after each"},
+     .help =
+         "when; equilibrium: the kinetic energy has been below a thousandth of the internal one "
+         "while a wave crosses the body twice; of load steps, after each"},
 };
 const struct section section_steps = {.path = "boundary.VALUE (steps)",
                                       .help = "A force or body_force that grows in steps.",

@@ -7,11 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define METHODS(DO)   DO(lbfgs), DO(newton), DO(relaxation)
 #define ADDRESS(name) &equilibrium_##name
 #define IN_DECK(name) #name
-static const struct equilibrium_method *const table[] = {METHODS(ADDRESS)};
-const char *const equilibrium_methods[] = {METHODS(IN_DECK), NULL};
+static const struct equilibrium_method *const table[] = {EQUILIBRIUM_METHODS(ADDRESS)};
+const char *const equilibrium_methods[] = {EQUILIBRIUM_METHODS(IN_DECK), NULL};
 
 static int most_common_phase(const struct lattice *lattice)
 {

@@ -9,7 +9,7 @@
  *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho          (equilibrium.3)
  *
  * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
- * grow.  To add a method: one file, one line in the table of equilibrium.c. */
+ * grow.  To add a method: one file, its name in the list below. */
 #ifndef HS_EQUILIBRIUM_H
 #define HS_EQUILIBRIUM_H
 
@@ -72,7 +72,9 @@ double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, do
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
-extern const struct equilibrium_method equilibrium_lbfgs, equilibrium_newton,
-    equilibrium_relaxation;
+/* All of them: equilibrium_NAME, each in a file of its own; the first is the default. */
+#define EQUILIBRIUM_METHODS(DO)  DO(lbfgs), DO(newton), DO(relaxation)
+#define EQUILIBRIUM_METHOD(name) equilibrium_##name
+extern const struct equilibrium_method EQUILIBRIUM_METHODS(EQUILIBRIUM_METHOD);
 
 #endif
