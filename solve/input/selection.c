@@ -98,83 +98,64 @@ static int find_phase(const struct selection *selection, const struct domain *do
     return phase;
 }
 
-static int64_t take_block(const struct selection *selection, const struct domain *domain, int phase,
-                          int64_t *nodes)
+/* Of a box, slack included; without a z of its own it has any. */
+static void find_corners(struct deck_node box, double spacing, double corner[2][3])
 {
-    int64_t count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (domain->phase[i] == phase) nodes[count++] = i;
-    if (count == 0)
-        deck_error(selection->where, "no node is in block '%s'", deck_string(selection->where));
-    return count;
-}
-
-static int64_t take_box(const struct selection *selection, const struct domain *domain,
-                        double spacing, int64_t *nodes)
-{
-    const double *const x[] = {domain->x, domain->y, domain->z};
-    const struct deck_node box = selection->where;
-    const int dimensions = deck_count(deck_item(box, 0));
-    double corner[2][3];
-    int64_t count = 0;
     const struct key row = {"box", KEY_LENGTH, .low = -FARTHEST, .high = FARTHEST,
-                            .size = dimensions};
+                            .size = deck_count(deck_item(box, 0))};
+    corner[0][2] = -INFINITY;
+    corner[1][2] = INFINITY;
     for (int end = 0; end < 2; end++) keys_list(&row, deck_item(box, end), spacing, corner[end]);
-    for (int a = 0; a < dimensions; a++)
+    for (int a = 0; a < row.size; a++) {
         if (corner[0][a] > corner[1][a])
             deck_error(deck_item(deck_item(box, 1), a),
                        "the second corner's %s, %g m, is below the first one's, %g m", axes[a],
                        corner[1][a], corner[0][a]);
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        bool inside = true;
-        for (int a = 0; a < dimensions; a++)
-            inside = inside && x[a][i] >= corner[0][a] - slack * spacing &&
-                     x[a][i] <= corner[1][a] + slack * spacing;
-        if (inside) nodes[count++] = i;
+        corner[0][a] -= slack * spacing;
+        corner[1][a] += slack * spacing;
     }
-    if (count == 0)
-        deck_error(box, "no node lies in this box; the nodes are at %s", extent(domain));
-    return count;
 }
 
-static int64_t take_where(const struct selection *selection, const struct domain *domain,
-                          int64_t *nodes)
+static bool lies_between(double corner[2][3], const double x[3])
 {
-    int64_t count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        const double x[] = {domain->x[i], domain->y[i], domain->z[i]};
-        if (expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0)
-            nodes[count++] = i;
-    }
-    if (count == 0)
-        deck_error(selection->where, "expression '%.200s' holds at no node; the nodes are at %s",
-                   deck_string(selection->where), extent(domain));
-    return count;
+    bool inside = true;
+    for (int a = 0; a < 3; a++) inside = inside && x[a] >= corner[0][a] && x[a] <= corner[1][a];
+    return inside;
+}
+
+static _Noreturn void refuse_empty(const struct selection *selection, const struct domain *domain)
+{
+    if (selection->kind == SELECT_BLOCK)
+        deck_error(selection->where, "no node is in block '%s'", deck_string(selection->where));
+    if (selection->kind == SELECT_BOX)
+        deck_error(selection->where, "no node lies in this box; the nodes are at %s",
+                   extent(domain));
+    deck_error(selection->where, "expression '%.200s' holds at no node; the nodes are at %s",
+               deck_string(selection->where), extent(domain));
 }
 
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
                          double spacing, int64_t *count)
 {
-    const struct node_set *set = selection->kind == SELECT_SET ? find_set(selection, domain) : NULL;
-    const int phase = selection->kind == SELECT_BLOCK ? find_phase(selection, domain) : 0;
+    const enum selection_kind kind = selection->kind;
+    const struct node_set *set = kind == SELECT_SET ? find_set(selection, domain) : NULL;
+    const int phase = kind == SELECT_BLOCK ? find_phase(selection, domain) : 0;
     int64_t *all = memory_new((size_t)domain->n_nodes, sizeof *all);
-    switch (selection->kind) {
-    case SELECT_SET:
-        *count = set->count;
-        memcpy(all, set->nodes, (size_t)set->count * sizeof *all);
-        break;
-    case SELECT_BLOCK:
-        *count = take_block(selection, domain, phase, all);
-        break;
-    case SELECT_BOX:
-        *count = take_box(selection, domain, spacing, all);
-        break;
-    case SELECT_WHERE:
-        *count = take_where(selection, domain, all);
-        break;
+    double corner[2][3];
+    if (kind == SELECT_BOX) find_corners(selection->where, spacing, corner);
+    *count = 0;
+    for (int64_t i = 0; !set && i < domain->n_nodes; i++) {
+        const double x[] = {domain->x[i], domain->y[i], domain->z[i]};
+        if (kind == SELECT_BLOCK ? domain->phase[i] == phase
+            : kind == SELECT_BOX
+                ? lies_between(corner, x)
+                : expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0)
+            all[(*count)++] = i;
     }
+    if (set) *count = set->count;
+    if (*count == 0) refuse_empty(selection, domain);
     int64_t *nodes = memory_new((size_t)*count, sizeof *nodes);
-    memcpy(nodes, all, (size_t)*count * sizeof *nodes);
+    memcpy(nodes, set ? set->nodes : all, (size_t)*count * sizeof *nodes);
     free(all);
     return nodes;
 }
