@@ -7,14 +7,12 @@
 #include <stdlib.h>
 
 #define ADDRESS(name) &damage_##name
-static const struct damage_law *const bond_laws[] = {DAMAGE_BOND_LAWS(ADDRESS)},
-                                      *const table[] = {DAMAGE_BOND_LAWS(ADDRESS),
-                                                        DAMAGE_NODE_LAWS(ADDRESS)};
-enum {
-    LAWS = sizeof table / sizeof *table,
-    OF_BONDS = (1 << sizeof bond_laws / sizeof *bond_laws) - 1, /* sets of variants */
-    OF_NODES = (1 << LAWS) - 1 - OF_BONDS
-};
+#define NUMBER(name)  NUMBER_##name
+static const struct damage_law *const table[] = {DAMAGE_BOND_LAWS(ADDRESS),
+                                                 DAMAGE_NODE_LAWS(ADDRESS)};
+enum { DAMAGE_BOND_LAWS(NUMBER), BOND_LAWS };
+enum { LAWS = sizeof table / sizeof *table };
+enum { OF_BONDS = (1 << BOND_LAWS) - 1, OF_NODES = (1 << LAWS) - 1 - OF_BONDS }; /* sets of them */
 
 static const struct variant *law_words(int i)
 {
