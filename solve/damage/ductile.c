@@ -24,14 +24,13 @@ struct ductile {
 
 static const struct key keys[] = {
     {"onset", KEY_NUMBER, AT(onset), "1", 0, 100, .required = true,
-     .help = "plastic strain at which D begins to rise; strains beyond 0.65 to 0.8 gather in one "
-             "or two layers of nodes, damage or not: set it well below"},
+     .help = "plastic strain at which D begins to rise; well below 0.65, from where on strain "
+             "gathers in one or two layers of nodes, damage or not"},
     {"full", KEY_NUMBER, AT(full), "1", 0, 100, .required = true,
      .help = "plastic strain at which D is 1 and all bonds of the node break"},
     {"length", KEY_LENGTH, AT(length), NULL, 1e-12, 1e3, .otherwise = "none",
-     .help = "the spacing for which full is meant; at another one exp(full) - exp(onset) is scaled "
-             "by length/spacing, so that the softening band opens as far.  It halves the effect of "
-             "the spacing on the strain at fracture and does not remove it"},
+     .help = "spacing for which full is meant; at another one exp(full) - exp(onset) is scaled by "
+             "length/spacing, which halves the effect of the spacing on the strain at fracture"},
 };
 
 static void read(void *own, struct deck_node entry, double spacing)
@@ -65,12 +64,10 @@ static double limit(const void *own, const double state[])
 }
 
 const struct damage_law damage_ductile = {
-    .words =
-        {"ductile",
-         "The stress of a node is multiplied by 1 - D, D rising from 0 at onset to 1 at full.  "
-         "For a tension test to fracture with correspondence take this one; broken bonds alone "
-         "hardly unload it.",
-         KEYS(keys)},
+    .words = {"ductile",
+              "The stress of a node is multiplied by 1 - D, D rising from 0 at onset to 1 at full; "
+              "without it correspondence hardly fractures, as broken bonds alone do not unload it.",
+              KEYS(keys)},
     .size = sizeof(struct ductile),
     .states = {"equivalent_plastic_strain"},
     .read = read,

@@ -90,8 +90,9 @@ static const struct key solver_keys[] = {
              "adaptive dynamic relaxation, which takes ten times as many evaluations"},
     {"step", KEY_NODE, AT(statics.given.largest), .form = "NUMBER", .users = RESTING,
      .otherwise = "0.005 of strain, or a hundredth of end_time, or 1 s",
-     .help = "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
-             "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where in vain"},
+     .help =
+         "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
+         "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where none is found"},
     {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
      .otherwise = "5e-6 of strain, so that the elastic slope has its records, else the largest",
      .help = "first load step, in the same unit"},
