@@ -184,7 +184,7 @@ struct scene scene_read(struct deck *deck)
 {
     const struct deck_node root = deck_root(deck);
     sections_read(deck);
-    struct scene scene = {.deck = deck, .solver = deck_get(root, "solver")};
+    struct scene scene = {.solver = deck_get(root, "solver")};
     read_solver(&scene);
     scene_read_entries(&scene, root);
     scene_read_output(&scene, deck_find(root, "output"));

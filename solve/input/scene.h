@@ -80,7 +80,6 @@ struct scene_fields {
 };
 
 struct scene {
-    struct deck *deck;
     enum scene_type type;
     struct scene_static statics;
     struct scene_hybrid hybrid;

@@ -8,8 +8,9 @@ struct given {
     struct deck_node selector[SELECTORS], value[SCENE_KINDS];
     int direction;
 };
-#define AT(member)     offsetof(struct given, member)
-#define VALUE_OF(kind) KEY_NODE, AT(value) + (kind) * sizeof(struct deck_node)
+#define AT(member) offsetof(struct given, member)
+#define VALUE(kind, unit, most)                                                                    \
+    KEY_NODE, AT(value) + (kind) * sizeof(struct deck_node), unit, -(most), most, .form = "VALUE"
 
 static const char *const directions[] = {"x", "y", "z", NULL};
 
@@ -18,14 +19,11 @@ static const struct key rows[] = {
     SELECTION_KEYS(AT(selector)),
     {"direction", KEY_CHOICE, AT(direction), .names = directions, .required = true,
      .help = "across it the nodes are free"},
-    {"velocity", VALUE_OF(SCENE_VELOCITY), "m/s", -1e5, 1e5, .form = "VALUE",
-     .help = "of each node"},
-    {"displacement", VALUE_OF(SCENE_DISPLACEMENT), "m", -1e3, 1e3, .form = "VALUE",
-     .help = "of each node"},
-    {"force", VALUE_OF(SCENE_FORCE), "N", -1e15, 1e15, .form = "VALUE",
-     .help = "of the whole selection, spread evenly over its volume"},
-    {"body_force", VALUE_OF(SCENE_BODY_FORCE), "N/m3", -1e18, 1e18, .form = "VALUE",
-     .help = "per volume"},
+    {"velocity", VALUE(SCENE_VELOCITY, "m/s", 1e5), .help = "of each node"},
+    {"displacement", VALUE(SCENE_DISPLACEMENT, "m", 1e3), .help = "of each node"},
+    {"force", VALUE(SCENE_FORCE, "N", 1e15),
+     .help = "of all nodes, spread evenly over their volume"},
+    {"body_force", VALUE(SCENE_BODY_FORCE, "N/m3", 1e18), .help = "per volume"},
 };
 enum { FIRST_KIND = SELECTORS + 1 };
 
