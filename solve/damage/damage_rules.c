@@ -107,12 +107,12 @@ static void take_node_law(struct damage_rules *rules, const struct damage_law *l
                           const struct damage_view *see)
 {
     const int phase = read_phase(said->phase, see->materials);
-    struct node_law *used = use_law(rules, law, deck_get(entry, "law"), see);
     struct node_rule *rule = &rules->node[phase];
-    if (!see->materials->items[phase].yields)
-        deck_error(said->phase, "phase '%s' does not yield", see->materials->items[phase].name);
     if (rule->law)
         deck_error(entry, "phase '%s' is named twice", see->materials->items[phase].name);
+    struct node_law *used = use_law(rules, law, deck_get(entry, "law"), see);
+    if (!see->materials->items[phase].yields)
+        deck_error(said->phase, "phase '%s' does not yield", see->materials->items[phase].name);
     if (law->read) law->read(own, entry, see->body->lattice->spacing);
     *rule = (struct node_rule){law, own, law->least(own)};
     used->least = fmin(used->least, rule->least);
