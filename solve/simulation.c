@@ -127,11 +127,6 @@ static void start_damage(struct simulation *s)
     cracks_free(&cracks);
 }
 
-static bool needs_gradient(const struct simulation *s)
-{
-    return s->materials.formulation->stress_of == STRESS_OF_NODES;
-}
-
 static void build(struct simulation *s)
 {
     const struct offset *near;
@@ -148,7 +143,8 @@ static void build(struct simulation *s)
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
-    if (s->body.unsupported == s->lattice.n_nodes && needs_gradient(s))
+    if (s->body.unsupported == s->lattice.n_nodes &&
+        s->materials.formulation->stress_of == STRESS_OF_NODES)
         die_user("no node has a deformation gradient: the body is too thin for horizon %g",
                  s->scene.horizon);
 }

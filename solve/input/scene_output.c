@@ -92,12 +92,30 @@ static void read_quantities(struct scene *scene, struct deck_node list)
 
 #define AT(member) offsetof(struct scene, member)
 
+static const struct variant *value_words(int i)
+{
+    enum { MOST = 64 };
+    static struct variant words[MOST]; /* a copy of the table, which does not change */
+    const struct node_value *value = node_value(i);
+    if (!value || i >= MOST) return NULL;
+    words[i] = (struct variant){.name = value->name, .help = value->help};
+    return &words[i];
+}
+
+static const struct section section_values = {
+    .path = "output.fields.variables",
+    .help = "Values of nodes.  As a quantity a vector or tensor has its component behind: "
+            "displacement_x, stress_xx (yy, zz, xy, yz, zx).",
+    .chooser = "NAME",
+    .variant = value_words,
+    .usual = -1};
+
 static const struct key fields_keys[] = {
     {"frames", KEY_INTEGER, AT(fields.frames), NULL, 1, 1e6, .otherwise = "by every",
      .help = "beside the start, roughly, and the end"},
     {"every", KEY_NODE, AT(fields.given.every), .form = "N steps", .help = "in place of frames"},
     {"variables", KEY_NODE, AT(fields.given.variables), .form = "[NAME, ...]", .required = true,
-     .help = "values of nodes, such as displacement, stress, equivalent_plastic_strain, phase"},
+     .section = &section_values, .help = "values of nodes"},
 };
 static const struct section section_fields = {
     .path = "output.fields",

@@ -435,6 +435,7 @@ wrong() {
     for section in damage cracks boundary initial solver solver.static_when output output.quantities output.fields; do
         grep -qx "$section" keys
     done
+    grep -qx '  NAME: equivalent_plastic_strain' keys
     grep -q '^  safety \[number, 0.001 to 10; default 0.8; explicit and hybrid only\]$' keys
 }
 
