@@ -122,7 +122,7 @@ static double read_number(const struct key *key, struct deck_node node, double s
                        : deck_number(node, "m", key->low, key->high);
 }
 
-static void read_list(const struct key *key, struct deck_node node, double spacing, double values[])
+void keys_list(const struct key *key, struct deck_node node, double spacing, double values[])
 {
     if (!deck_is_list(node) || deck_count(node) != key->size)
         deck_error(node, "'%s' is a list of %d %s", key->name, key->size,
@@ -146,7 +146,7 @@ static void read_key(const struct key *key, struct deck_node node, double *spaci
     case KEY_LENGTH:
     case KEY_SPACINGS:
         if (key->size)
-            read_list(key, node, *spacing, place);
+            keys_list(key, node, *spacing, place);
         else
             *(double *)place = read_number(key, node, *spacing);
         break;

@@ -89,6 +89,9 @@ int keys_variant(struct deck_node map, const struct section *section);
 void keys_read(struct deck_node map, const struct section *section, int variant, double spacing,
                void *common, void *own);
 
+/* Reads a list of key->size numbers or lengths that a row describes, wherever it stands. */
+void keys_list(const struct key *key, struct deck_node node, double spacing, double values[]);
+
 /* Only checks the names of the keys, for an owner that reads them itself. */
 void keys_check(struct deck_node map, const struct section *section, int variant);
 

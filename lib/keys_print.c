@@ -104,6 +104,7 @@ static void write_values(FILE *file, const struct key *key)
     case KEY_NODE:
         fputs(key->form ? key->form : "mapping", file);
         if (key->names) fputs(" of ", file), write_names(file, key->names);
+        if (key->unit) fprintf(file, ", %s", key->unit), write_range(file, key);
         break;
     default:
         if (key->rising) fputs("[low, high], ", file);
@@ -197,15 +198,18 @@ static void put_keys(const struct printer *to, const struct section *section,
 
 static void put_chooser(const struct printer *to, const struct section *section)
 {
+    bool own = false;
     fprintf(to->file, "%s%s%s", to->layout->key[0], section->chooser, to->layout->key[1]);
-    for (int i = 0; section->variant(i); i++)
+    for (int i = 0; section->variant(i); i++) {
         fprintf(to->file, "%s%s", i ? ", " : "", section->variant(i)->name);
+        own |= section->variant(i)->keys.count > 0;
+    }
     if (section->usual < 0)
         fputs("; required", to->file);
     else
         fprintf(to->file, "; default %s", section->variant(section->usual)->name);
-    fprintf(to->file, "%sEach has keys of its own, below.%s", to->layout->key[2],
-            to->layout->key[3]);
+    fprintf(to->file, "%s%s%s", to->layout->key[2],
+            own ? "Each has keys of its own, below." : "See below.", to->layout->key[3]);
 }
 
 static void put_variants(const struct printer *to, const struct section *section)

@@ -34,7 +34,7 @@ static void check_step(struct simulation *s)
 static bool record_due(const struct simulation *s)
 {
     const struct integration *integration = &s->integration;
-    const double records = s->scene.history, end = s->end_time;
+    const double records = (double)s->scene.history, end = s->end_time;
     double before = floor(records * sqrt(integration->time / end));
     double after = floor(records * sqrt((integration->time + integration->dt) / end));
     return after > before;

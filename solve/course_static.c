@@ -55,7 +55,7 @@ static void shorten_step(struct simulation *s, double degradation)
 
 void simulation_settle(struct simulation *s)
 {
-    struct quasi_static_damage damage = {.most = s->scene.statics.break_at_once};
+    struct quasi_static_damage damage = {.most = (double)s->scene.statics.break_at_once};
     if (!quasi_static_break(s->quasi_static, &damage)) {
         s->failure = no_equilibrium(s, "after something broke");
         return;

@@ -60,6 +60,9 @@ struct simulation {
     char *failure;
 };
 
+/* Share of a phase between the gauge planes, without them of the whole body. */
+double simulation_fraction(const struct simulation *simulation, int phase);
+
 /* Seconds of a load step that the deck gives in strain or seconds. */
 double simulation_load_step(const struct simulation *simulation, double step);
 /* Builds what finds equilibria; the body's velocities are its first guess, and become 0. */

@@ -109,7 +109,7 @@ bool simulation_frame_due(const struct simulation *s)
     const struct integration *integration = &s->integration;
     if (!s->fields) return false;
     if (wanted->every > 0) return (integration->step + 1) % wanted->every == 0;
-    const double each = s->end_time / wanted->frames;
+    const double each = s->end_time / (double)wanted->frames;
     return floor((integration->time + integration->dt) / each) > floor(integration->time / each);
 }
 

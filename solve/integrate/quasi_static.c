@@ -173,7 +173,7 @@ bool quasi_static_step(struct quasi_static *q)
     }
     accept(q, dt);
     e->integration->dt = (double)e->evaluations <= EASY * (double)e->most_evaluations
-                             ? fmin(1.5 * dt, q->largest)
+                             ? fmin(QUASI_STATIC_GROWTH * dt, q->largest)
                              : dt;
     return true;
 }

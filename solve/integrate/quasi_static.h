@@ -7,6 +7,8 @@
 
 #include "equilibrium.h"
 
+#define QUASI_STATIC_GROWTH 1.5 /* of an easy step to the next */
+
 struct quasi_static {
     struct equilibrium *equilibrium;
     double largest, smallest; /* steps, s */

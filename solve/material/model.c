@@ -1,5 +1,6 @@
 #include "model.h"
 
+#include "law.h"
 #include "memory.h"
 
 #include <stdlib.h>
@@ -69,6 +70,36 @@ void model_observe(struct model *model, const struct body *body, const struct st
                    struct node_state *state)
 {
     model->formulation->observe(model->self, body, strip, state);
+}
+
+static const struct state plastic_strain = STATE_PLASTIC_STRAIN;
+
+const struct state *model_known_state(int i)
+{
+    return i == 0 ? &plastic_strain : NULL;
+}
+
+int model_state_number(const char *name)
+{
+    for (int i = 0; model_known_state(i); i++)
+        if (strcmp(model_known_state(i)->name, name) == 0) return i;
+    return -1;
+}
+
+bool model_has_state(const struct model *model, int number)
+{
+    return number == 0 && model->formulation->plastic_strain;
+}
+
+const double *model_state(const struct model *model, const struct strip *strip, int number,
+                          int component, double *buffer)
+{
+    const double *kept = model_has_state(model, number)
+                             ? model->formulation->plastic_strain(model->self, strip)
+                             : NULL;
+    for (int i = 0; !kept && i < strip->count; i++)
+        buffer[i] = component < 3 ? model_known_state(number)->initial : 0;
+    return kept ? kept : buffer;
 }
 
 /* Bonds of one layer have no force across it; the strain that is held at zero there has a stress. */

@@ -14,6 +14,7 @@
 
 struct bonds;
 struct bond_strip;
+struct state;
 
 struct force_mode {
     bool commit; /* plastic state moves on */
@@ -101,6 +102,18 @@ void model_prepare(struct model *model, struct body *body, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
 void model_observe(struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
+
+/* The states of all the laws there are (law.h: name, unit, components, help), each name once: number i; NULL beyond the
+ * last one.  They are known before any deck is read. */
+const struct state *model_known_state(int i);
+/* The number of the state of that name; -1: there is none. */
+int model_state_number(const char *name);
+/* Whether a material of this body has the state. */
+bool model_has_state(const struct model *model, int number);
+/* A component of the state at the nodes of one of model_strips, as last committed, [strip->count]: where it is kept, or in
+ * buffer, [LANES]; of nodes whose law has no such state what it would begin with. */
+const double *model_state(const struct model *model, const struct strip *strip, int number,
+                          int component, double *buffer);
 
 /* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S; of elastic materials in plane
  * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */

@@ -305,8 +305,9 @@ static void test_length_scales_the_interval(void **state)
             "damage: [{phase: A, law: ductile, onset: 0.3, full: 0.5, length: %.17g m}]",
             lengths[k]);
         struct damage_rules rules = read_rules(&small, small_nickel, breaking);
-        assert_near(rules.onset[0], 0.3, 0);
-        assert_relative(SMALL_SPACING * (exp(rules.full[0]) - exp(0.3)),
+        const struct node_rule *rule = &rules.node[0];
+        assert_near(rule->least, 0.3, 0);
+        assert_relative(SMALL_SPACING * (exp(rule->law->limit(rule->own, NULL)) - exp(0.3)),
                         lengths[k] * (exp(0.5) - exp(0.3)), 1e-13);
         damage_rules_free(&rules);
         small_body_free(&small);
@@ -342,7 +343,8 @@ static void test_errors_are_told(void **state)
         {small_nickel, WRONG("{phase: A, law: ductile, onset: 0.1, full: 0.4, length: 0}"),
          "0 m is out of range"},
         {small_nickel, WRONG("{phase: A, law: ductile, onset: 0.1, full: 0.4, value: 1}"), "value"},
-        {small_nickel, WRONG("{pair: [A, A], law: ductile, value: 0.4}"), "a law of nodes"},
+        {small_nickel, WRONG("{pair: [A, A], law: ductile, value: 0.4}"),
+         "belongs to law: critical_stretch or bond_energy, not to law: ductile"},
         {small_nickel, WRONG(OF_A ", {phase: A, law: plastic_strain, value: 1}"), "named twice"},
         {small_elastic, WRONG(OF_A), "does not yield"},
         {elastic, WRONG(OF_A), "does not yield"},

@@ -125,9 +125,8 @@ struct rest {
 static int method_number(const char *name)
 {
     int number = 0;
-    while (number < equilibrium_method_count && strcmp(equilibrium_methods[number], name) != 0)
-        number++;
-    assert_true(number < equilibrium_method_count);
+    while (equilibrium_methods[number] && strcmp(equilibrium_methods[number], name) != 0) number++;
+    assert_non_null(equilibrium_methods[number]);
     return number;
 }
 
@@ -229,7 +228,7 @@ static void check_elastic(const struct small_case *wanted)
     }
     small_static_solve(&exact, 1e-11, 2000);
     const double most = small_body_largest(&small, exact.u);
-    for (int method = 0; method < equilibrium_method_count; method++) {
+    for (int method = 0; equilibrium_methods[method]; method++) {
         struct rest rest;
         rest_new(&rest, wanted, sections, equilibrium_methods[method]);
         rest.equilibrium->tolerance = 1e-8;
