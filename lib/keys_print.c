@@ -157,14 +157,19 @@ static void write_users(FILE *file, const struct section *section, const struct 
 
 /* --- rows --------------------------------------------------------------------------------------- */
 
-/* Special characters escaped, in mdoc a sentence a line; NULL: nothing. */
+/* Special characters escaped, one space behind a sentence, in mdoc a new line; NULL: nothing. */
 static void put_words(const struct printer *to, const char *text)
 {
     const bool mdoc = to->format == KEYS_MDOC;
+    bool first = true;
     for (const char *c = text; c && *c; c++) {
-        const bool sentence = *c == ' ' && c > text + 1 && c[-1] == '.' && c[-2] != '.';
+        const bool sentence = c[0] == '.' && c[1] == ' ';
+        if (mdoc && first && (*c == '.' || *c == '\'')) fputs("\\&", to->file);
         if (strchr(to->layout->special, *c)) fputc('\\', to->file);
-        fputc(mdoc && sentence ? '\n' : mdoc && *c == '\\' ? 'e' : *c, to->file);
+        fputc(mdoc && *c == '\\' ? 'e' : *c, to->file);
+        if (sentence) fputc(mdoc ? '\n' : ' ', to->file);
+        while (sentence && c[1] == ' ') c++;
+        first = sentence;
     }
 }
 
@@ -198,18 +203,14 @@ static void put_keys(const struct printer *to, const struct section *section,
 
 static void put_chooser(const struct printer *to, const struct section *section)
 {
-    bool own = false;
     fprintf(to->file, "%s%s%s", to->layout->key[0], section->chooser, to->layout->key[1]);
-    for (int i = 0; section->variant(i); i++) {
+    for (int i = 0; section->variant(i); i++)
         fprintf(to->file, "%s%s", i ? ", " : "", section->variant(i)->name);
-        own |= section->variant(i)->keys.count > 0;
-    }
     if (section->usual < 0)
         fputs("; required", to->file);
     else
         fprintf(to->file, "; default %s", section->variant(section->usual)->name);
-    fprintf(to->file, "%s%s%s", to->layout->key[2],
-            own ? "Each has keys of its own, below." : "See below.", to->layout->key[3]);
+    fprintf(to->file, "%sSee below.%s", to->layout->key[2], to->layout->key[3]);
 }
 
 static void put_variants(const struct printer *to, const struct section *section)

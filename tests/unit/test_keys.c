@@ -48,7 +48,7 @@ static const struct section door = {.path = "oven.door",
 static const struct key rows[] = {
     {"spacing", KEY_SPACING, PLACE(spacing), .low = 1e-6, .high = 1, .required = true},
     {"mass", KEY_NUMBER, PLACE(mass), .unit = "kg", .low = 1e-3, .high = 1e6, .usual = 2,
-     .help = "Without bread. Weighed | cold."},
+     .help = "'Mass' without bread.  Weighed | cold."},
     {"edge", KEY_LENGTH, PLACE(edge), .low = 0, .high = HUGE_VAL, .usual = 0.5},
     {"wall", KEY_SPACINGS, PLACE(wall), .low = 1, .high = 10, .usual = 2},
     {"corner", KEY_LENGTH, PLACE(corner), .low = -1, .high = 1, .size = 3},
@@ -225,32 +225,33 @@ static void assert_holds(enum keys_format format, const char *const parts[])
 static void test_manual_as_text(void **state)
 {
     (void)state;
-    assert_holds(KEYS_TEXT,
-                 (const char *const[]){
-                     "oven\n    Bakes.\n\n",
-                     "  type [electric, gas, wood; default electric]\n",
-                     "  spacing [m, 1e-6 to 1; required]\n",
-                     "  mass [kg, 0.001 to 1e6; default 2]\n      Without bread. Weighed | cold.\n",
-                     "  edge [m or spacings, at least 0; default 0.5]",
-                     "  wall [m or spacings, 1 to 10 spacings; default 2 spacings]",
-                     "  corner [list of 3, m or spacings, -1 to 1; default [0, 0, 0]]",
-                     "  band [[low, high], number, 0 to 1; default [0.1, 0.4]]",
-                     "  trays [whole number, 1 to 2147483647; default 3]",
-                     "  colour [red, green; default green]",
-                     "  lit [true or false; default true; electric and gas only]",
-                     "  name [text; default: of the maker]",
-                     "  extra [list of red, green; optional]",
-                     "  lamp [mapping; optional]",
-                     "  type: electric\n      Plugged in.\n",
-                     "  type: gas\n",
-                     "  pressure [Pa, 1 to 1e9; required]\n      Of the main.\n",
-                     "  type: wood\n",
-                     "oven.lamp\n    Light.\n\n",
-                     "  length [",
-                     "oven.door\n",
-                     "  width [m, 0 to 1; default 0]",
-                     "  handle [m, 0 to 1; required; gas only]",
-                     NULL});
+    assert_holds(
+        KEYS_TEXT,
+        (const char *const[]){
+            "oven\n    Bakes.\n\n",
+            "  type [electric, gas, wood; default electric]\n",
+            "  spacing [m, 1e-6 to 1; required]\n",
+            "  mass [kg, 0.001 to 1e6; default 2]\n      'Mass' without bread. Weighed | cold.\n",
+            "  edge [m or spacings, at least 0; default 0.5]",
+            "  wall [m or spacings, 1 to 10 spacings; default 2 spacings]",
+            "  corner [list of 3, m or spacings, -1 to 1; default [0, 0, 0]]",
+            "  band [[low, high], number, 0 to 1; default [0.1, 0.4]]",
+            "  trays [whole number, 1 to 2147483647; default 3]",
+            "  colour [red, green; default green]",
+            "  lit [true or false; default true; electric and gas only]",
+            "  name [text; default: of the maker]",
+            "  extra [list of red, green; optional]",
+            "  lamp [mapping; optional]",
+            "  type: electric\n      Plugged in.\n",
+            "  type: gas\n",
+            "  pressure [Pa, 1 to 1e9; required]\n      Of the main.\n",
+            "  type: wood\n",
+            "oven.lamp\n    Light.\n\n",
+            "  length [",
+            "oven.door\n",
+            "  width [m, 0 to 1; default 0]",
+            "  handle [m, 0 to 1; required; gas only]",
+            NULL});
     /* Each section once, though the door is named twice, and no chooser where it stands outside. */
     const char *first = strstr(print(KEYS_TEXT), "oven.door");
     assert_non_null(first);
@@ -261,18 +262,19 @@ static void test_manual_as_text(void **state)
 static void test_manual_as_mdoc_and_markdown(void **state)
 {
     (void)state;
-    assert_holds(KEYS_MDOC, (const char *const[]){
-                                ".Ss oven\nBakes.\n.Bl -tag -width Ds\n.It Cm type\n",
-                                ".It Cm mass\n[kg, 0.001 to 1e6; default 2]\nWithout bread.\n",
-                                "Weighed | cold.\n", ".It Cm type : Li gas\n\n.Bl ",
-                                ".It Cm pressure\n[Pa, 1 to 1e9; required]\nOf the main.\n",
-                                ".El\n.It Cm type : Li wood\n", ".El\n.Ss oven.lamp\n", NULL});
+    assert_holds(KEYS_MDOC,
+                 (const char *const[]){
+                     ".Ss oven\nBakes.\n.Bl -tag -width Ds\n.It Cm type\n",
+                     ".It Cm mass\n[kg, 0.001 to 1e6; default 2]\n\\&'Mass' without bread.",
+                     "\nWeighed | cold.\n", ".It Cm type : Li gas\n\n.Bl ",
+                     ".It Cm pressure\n[Pa, 1 to 1e9; required]\nOf the main.\n",
+                     ".El\n.It Cm type : Li wood\n", ".El\n.Ss oven.lamp\n", NULL});
     assert_holds(
         KEYS_MARKDOWN,
         (const char *const[]){"### oven\n\nBakes.\n\n| key | takes | what |\n|---|---|---|\n"
                               "| `type` | electric, gas, wood; default electric |",
                               "| `mass` | kg, 0.001 to 1e6; default 2 | "
-                              "Without bread. Weighed \\| cold. |\n",
+                              "'Mass' without bread. Weighed \\| cold. |\n",
                               "| **`type: gas`** | |  |\n| `pressure` | Pa, 1 to 1e9; required | ",
                               "\n\n### oven.lamp\n", NULL});
 }
