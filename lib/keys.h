@@ -44,7 +44,8 @@ struct key {
     const char *form; /* KEY_NODE: how it is written, for the manual: "[x, y, z]" */
     const char *
         otherwise; /* what the manual says of a default that is no constant: "of the formulation" */
-    const char *help; /* one line: what it is */
+    const char *help;   /* one line: what it is */
+    const char *symbol; /* in the formula of its variant; NULL: it has none */
 };
 
 struct keys {

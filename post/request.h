@@ -3,7 +3,7 @@
 #define HS_REQUEST_H
 
 #include "choices.h"
-#include "law.h"
+#include "hardening.h"
 #include "view_request.h"
 
 #include <stdbool.h>
@@ -12,9 +12,9 @@ struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss;
     const char *deck;
     bool true_curve, difference, columns, quiet;
-    double fraction;        /* of the second curve; NAN where not given */
-    double strain_range[2]; /* NAN where not given */
-    const struct law *law;  /* of the constituents */
+    double fraction;                 /* of the second curve; NAN where not given */
+    double strain_range[2];          /* NAN where not given */
+    const struct hardening_law *law; /* of the constituents */
     const char *choices[CHOICE_COUNT];
     struct view_request view;
     int n_files;
