@@ -127,7 +127,7 @@ static void start_damage(struct simulation *s)
 
 static bool needs_gradient(const struct simulation *s)
 {
-    return s->materials.formulation == &formulation_correspondence;
+    return s->materials.formulation->stress_of == STRESS_OF_NODES;
 }
 
 static void build(struct simulation *s)
@@ -146,7 +146,6 @@ static void build(struct simulation *s)
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
-    s->axial = memory_new((size_t)s->body.grid.n_sites, sizeof(double));
     if (s->body.unsupported == s->lattice.n_nodes && needs_gradient(s))
         die_user("no node has a deformation gradient: the body is too thin for horizon %g",
                  s->scene.horizon);
@@ -317,7 +316,6 @@ void simulation_free(struct simulation *s)
     domain_free(&s->domain);
     if (s->history_output.path) spool_close(&s->history_output);
     if (s->fields_output.path) spool_close(&s->fields_output);
-    free(s->axial);
     free(s->failure);
     profile_free(s->profile);
     free(s);

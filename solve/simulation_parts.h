@@ -45,7 +45,6 @@ struct simulation {
     struct recorder recorder;
     struct fields *fields;
     struct spool history_output, fields_output; /* rank 0 */
-    double *axial;                              /* box field */
     double critical_step, end_time;
     double strain;                    /* of the gauge */
     double checked_deformation;       /* as of the last critical step */

@@ -403,5 +403,5 @@ void damage_break(struct damage *damage)
     }
     damage->broken += counts[0];
     damage->removed += counts[1];
-    broken_shapes(damage->body, damage->see.model->formulation == &formulation_correspondence);
+    broken_shapes(damage->body, damage->see.materials->formulation->stress_of == STRESS_OF_NODES);
 }

@@ -101,7 +101,7 @@ static void read_bond_law(struct damage_rules *rules, struct deck_node entry,
 static bool bonds_degrade(const struct damage_rules *rules, const struct damage_view *see, int a,
                           int b)
 {
-    return see->materials->formulation == &formulation_correspondence &&
+    return see->materials->formulation->stress_of == STRESS_OF_NODES &&
            (isfinite(rules->onset[a]) || isfinite(rules->onset[b]));
 }
 
@@ -146,7 +146,7 @@ static void tell_unbroken(const struct damage_rules *rules, const struct materia
 /* The stress of a correspondence material comes from its nodes, whose shape tensors make up for lost bonds. */
 static void tell_weak(const struct damage_rules *rules, const struct materials *materials)
 {
-    if (materials->formulation == &formulation_correspondence && !rules->nodes)
+    if (materials->formulation->stress_of == STRESS_OF_NODES && !rules->nodes)
         warn("damage: broken bonds alone hardly unload a correspondence material, since the "
              "families "
              "left take over; '%s' or '%s' does",

@@ -54,9 +54,9 @@ void model_force(struct model *model, struct body *body, struct force_mode mode,
     model->formulation->force(model->self, body, mode, energy);
 }
 
-void model_prepare(struct model *model, struct body *body, double *axial, int rows)
+void model_prepare(struct model *model, struct body *body, int rows)
 {
-    model->formulation->prepare(model->self, body, axial, rows);
+    if (model->formulation->prepare) model->formulation->prepare(model->self, body, rows);
 }
 
 const struct strips *model_strips(const struct model *model, const struct body *body)
@@ -102,6 +102,7 @@ void node_state_from_nominal(const struct body *body, const struct strip *strip,
             F[k] = state->H[k][i] + (k % 4 == 0);
             P[k] = body->S[k][strip->site + i];
         }
+        state->nominal[i] = P[0];
         double J = F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
                    F[2] * (F[3] * F[7] - F[4] * F[6]);
         for (int k = 0; k < 6; k++) {

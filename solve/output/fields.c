@@ -72,7 +72,7 @@ void fields_write(struct fields *fields, double time, struct model *model, struc
 {
     int variable = 0;
     if (fields->states) {
-        model_prepare(model, body, NULL, 3);
+        model_prepare(model, body, 3);
         node_values_find(fields->nodes, model, body);
     }
     for (int k = 0; k < fields->wanted.n_variables; k++)

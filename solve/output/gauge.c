@@ -119,7 +119,7 @@ struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct 
 }
 
 static void add_strip(const struct gauge *gauge, const struct body *body, const struct strip *strip,
-                      const struct node_state *node, const double *axial, struct exact_sum *sums,
+                      const struct node_state *node, struct exact_sum *sums,
                       struct exact_sum *sections)
 {
     for (int i = 0; i < strip->count; i++) {
@@ -132,7 +132,7 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         if (!between(gauge, body->lattice, x[0])) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * QUANTITIES;
         const double volume = body_volume(body, site) / body->volume;
-        exact_sum_add(&phase[STRESS], volume * axial[site]);
+        exact_sum_add(&phase[STRESS], volume * node->nominal[i]);
         exact_sum_add(&phase[TRUE_STRESS], volume * node->cauchy[0][i]);
         exact_sum_add(&phase[STRAIN], volume * node->H[0][i]);
         exact_sum_add(&phase[PLASTIC], volume * node->plastic[i]);
@@ -154,7 +154,7 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
 }
 
 void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
-                   const double *axial, struct gauge_phase *phases, struct gauge_section *section)
+                   struct gauge_phase *phases, struct gauge_section *section)
 {
     const int n_sums = gauge->n_phases * QUANTITIES, n_layers = layers(body->lattice);
     struct exact_sum *sums = memory_new((size_t)(n_sums + n_layers), sizeof *sums);
@@ -169,7 +169,7 @@ void gauge_measure(const struct gauge *gauge, struct model *model, const struct 
         const struct strip *strip = &strips->items[s];
         struct node_state node;
         model_observe(model, body, strip, &node);
-        add_strip(gauge, body, strip, &node, axial, sums, sums + n_sums);
+        add_strip(gauge, body, strip, &node, sums, sums + n_sums);
     }
     double *values = memory_new((size_t)(n_sums + n_layers), sizeof *values);
     exact_sum_finish(sums, n_sums + n_layers, values);

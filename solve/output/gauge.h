@@ -36,9 +36,8 @@ struct gauge_section {
     double ratio, x;
 };
 
-/* axial: nominal stress xx of each node (box field, from model_force).  phases[n_phases].
- * Collective. */
+/* phases[n_phases].  model_prepare goes before it.  Collective. */
 void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
-                   const double *axial, struct gauge_phase *phases, struct gauge_section *section);
+                   struct gauge_phase *phases, struct gauge_section *section);
 
 #endif

@@ -149,8 +149,7 @@ static double *put_phases(const struct recorder *recorder, const struct gauge_ph
 
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      struct quantities *quantities, const struct integration *integration,
-                     const struct boundary *boundary, struct model *model, struct body *body,
-                     double *axial)
+                     const struct boundary *boundary, struct model *model, struct body *body)
 {
     static const struct boundary_set nothing;
     const bool grips = boundary_has_grips(boundary);
@@ -163,8 +162,8 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     if (gauge) planes = gauge_displacements(gauge, body);
     /* At rest the energies of bonds are tested after the record, of what it has prepared. */
     const bool states = quantities_need_states(quantities);
-    if (gauge || states || !integration->moving) model_prepare(model, body, axial, states ? 3 : 1);
-    if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
+    if (gauge || states || !integration->moving) model_prepare(model, body, states ? 3 : 1);
+    if (gauge) gauge_measure(gauge, model, body, phases, &section);
     quantities_measure(quantities, model, body, wanted);
     const double unsteady =
         integration->moving ? damping_unsteady_energy(integration, body, boundary) : 0;

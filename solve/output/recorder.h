@@ -21,12 +21,11 @@ struct recorder recorder_new(const struct domain *domain, int n_phases, char *co
                              const struct scene *scene, bool grips, bool gauge);
 void recorder_free(struct recorder *recorder);
 
-/* Adds a record; axial as in gauge_measure.  Returns the gauge's nominal strain, 0 without gauge (NULL).
+/* Adds a record, to follow a force with mode.record.  Returns the gauge's nominal strain, 0 without gauge (NULL).
  * Collective. */
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      struct quantities *quantities, const struct integration *integration,
-                     const struct boundary *boundary, struct model *model, struct body *body,
-                     double *axial);
+                     const struct boundary *boundary, struct model *model, struct body *body);
 
 /* Takes the last record back. */
 void recorder_forget(struct recorder *recorder);

@@ -1,6 +1,8 @@
 # Boundary conditions, initial values and chosen columns from the outside: what a deck may ask for, what it
 # gets, and what is refused.
 
+bats_require_minimum_version 1.5.0
+
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     cat >bar.yaml <<'DECK'
@@ -45,7 +47,7 @@ setup() {
 # The deck with one thing changed by sed.
 change() {
     sed "$1" bar.yaml >changed.yaml
-    ! cmp -s bar.yaml changed.yaml
+    run ! cmp -s bar.yaml changed.yaml
 }
 
 # wrong PLACE TEXT SED: a deck changed by sed is refused with this place and text, and leaves nothing.

@@ -1,5 +1,7 @@
 # hsgen from the outside: options, exit codes, files, reproducibility.
 
+bats_require_minimum_version 1.5.0
+
 setup() {
     cd "$BATS_TEST_TMPDIR"
     # cairo's fonts: what fontconfig keeps until the end is no leak of ours (sanitizer builds)
@@ -207,7 +209,7 @@ END
     [ "$(attribute sheet.g dimensions)" = 2. ]
     [ "$(attribute sheet.g thickness_m)" = 1. ]
     [ "$(attribute sheet.g section_m2)" = 0.0004 ]
-    ! grep -q ',z,' sheet.csv
+    run ! grep -q ',z,' sheet.csv
     # the cores serve at another spacing
     sed 's/spacing: 25 um/spacing: 12.5 um/; /lattice:/d; /core:/d; s/core_distance: .*/cores: sheet.cores/' \
         sheet.yaml | hsgen -q -o fine.g

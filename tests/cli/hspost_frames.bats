@@ -103,7 +103,7 @@ rows() { grep -v '^#' "$1" | sed 1d; }
         hspost --frames "$fields" --picture second.$format --variables VonMises,Displacement,Phase
         cmp first.$format second.$format
         hspost --frames "$fields" --picture other.$format --variables VonMises,Displacement,Phase --deformed 20
-        ! cmp -s first.$format other.$format
+        run ! cmp -s first.$format other.$format
     done
     [ "$(head -c 4 first.png | tail -c 3)" = PNG ]
     [ "$(head -c 4 first.pdf)" = %PDF ]
@@ -116,7 +116,7 @@ rows() { grep -v '^#' "$1" | sed 1d; }
     hspost --frames "$fields" --picture three.svg --variables VonMises,VonMises --range '0 MPa:0.2 GPa'
     hspost --frames "$fields" --picture four.svg --variables VonMises,VonMises --range 0:2e8,0:2e8
     cmp three.svg four.svg
-    ! cmp -s one.svg three.svg
+    run ! cmp -s one.svg three.svg
 }
 
 @test "what is not there is named with what is" {

@@ -1,5 +1,7 @@
 # hssolve from the outside: what a user can get wrong, what a run can meet, what is left behind.
 
+bats_require_minimum_version 1.5.0
+
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     cat >study.yaml <<'DECK'
@@ -53,7 +55,7 @@ setup() {
 # The study with one thing changed by sed.
 change() {
     sed "$1" study.yaml >changed.yaml
-    ! cmp -s study.yaml changed.yaml
+    run ! cmp -s study.yaml changed.yaml
 }
 
 # What a history holds but for what names the command: the numbers to the last bit.
@@ -63,7 +65,7 @@ numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_b
 all_finite() {
     ncdump -v "$2" "$1" | sed "1,/^data:/d" >values
     grep -q '[0-9]' values
-    ! grep -qi 'nan\|inf' values
+    run ! grep -qi 'nan\|inf' values
 }
 
 # refused CODE TEXT OPTION...: ends with the code and one message that holds the text, leaves nothing.
@@ -76,7 +78,8 @@ refused() {
         echo "$output"
         return 1
     fi
-    [ ! -e out.e ] && [ -z "$(find . -name '*.partial-*')" ]
+    [ ! -e out.e ]
+    [ -z "$(find . -name '*.partial-*')" ]
 }
 
 # wrong PLACE TEXT SED: a deck changed by sed is refused with this place and text.

@@ -126,7 +126,7 @@ rows() { grep -v '^#' "$1"; }
     done
     ask hspost 's/  modulus_range/  asked/'
     [ "$(sort -u keys | wc -l)" -gt 60 ]
-    for key in $(sort -u keys); do
+    while read -r key; do
         grep -qE "^\.(It )?Cm (.* )?$key( |$)|\{(.*[ ,])?$key:" "$manual" || { echo "no $key in $manual"; return 1; }
-    done
+    done < <(sort -u keys)
 }

@@ -1,15 +1,36 @@
 # What the sources promise about themselves: equations in docs/theory.md, who includes whom.
 
+bats_require_minimum_version 1.5.0
+
 setup() { cd "$BATS_TEST_DIRNAME/../.."; }
 
 # Labels such as (mix.2); numbers in brackets such as (0.5) have no letters.
-labels() { grep -rhoE '\([a-z][a-z0-9]*\.[0-9]+\)' "$@" | sort -u; }
+labels() { grep -rhoE '\([a-z][a-z0-9_]*\.[0-9]+\)' "$@" | sort -u; }
+
+# same_labels THEORY DIRECTORY...: the directories' sources have the labels of that file, and no others.
+same_labels() {
+    local theory=$1
+    shift
+    labels --include='*.[ch]' "$@" >"$BATS_TEST_TMPDIR/code"
+    labels "$theory" >"$BATS_TEST_TMPDIR/theory"
+    [ -s "$BATS_TEST_TMPDIR/code" ] || return
+    diff "$BATS_TEST_TMPDIR/code" "$BATS_TEST_TMPDIR/theory"
+}
 
 @test "every equation label of the code is in docs/theory.md, and the reverse" {
-    labels --include='*.[ch]' lib gen solve post >"$BATS_TEST_TMPDIR/code"
-    labels docs/theory.md >"$BATS_TEST_TMPDIR/theory"
-    [ -s "$BATS_TEST_TMPDIR/code" ]
-    diff "$BATS_TEST_TMPDIR/code" "$BATS_TEST_TMPDIR/theory"
+    same_labels docs/theory.md lib gen solve post
+}
+
+@test "a label that is on one side alone is found, with underscores and digits, too" {
+    for label in planted.1 planted_law.12 j2_planted.3; do
+        mkdir -p "$BATS_TEST_TMPDIR/src"
+        echo "/* by ($label) */" >"$BATS_TEST_TMPDIR/src/planted.c"
+        run ! same_labels docs/theory.md lib gen solve post "$BATS_TEST_TMPDIR/src"
+        [[ $output == *"< ($label)"* ]]
+        { cat docs/theory.md; echo "| ($label) | planted |"; } >"$BATS_TEST_TMPDIR/planted.md"
+        run ! same_labels "$BATS_TEST_TMPDIR/planted.md" lib gen solve post
+        [[ $output == *"> ($label)"* ]]
+    done
 }
 
 # includes DIRECTORY: names in its #include "..." lines.
@@ -18,9 +39,9 @@ headers() { find "$@" -name '*.h' -printf '%f\n' | sort -u; }
 
 @test "lib includes none of the tools, and the tools none of each other" {
     for part in lib gen solve post; do
-        others=$(printf '%s\n' gen solve post | grep -vx "$part")
+        mapfile -t others < <(printf '%s\n' gen solve post | grep -vx "$part")
         # names that only other tools have
-        comm -23 <(headers $others) <(headers lib "$part") >"$BATS_TEST_TMPDIR/foreign"
+        comm -23 <(headers "${others[@]}") <(headers lib "$part") >"$BATS_TEST_TMPDIR/foreign"
         [ -s "$BATS_TEST_TMPDIR/foreign" ]
         found=$(comm -12 "$BATS_TEST_TMPDIR/foreign" <(includes "$part"))
         [ -z "$found" ] || { echo "$part includes $found"; return 1; }
@@ -54,5 +75,38 @@ only_in() {
 }
 
 @test "the material laws know nothing of MPI" {
-    ! grep -rn 'MPI_\|mpi\.h' solve/material
+    [ -d solve/material ]
+    run ! grep -rn 'MPI_\|mpi\.h' solve/material
+}
+
+# In a test `! command` and the first half of `a && b` stop nothing: bash leaves both out of `set -e`.
+no_assertion() { grep -nE '^ *(! |(\[.*\]|\[\[.*\]\]) && (\[|run |grep |cmp ))' "$@"; }
+
+@test "no line of the tests is an assertion that cannot fail" {
+    run ! no_assertion tests/*/*.bats tests/*.bash tests/*/*.bash
+    echo "$output"
+    printf '    [ -s a ] && [ -s b ]\n' >"$BATS_TEST_TMPDIR/planted"
+    no_assertion "$BATS_TEST_TMPDIR/planted"
+    printf '        ! grep -q a b\n' >"$BATS_TEST_TMPDIR/planted"
+    no_assertion "$BATS_TEST_TMPDIR/planted"
+}
+
+# Every script of the tree: what shellcheck knows by its first line, and what is loaded into tests.
+scripts() {
+    { git ls-files .ci tests pipelines 2>/dev/null || find .ci tests pipelines -type f; } | while read -r file; do
+        case $file in
+        *.bats | *.bash) echo "$file" ;;
+        *) if head -n 1 "$file" | grep -qE '^#!.*[ /](ba)?sh'; then echo "$file"; fi ;;
+        esac
+    done
+}
+
+@test "shellcheck has nothing to say, assertions that cannot fail (SC2314, SC2315) included" {
+    command -v shellcheck >/dev/null || skip "no shellcheck"
+    mapfile -t files < <(scripts)
+    [ "${#files[@]}" -gt 30 ]
+    shellcheck -s bash -f gcc "${files[@]}"
+    printf '@test "planted" {\n    ! true\n    true\n}\n' >"$BATS_TEST_TMPDIR/planted.bats"
+    run ! shellcheck -f gcc "$BATS_TEST_TMPDIR/planted.bats"
+    [[ $output == *SC2314* ]]
 }

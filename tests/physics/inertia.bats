@@ -65,11 +65,11 @@ last() { hspost -q --columns "$1.e" | awk -F, -v names="${*:2}" '/^#/ { next }
   - {set: grip_left, direction: x, velocity: -10 m/s}
   - {set: grip_right, direction: x, velocity: 10 m/s}'
     for ranks in 1 2 3 4; do
-        hssolve -q -j $ranks -i pulled.g -H $ranks.e
-        hspost -q --columns $ranks.e | grep -v '^#' >$ranks
-        cmp 1 $ranks
+        hssolve -q -j $ranks -i pulled.g -H "$ranks.e"
+        hspost -q --columns "$ranks.e" | grep -v '^#' >"$ranks.csv"
+        cmp 1.csv "$ranks.csv"
     done
-    [ "$(wc -l <1)" -gt 30 ]
+    [ "$(wc -l <1.csv)" -gt 30 ]
 }
 
 @test "a share of the force beyond what moves, or inertia of nothing, is refused with its place" {

@@ -1,6 +1,8 @@
 # Scattered particles: the same bits on any number of ranks, for every formulation, while bonds break; and
 # a lattice in a file is found and runs as one.
 
+bats_require_minimum_version 1.5.0
+
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # particles JITTER: a bar of 24 x 5 x 5 in particles.txt, each moved by up to JITTER/2 spacings
@@ -93,9 +95,9 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
     particles 0
     deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'
     hssolve --deck study.yaml -i particles.txt -H lattice.e 2>messages
-    ! grep "list of neighbours" messages
+    run ! grep "list of neighbours" messages
     { head -1 particles.txt; tail -n +2 particles.txt | sort -R --random-source=/bin/sh; } >shuffled.txt
-    ! cmp -s particles.txt shuffled.txt
+    run ! cmp -s particles.txt shuffled.txt
     hssolve -q --deck study.yaml -i shuffled.txt -H shuffled.e
     hspost -q lattice.e | grep -v '^#' >lattice.csv
     hspost -q shuffled.e | grep -v '^#' >shuffled.csv

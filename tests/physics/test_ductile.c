@@ -60,19 +60,29 @@ struct answer {
     double held, axial;
 };
 
+/* Nominal stress xx of a node, as of the last force to be recorded. */
+static double nominal_stress(struct small_body *small, int64_t site)
+{
+    const struct strips *strips = model_strips(small->model, &small->body);
+    const struct strip *strip = strips->items;
+    while (site < strip->site || site >= strip->site + strip->count) strip++;
+    struct node_state node;
+    model_observe(small->model, &small->body, strip, &node);
+    return node.nominal[site - strip->site];
+}
+
 static struct answer force(struct small_body *small, bool commit)
 {
     const struct exact_sum zero =
         exact_sum_new(young * (double)small->lattice.n_nodes * small->body.volume);
     struct force_energy energy = {zero, zero, zero};
-    double *axial = memory_new((size_t)small->body.grid.n_sites, sizeof *axial), values[3];
+    double values[3];
     model_force(small->model, &small->body,
-                (struct force_mode){.commit = commit, .energy = true, .axial = axial}, &energy);
+                (struct force_mode){.commit = commit, .energy = true, .record = true}, &energy);
     exact_sum_finish(
         (const struct exact_sum[]){energy.stored, energy.plastic, energy.stabilisation}, 3, values);
-    struct answer answer = {values[0] + values[1] + values[2], axial[small_body_middle(small)]};
-    free(axial);
-    return answer;
+    return (struct answer){values[0] + values[1] + values[2],
+                           nominal_stress(small, small_body_middle(small))};
 }
 
 /* A state that is accepted: the largest growth of damage. */

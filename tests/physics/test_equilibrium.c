@@ -386,7 +386,7 @@ static void test_a_refused_step_leaves_nothing(void **state)
     const size_t n = (size_t)body->grid.n_sites;
     double *u[3], *f[3];
     integration->dt = 0.5;
-    assert_true(quasi_static_step(steps, NULL));
+    assert_true(quasi_static_step(steps));
     assert_true(integration->residual > 0 && integration->residual <= e->tolerance);
     for (int a = 0; a < 3; a++) {
         u[a] = memory_new(n, sizeof(double));
@@ -398,7 +398,7 @@ static void test_a_refused_step_leaves_nothing(void **state)
     const int64_t step = integration->step;
     const double time = integration->time;
     e->most_evaluations = 2;
-    assert_false(quasi_static_step(steps, NULL));
+    assert_false(quasi_static_step(steps));
     assert_true(steps->refused >= 3); /* halved from 0.5 or more to under 0.1 */
     assert_int_equal(integration->step, step);
     assert_true(integration->time == time);
@@ -410,7 +410,7 @@ static void test_a_refused_step_leaves_nothing(void **state)
             assert_near(body->f[a][site], f[a][site], 1e-9 * largest);
         }
     e->most_evaluations = 2000;
-    assert_true(quasi_static_step(steps, NULL));
+    assert_true(quasi_static_step(steps));
     for (int a = 0; a < 3; a++) {
         free(u[a]);
         free(f[a]);

@@ -136,11 +136,11 @@ END_OF_DECK
     for case in "1 400 0.8" "1e2 400 0.8" "1e4 400 0.8" "1e5 40 0.8" "1e6 40 0.08"; do
         read -r rate steps safety <<<"$case"
         GRIP=3 body rate "model: correspondence_elastic, $elastic" "type: explicit, safety: $safety, end_steps: $steps, horizon: 1, stabilisation: {law: mix}" \
-            "$(stretch $rate)
+            "$(stretch "$rate")
   - {where: \"1\", direction: y, velocity: \"-0.31*$rate*y\"}
   - {where: \"1\", direction: z, velocity: \"-0.31*$rate*(z-50e-6)\"}" '[0.3 mm, 0.15 mm, 0.125 mm]'
         hssolve -q -i rate.g -H rate.e
-        columns rate.e pull time_s energy_drift | tail -n 1 | awk -v rate=$rate '{ e = rate * $2; E = -$1 / 0.01875e-6 / e / 210e9; print rate, e, E, $3
+        columns rate.e pull time_s energy_drift | tail -n 1 | awk -v rate="$rate" '{ e = rate * $2; E = -$1 / 0.01875e-6 / e / 210e9; print rate, e, E, $3
             exit !($3 * $3 < 1e-6 && (E - 1) ^ 2 < (0.02 + 3 * e) ^ 2) }'
     done
 }
@@ -160,7 +160,7 @@ initial:
   - {where: \"1\", direction: y, velocity: \"1e7*y\"}
   - {where: \"1\", direction: z, velocity: \"1e7*(z-50e-6)\"}"
         hssolve -q -i burst.g -H burst.e 2>messages || { cat messages; false; }
-        columns burst.e broken_bonds kinetic_energy_J stored_energy_J energy_drift time_s | awk -v horizon=$horizon -v what="$case" '
+        columns burst.e broken_bonds kinetic_energy_J stored_energy_J energy_drift time_s | awk -v horizon="$horizon" -v what="$case" '
             { broken = $1; stored = $3; kinetic[NR] = $2; drift = $4 * $4 > drift ? $4 * $4 : drift }
             END { for (c = -4; c <= 4; c++) for (b = -5; b <= 5; b++) for (a = -5; a <= 5; a++) {
                       square = a * a + b * b + c * c
@@ -181,7 +181,12 @@ initial:
   - $law
 $(stretch 3e4)"
             run hssolve -q -i breaking.g -H breaking.e
-            [ "$status" -eq 0 ] || { echo "$model $safety: $output"; [[ $output == *"energy balance"* ]] && [ "$safety" = 0.99 ]; continue; }
+            if [ "$status" -ne 0 ]; then
+                echo "$model $safety: $output"
+                [[ $output == *"energy balance"* ]]
+                [ "$safety" = 0.99 ]
+                continue
+            fi
             columns breaking.e energy_drift broken_bonds removed_nodes | awk -v what="$law $safety" -v safety=$safety '{ d = $1 * $1 > d ? $1 * $1 : d; gone = $2 + $3 }
                 END { print what, sqrt(d), gone; exit !(gone > 0 && sqrt(d) < (safety < 0.5 ? 0.01 : 0.05)) }'
         done
@@ -202,7 +207,7 @@ $(stretch 3e4)"
 $(stretch 3e4)"
         hssolve -q -i mirror.g -H mirror.e
         columns mirror.e left right down broken_bonds | awk -v what="$law" '{ a = ($1 + $2) / $2; b = ($3 - $2) / $2; if (NR > 3) { a = a * a; b = b * b; if (a > m) m = a; if (b > m) m = b } broken = $4 }
-            END { print what, sqrt(m), broken; exit !(m < 1e-18) }'
+            END { print what, sqrt(m), broken; exit !(NR > 10 && broken > 0 && m < 1e-18) }'
     done
 }
 
@@ -214,7 +219,7 @@ $(stretch 3e4)" '[0.4 mm, 0.3 mm, 0.2 mm]'
     columns one.e time_s pull kinetic_energy_J plastic_energy_J fracture_energy_J broken_bonds removed_nodes >one
     awk 'END { exit !($7 > 0) }' one
     for ranks in ${LONG:+2 3 4} 5 6 7 ${LONG:+8}; do
-        hssolve -q -j $ranks -i shared.g -H many.e
+        hssolve -q -j "$ranks" -i shared.g -H many.e
         columns many.e time_s pull kinetic_energy_J plastic_energy_J fracture_energy_J broken_bonds removed_nodes | cmp - one
     done
 }

@@ -131,7 +131,7 @@ END
 @test "lattices disturbed by 0.1, 1 and 10 per cent of the spacing: the stiffness changes as little" {
     # Bars of 12 x 5 x 5 particles at rest; the undisturbed one is the answer.
     for jitter in 0 0.001 ${LONG:+0.01} 0.1; do
-        awk -v j=$jitter 'BEGIN { srand(7); print "# x y z block volume"
+        awk -v j="$jitter" 'BEGIN { srand(7); print "# x y z block volume"
             for (z = 0; z < 5; z++) for (y = 0; y < 5; y++) for (x = 0; x < 12; x++)
                 printf "%.12g %.12g %.12g 1 1.5625e-14\n", (x + j * (2 * rand() - 1)) * 25e-6, (y + j * (2 * rand() - 1)) * 25e-6, (z + j * (2 * rand() - 1)) * 25e-6 }' >jitter.txt
         for model in "bond_based, youngs_modulus: 210 GPa}|horizon: 3.015" "ordinary, $elastic}|horizon: 3.015" "correspondence_elastic, $elastic}|horizon: 2.015, stabilisation: {law: capped}"; do
