@@ -29,7 +29,7 @@ struct damage {
         int64_t strip, place;
         double excess, count;
     } * found;
-    int64_t n_found, room;
+    int64_t n_found;
 };
 
 /* The volume of its family that each node is bonded to, now or without what has been cut and broken: adds that of the
@@ -197,14 +197,7 @@ static double count_bond(const struct damage *damage, const struct bond_view *vi
 
 static void add_found(struct damage *damage, struct found found)
 {
-    if (damage->n_found == damage->room) {
-        damage->room = 2 * damage->room + 64;
-        struct found *longer = memory_new((size_t)damage->room, sizeof *longer);
-        if (damage->n_found > 0)
-            memcpy(longer, damage->found, (size_t)damage->n_found * sizeof *longer);
-        free(damage->found);
-        damage->found = longer;
-    }
+    damage->found = memory_grow(damage->found, damage->n_found, sizeof found);
     damage->found[damage->n_found++] = found;
 }
 

@@ -98,19 +98,8 @@ static double *new_record(struct recorder *recorder, double time)
 {
     struct history *history = &recorder->history;
     const size_t columns = (size_t)history->n_columns;
-    if (history->n_records == recorder->room) {
-        recorder->room = 2 * recorder->room + 64;
-        double *times = memory_new((size_t)recorder->room, sizeof *times);
-        double *values = memory_new((size_t)recorder->room * columns, sizeof *values);
-        if (history->n_records > 0) {
-            memcpy(times, history->time, (size_t)history->n_records * sizeof *times);
-            memcpy(values, history->values, (size_t)history->n_records * columns * sizeof *values);
-        }
-        free(history->time);
-        free(history->values);
-        history->time = times;
-        history->values = values;
-    }
+    history->time = memory_grow(history->time, history->n_records, sizeof *history->time);
+    history->values = memory_grow(history->values, history->n_records, columns * sizeof(double));
     history->time[history->n_records] = time;
     return history->values + (size_t)history->n_records++ * columns;
 }

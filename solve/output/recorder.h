@@ -12,7 +12,6 @@ struct recorder {
     bool grips, gauge; /* there are columns of theirs */
     int n_phases;
     struct history history; /* filled on rank 0 only */
-    int64_t room;
 };
 
 /* Columns for grips and gauge, where there are such, and for the scene's quantities; the attributes of the
