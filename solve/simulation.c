@@ -240,7 +240,8 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     profile_enter(s->profile, PART_REST);
     plan_time(s);
     s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
-                               boundary_has_grips(&s->boundary), s->gauge != NULL);
+                               (boundary_has_grips(&s->boundary) ? NEEDS_GRIPS : 0) |
+                                   (s->gauge ? NEEDS_GAUGE : 0));
     if (arguments->fields && !arguments->check) {
         if (ranks.rank == 0) {
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());

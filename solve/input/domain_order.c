@@ -13,13 +13,12 @@ static void refuse_coincident(const struct domain *domain)
 {
     double *const x[3] = {domain->x, domain->y, domain->z};
     struct neighbours close = neighbours_new(x, domain->n_nodes, 1e-4 * domain_spacing(domain));
-    int64_t *members = NULL, room = 0;
     for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (neighbours_find(&close, x, i, &members, &room) > 0)
-            die_user("node %lld at (%g, %g, %g) m lies on another node, %lld",
-                     (long long)members[0] + 1, x[0][members[0]], x[1][members[0]],
-                     x[2][members[0]], (long long)i + 1);
-    free(members);
+        if (neighbours_find(&close, x, i) > 0) {
+            const int64_t other = close.found[0];
+            die_user("node %lld at (%g, %g, %g) m lies on another node, %lld", (long long)other + 1,
+                     x[0][other], x[1][other], x[2][other], (long long)i + 1);
+        }
     neighbours_free(&close);
 }
 
