@@ -49,6 +49,7 @@ struct key {
         *form; /* of a KEY_NODE or KEY_TEXT, how it is written: "[x, y, z]", "name of a phase" */
     const char *otherwise; /* a default that is no constant: "of the formulation" */
     const char *help;      /* what it is, one line */
+    const char *symbol;    /* in the formula of its variant; NULL: it has none */
 };
 
 struct keys {

@@ -19,11 +19,14 @@ static const struct key own_rows[] = {
 static const struct keys own_keys = KEYS(own_rows);
 enum { OWN_OPTIONS = 13, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
-static const struct law *read_law(const char *name)
+static const struct hardening_law *read_law(const char *name)
 {
-    for (int k = 0; k < LAW_COUNT; k++)
-        if (strcmp(law_of((enum law_index)k)->name, name) == 0) return law_of((enum law_index)k);
-    die_user("--law: no law '%s'; there are hollomon, ludwik, swift, voce, two_voce, linear", name);
+    const struct hardening_law *law = hardening_fitted(name);
+    if (law) return law;
+    char *names = memory_text("");
+    for (int i = 0; (law = hardening_law(i)); i++)
+        if (law->n_linear > 0) names = memory_print("%s %s", names, law->variant.name);
+    die_user("--law: no law '%s'; there are%s", name, names);
 }
 
 static void check(const struct request *request)
