@@ -193,22 +193,17 @@ static void check_curves(const struct request *request)
 /* Does all but writing: what is wrong ends the program. */
 static void check_all(const struct request *request)
 {
-    const struct {
-        const char *what, *file;
-    } outputs[] = {
-        {"curve or table", request->output},    {"properties (CSV)", request->properties},
-        {"properties (JSON)", request->json},   {"figure", request->plot},
-        {"iso-strain mixture", request->voigt}, {"iso-stress mixture", request->reuss},
-        {"picture", request->view.picture},
-    };
+    const char *const files[] = {request->output,      request->properties, request->json,
+                                 request->plot,        request->voigt,      request->reuss,
+                                 request->view.picture};
     if (request->view.frames)
         check_frames(&request->view);
     else if (request->columns && request->n_files > 0)
         check_columns(request->files[0]);
     else
         check_curves(request);
-    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
-        if (outputs[i].file) note("would write %s: %s", outputs[i].file, outputs[i].what);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (files[i]) note("would write %s", files[i]);
 }
 
 int main(int argc, char **argv)
@@ -226,6 +221,7 @@ int main(int argc, char **argv)
     else
         treat_curves(&request, maker);
     free(maker);
+    free(request.choices);
     if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
     return 0;
 }

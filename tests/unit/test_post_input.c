@@ -210,28 +210,29 @@ static void read_spoilt(const void *argument)
     curve_make(&input, &choices);
 }
 
-static struct option_row find_option(const char *name)
+static const struct option_row *find_option(const struct option_row rows[], const char *name)
 {
-    static const char *texts[MOST_KEYS];
-    struct option_row rows[MOST_KEYS];
-    keys_options(&post_section.keys, rows, texts);
     for (int i = 0; i < post_section.keys.count; i++)
-        if (strcmp(rows[i].name, name) == 0) return rows[i];
+        if (strcmp(rows[i].name, name) == 0) return &rows[i];
     fail_msg("no option --%s", name);
-    return (struct option_row){0};
+    return NULL;
 }
 
 static void options_are_keys(void **state)
 {
     (void)state;
-    struct option_row row = find_option("hardening-range");
-    assert_string_equal(row.argument, "A:B");
-    assert_non_null(strstr(row.help, "plastic strain for n and K, at most Ag (0.02:0.2)"));
-    assert_string_equal(find_option("gauge-length").argument, "LENGTH");
-    assert_string_equal(find_option("section").argument, "AREA");
-    assert_string_equal(find_option("title").argument, "TEXT");
-    assert_non_null(strstr(find_option("window").help, "(0.01)"));
-    assert_non_null(strstr(find_option("toe").help, "(from the fit of the slope)"));
+    const char *texts[MOST_KEYS];
+    struct option_row rows[MOST_KEYS];
+    keys_options(&post_section.keys, rows, texts);
+    const struct option_row *row = find_option(rows, "hardening-range");
+    assert_string_equal(row->argument, "A:B");
+    assert_non_null(strstr(row->help, "plastic strain for n and K, at most Ag (0.02:0.2)"));
+    assert_string_equal(find_option(rows, "gauge-length")->argument, "LENGTH");
+    assert_string_equal(find_option(rows, "section")->argument, "AREA");
+    assert_string_equal(find_option(rows, "title")->argument, "TEXT");
+    assert_non_null(strstr(find_option(rows, "window")->help, "(0.01)"));
+    assert_non_null(strstr(find_option(rows, "toe")->help, "(from the fit of the slope)"));
+    keys_options_free(&post_section.keys, rows);
 }
 
 static void take_option(const void *argument)
