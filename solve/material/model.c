@@ -1,7 +1,7 @@
 #include "model.h"
 
-#include "law.h"
 #include "memory.h"
+#include "state.h"
 
 #include <stdlib.h>
 #include <string.h>

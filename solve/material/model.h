@@ -103,7 +103,7 @@ const struct strips *model_strips(const struct model *model, const struct body *
 void model_observe(struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
 
-/* The states of all the laws there are (law.h: name, unit, components, help), each name once: number i; NULL beyond the
+/* The states of all the laws there are (state.h), each name once: number i; NULL beyond the
  * last one.  They are known before any deck is read. */
 const struct state *model_known_state(int i);
 /* The number of the state of that name; -1: there is none. */
