@@ -7,6 +7,7 @@
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
 #   make bench-compare REV=...  kernels beside those of an earlier commit
+#   make docs            the keys of the deck into docs/deck.md and docs/man/hsdeck.5
 #   make format          clang-format over the tree
 #   make first           the small study of the README
 #   make flagship study  the larger ones of pipelines/ (minutes to an hour)
@@ -67,7 +68,7 @@ SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
-.PHONY: all check check-unit check-cli check-physics check-format install uninstall clean format help \
+.PHONY: all check check-unit check-cli check-physics check-format docs install uninstall clean format help \
         first flagship study stress bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -165,6 +166,10 @@ check-cli: all
 check-physics: all $(TESTS)
 	$(PROVE) $(filter $(BUILD)/tests/physics/%,$(TESTS)) $(sort $(wildcard tests/physics/*.bats))
 
+# The keys that the programs know, into the manuals.
+docs: all
+	PATH=$(abspath $(BUILD)/bin):$$PATH docs/keys docs/deck.md docs/man/hsdeck.5
+
 FORMATTED := $(shell find lib gen solve post tests -name '*.[ch]')
 CLANG_FORMAT ?= clang-format
 format:
@@ -187,7 +192,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,14s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,15s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -12,7 +12,7 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
     const struct specimen *specimen = &recipe->specimen;
     attributes_set_number(attributes, "spacing_m", specimen->spacing);
     if (specimen_is_sheet(specimen)) {
-        attributes_set_number(attributes, "dimensions", specimen->dimensions);
+        attributes_set_number(attributes, "dimensions", (double)specimen->dimensions);
         attributes_set_number(attributes, "thickness_m", specimen->size[2]);
     }
     attributes_set_number(attributes, "section_m2", specimen_section(specimen, structure->sites));

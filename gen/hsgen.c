@@ -6,6 +6,7 @@
 #include "options.h"
 #include "peridigm.h"
 #include "picture.h"
+#include "sections.h"
 #include "spool.h"
 #include "statistics.h"
 #include "topology.h"
@@ -15,11 +16,12 @@
 
 struct choices {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores;
-    bool override, quiet;
+    bool override, check, quiet;
 };
 
 static struct choices read_choices(int argc, char **argv)
 {
+    static const struct section *const sections[] = {&deck_section, &domain_section, NULL};
     struct choices c = {.deck = "-"};
     const struct option_row rows[] = {
         {'o', "output", "FILE", "write the domain (Genesis) there, not to the pipe", NULL,
@@ -29,6 +31,7 @@ static struct choices read_choices(int argc, char **argv)
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
+        {0, "check", NULL, "check the deck, say what would be made, make nothing", &c.check, NULL},
         {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
     };
     const struct option_table table = {
@@ -37,6 +40,7 @@ static struct choices read_choices(int argc, char **argv)
         "Makes a particle domain with a harmonic, random or homogeneous microstructure.",
         rows,
         sizeof rows / sizeof *rows,
+        sections,
     };
     int first = options_read(&table, argc, argv);
     if (first < argc - 1)
@@ -71,7 +75,7 @@ static void write_side_files(const struct choices *c, const struct recipe *recip
 {
     if (c->statistics) statistics_write(recipe, structure, findings, c->statistics);
     if (c->picture) picture_write(recipe, structure, c->picture);
-    if (c->cores) cores_write(cores, recipe->topology->name, c->cores);
+    if (c->cores) cores_write(cores, recipe->topology->deck.name, c->cores);
 }
 
 static void set_provenance(const struct deck *deck, int argc, char **argv,
@@ -90,6 +94,31 @@ static void set_provenance(const struct deck *deck, int argc, char **argv,
     free(command);
 }
 
+/* All that can be found wrong without the structure itself, and what would be made. */
+static void say_plan(const struct choices *c, struct recipe *recipe)
+{
+    enum { NODE_BYTES = 80 }; /* of memory, measured */
+    const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
+                                 c->picture, c->cores, c->peridigm};
+    struct sites sites = specimen_sites(&recipe->specimen);
+    struct cores cores = recipe_cores(recipe);
+    struct domain domain = {0};
+    specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
+    note("%s: %lld x %lld x %lld sites of %g m, %lld nodes, %lld cores",
+         recipe->topology->deck.name, (long long)sites.count[0], (long long)sites.count[1],
+         (long long)sites.count[2], sites.spacing, (long long)sites.n_nodes,
+         (long long)cores.count);
+    for (int i = 0; i < recipe->n_phases; i++) note("phase %s", recipe->phase_names[i]);
+    for (int i = 0; i < domain.n_sets; i++)
+        note("set %s: %lld nodes", domain.sets[i].name, (long long)domain.sets[i].count);
+    note("about %.0f MB of memory", 1 + 1e-6 * NODE_BYTES * (double)sites.n_nodes);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (files[i]) note("would write %s", files[i]);
+    domain_free(&domain);
+    cores_free(&cores);
+    sites_free(&sites);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hsgen");
@@ -97,6 +126,11 @@ int main(int argc, char **argv)
     struct deck *deck = deck_read(c.deck);
     struct recipe recipe = recipe_read(deck);
     check_side_files(&c, &recipe);
+    if (c.check) {
+        say_plan(&c, &recipe);
+        deck_free(deck);
+        return 0;
+    }
     struct spool output = spool_output(c.output);
 
     struct sites sites = specimen_sites(&recipe.specimen);

@@ -1,10 +1,27 @@
 #include "specimen.h"
 
+#include "keys.h"
 #include "memory.h"
 
 #include <stdlib.h>
 
-static const char *const set_keys[] = {"name", "box", NULL};
+struct box_set {
+    const char *name;
+    struct deck_node box;
+};
+
+static const struct key set_rows[] = {
+    {"name", KEY_TEXT, offsetof(struct box_set, name), .required = true, .help = "not in use yet"},
+    {"box", KEY_NODE, offsetof(struct box_set, box),
+     .form = "[[x, y, z], [x, y, z]], m or spacings", .required = true,
+     .help = "two corners; the body is centred at the origin"},
+};
+
+const struct section specimen_set = {
+    .path = "domain.sets[]",
+    .help = "Further node sets, for boundary and initial: the nodes in a box.",
+    .keys = KEYS(set_rows),
+};
 
 /* Nodes between two corners of lattice indices, both included. */
 static void add_box(const struct sites *sites, const char *name, const int64_t low[3],
@@ -45,13 +62,13 @@ static int64_t layer_of(const struct sites *sites, int axis, double length, int 
     return i;
 }
 
-static void add_deck_set(const struct sites *sites, struct deck_node set, struct domain *out)
+static void add_deck_set(const struct sites *sites, struct deck_node map, struct domain *out)
 {
-    deck_keys(set, set_keys);
-    struct deck_node name = deck_get(set, "name");
-    if (domain_set(out, deck_string(name)))
-        deck_error(name, "there is a node set '%s' already", deck_string(name));
-    struct deck_node box = deck_get(set, "box");
+    struct box_set set;
+    keys_read(map, &specimen_set, 0, sites->spacing, &set, NULL);
+    if (domain_set(out, set.name))
+        deck_error(deck_get(map, "name"), "there is a node set '%s' already", set.name);
+    struct deck_node box = set.box;
     int64_t corner[2][3];
     for (int end = 0; end < 2; end++) {
         if (!deck_is_list(box) || deck_count(box) != 2 || !deck_is_list(deck_item(box, end)) ||
@@ -63,7 +80,7 @@ static void add_deck_set(const struct sites *sites, struct deck_node set, struct
             corner[end][axis] = layer_of(sites, axis, length, end);
         }
     }
-    add_box(sites, deck_string(name), corner[0], corner[1], out);
+    add_box(sites, set.name, corner[0], corner[1], out);
     if (out->sets[out->n_sets - 1].count == 0)
         deck_error(box, "no node lies in this box; the body is centred at the origin");
 }

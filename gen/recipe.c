@@ -1,52 +1,93 @@
 #include "recipe.h"
 
 #include "die.h"
+#include "sections.h"
 #include "topology.h"
 
 #include <string.h>
 
-static const char *const shapes[] = {"cell", "sphere"};
-static const char *const matches[] = {"exact", "geometric"};
-static const char *const phase_keys[] = {"cg", "ufg", NULL};
+static const char *const shapes[] = {"cell", "sphere", NULL};
+static const char *const matches[] = {"exact", "geometric", NULL};
 
-const struct topology *const topologies[] = {&topology_harmonic, &topology_random,
-                                             &topology_homogeneous, NULL};
-enum { N_TOPOLOGIES = sizeof topologies / sizeof *topologies - 1 };
+#define MEMBER(member) .place = offsetof(struct recipe, member)
+#define TWO_PHASES     ~1u /* all topologies but the first */
 
-static void read_phases(struct deck_node domain, struct recipe *recipe)
+static const struct key phase_rows[] = {
+    {"cg", KEY_TEXT, MEMBER(phase_names[PHASE_CG]), .form = "name of a material", .required = true,
+     .help = "the coarse one"},
+    {"ufg", KEY_TEXT, MEMBER(phase_names[PHASE_UFG]), .form = "name of a material",
+     .required = true, .help = "the fine one"},
+};
+static const struct section phases_section = {
+    .path = "domain.phases", .help = "The two materials.", .keys = KEYS(phase_rows)};
+
+static const struct key rows[] = {
+    {"specimen", KEY_CHOICE, MEMBER(specimen.shape), .names = specimen_shapes, .required = true,
+     .help = "shape of the body, centred at the origin; x is the loading direction"},
+    {"dimensions", KEY_INTEGER, MEMBER(specimen.dimensions), .low = 2, .high = 3, .usual = 3,
+     .help = "2: a sheet, one layer of nodes in the plane z = 0"},
+    {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .required = true,
+     .help = "of the lattice of nodes"},
+    {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+     .help =
+         "of the whole, a dog-bone's heads included: whole numbers of spacings, 1 to 1e6 each; the "
+         "third of a sheet is its thickness, 1e-12 to 1e3 m"},
+    {"phases", KEY_SECTION, .section = &phases_section, .required = true, .users = TWO_PHASES,
+     .help = "names of the two materials"},
+    {"ufg_fraction", KEY_NUMBER, MEMBER(ufg_fraction), .unit = "1", .low = 1e-6, .high = 1 - 1e-6,
+     .required = true, .users = TWO_PHASES, .help = "of the nodes outside the grips"},
+    {"core", KEY_CHOICE, MEMBER(shape), .names = shapes, .users = TWO_PHASES,
+     .help = "Voronoi cells or spheres about the centres"},
+    {"match", KEY_CHOICE, MEMBER(geometric), .names = matches, .users = TWO_PHASES,
+     .help = "exact: half a node off the fraction at most; geometric: nodes equal by symmetry stay "
+             "together, and the fraction is the nearest that this allows"},
+    {"cores", KEY_TEXT, MEMBER(cores_file), .form = "file", .users = TWO_PHASES,
+     .help = "centres written by hsgen --cores, in place of lattice, core, core_distance, "
+             "core_diameter and jitter"},
+    {"override", KEY_FLAG, MEMBER(override), .users = TWO_PHASES,
+     .help = "write the domain though its topology check failed"},
+    {"seed", KEY_INTEGER, MEMBER(seed), .low = 0, .high = INT32_MAX, .usual = 1,
+     .help = "of all that is random"},
+    {"grips", KEY_NODE, MEMBER(grips), .section = &specimen_grips,
+     .help = "the ends, none without the key"},
+    {"gauge", KEY_NODE, MEMBER(gauge), .section = &specimen_gauge,
+     .help = "planes between which strain is measured; required of a dog-bone"},
+    {"sets", KEY_NODE, MEMBER(sets), .form = "list of mappings", .section = &specimen_set,
+     .help = "further node sets"},
+};
+
+static const struct topology *const topologies[] = {&topology_homogeneous, &topology_harmonic,
+                                                    &topology_random, NULL};
+
+static const struct variant *topology_variant(int i)
 {
-    struct deck_node phases = deck_get(domain, "phases");
-    deck_keys(phases, phase_keys);
-    recipe->phase_names[PHASE_CG] = deck_string(deck_get(phases, "cg"));
-    recipe->phase_names[PHASE_UFG] = deck_string(deck_get(phases, "ufg"));
-    recipe->n_phases = 2;
-    if (strcmp(recipe->phase_names[PHASE_CG], recipe->phase_names[PHASE_UFG]) == 0)
-        deck_error(phases, "the two phases need two names");
+    return topologies[i] ? &topologies[i]->deck : NULL;
 }
 
-/* What both two-phase topologies share. */
-static void read_two_phases(struct deck_node domain, struct recipe *recipe)
+const struct section domain_section = {
+    .path = "domain",
+    .help = "The body that hsgen makes: a lattice of particles, each of a phase.",
+    .keys = KEYS(rows),
+    .chooser = "topology",
+    .variant = topology_variant,
+    .usual = -1,
+};
+
+/* What the rows cannot say of two phases. */
+static void check_two_phases(struct deck_node domain, const struct recipe *recipe)
 {
-    read_phases(domain, recipe);
-    recipe->ufg_fraction = deck_number(deck_get(domain, "ufg_fraction"), "1", 1e-6, 1 - 1e-6);
-    recipe->shape = CORE_CELL;
-    if (deck_has(domain, "core"))
-        recipe->shape = (enum core_shape)deck_choice(deck_get(domain, "core"), shapes, 2);
-    if (deck_has(domain, "match"))
-        recipe->geometric = deck_choice(deck_get(domain, "match"), matches, 2) == 1;
-    if (deck_has(domain, "override")) recipe->override = deck_bool(deck_get(domain, "override"));
-    if (!deck_has(domain, "cores")) return;
-    recipe->cores_file = deck_string(deck_get(domain, "cores"));
     static const char *const said[] = {"lattice", "core", "core_distance", "core_diameter",
                                        "jitter"};
-    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+    if (strcmp(recipe->phase_names[PHASE_CG], recipe->phase_names[PHASE_UFG]) == 0)
+        deck_error(deck_get(domain, "phases"), "the two phases need two names");
+    for (size_t i = 0; recipe->cores_file && i < sizeof said / sizeof *said; i++)
         if (deck_has(domain, said[i]))
             deck_error(deck_get(domain, said[i]), "%s says this already: leave out '%s' or 'cores'",
                        recipe->cores_file, said[i]);
 }
 
 /* The grips' phase is one of the structure's, or a further material of the deck. */
-static void read_grip_phase(struct deck_node domain, struct deck_node root, struct recipe *recipe)
+static void read_grip_phase(struct deck_node root, struct recipe *recipe)
 {
     const char *name = recipe->specimen.grip_phase;
     recipe->grip_phase = -1;
@@ -54,7 +95,7 @@ static void read_grip_phase(struct deck_node domain, struct deck_node root, stru
     for (int phase = 0; phase < recipe->n_phases; phase++)
         if (strcmp(recipe->phase_names[phase], name) == 0) recipe->grip_phase = phase;
     if (recipe->grip_phase >= 0) return;
-    struct deck_node where = deck_get(deck_get(domain, "grips"), "phase");
+    struct deck_node where = deck_get(recipe->grips, "phase");
     struct deck_node materials = deck_find(root, "materials");
     if (materials.index == 0 || !deck_has(materials, name))
         deck_error(where,
@@ -67,21 +108,19 @@ static void read_grip_phase(struct deck_node domain, struct deck_node root, stru
 
 struct recipe recipe_read(const struct deck *deck)
 {
-    deck_check_sections(deck);
-    struct deck_node root = deck_root(deck);
-    struct deck_node domain = deck_get(root, "domain");
-    const char *names[N_TOPOLOGIES];
-    for (int i = 0; i < N_TOPOLOGIES; i++) names[i] = topologies[i]->name;
-    int choice = deck_choice(deck_get(domain, "topology"), names, N_TOPOLOGIES);
-    struct recipe recipe = {.topology = topologies[choice], .seed = 1};
-    deck_keys(domain, recipe.topology->keys);
-    recipe.specimen = specimen_read(domain);
-    if (deck_has(domain, "seed"))
-        recipe.seed = deck_integer(deck_get(domain, "seed"), 0, INT32_MAX);
-    if (!recipe.topology->single_phase) read_two_phases(domain, &recipe);
-    recipe.topology->read(domain, &recipe);
-    read_grip_phase(domain, root, &recipe);
-    recipe.sets = deck_find(domain, "sets");
+    sections_read(deck);
+    struct recipe recipe = {0};
+    struct deck_node root = deck_root(deck), domain = deck_get(root, "domain");
+    const int choice = keys_variant(domain, &domain_section);
+    recipe.topology = topologies[choice];
+    keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
+    if (recipe.specimen.shape == SPECIMEN_DOGBONE)
+        deck_get(domain, "gauge"); /* dies where it is missing */
+    specimen_read(&recipe.specimen, recipe.size, recipe.gauge, recipe.grips);
+    recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
+    if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);
+    if (recipe.topology->check) recipe.topology->check(domain, &recipe);
+    read_grip_phase(root, &recipe);
     return recipe;
 }
 
@@ -89,7 +128,7 @@ struct cores recipe_cores(struct recipe *recipe)
 {
     if (recipe->topology->single_phase) return (struct cores){0};
     if (!recipe->cores_file) return recipe->topology->place(recipe);
-    struct cores cores = cores_read(recipe->cores_file, recipe->topology->name);
+    struct cores cores = cores_read(recipe->cores_file, recipe->topology->deck.name);
     double extent[3];
     specimen_extent(&recipe->specimen, extent);
     for (int axis = 0; axis < 3; axis++)

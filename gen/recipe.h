@@ -27,11 +27,11 @@ struct recipe {
     double diameter; /* m, of random spheres */
     double jitter;
     double ufg_fraction;
-    bool geometric;
+    int geometric;        /* 1: whole cores, the nearest fraction that this allows */
     double minimum_shell; /* spacings */
     bool override;
-    long seed;
-    struct deck_node sets;
+    int64_t seed;
+    struct deck_node size, gauge, grips, sets; /* as the deck has them; index 0: none */
 };
 
 /* Reads the section `domain`; dies at the first thing that is wrong. */

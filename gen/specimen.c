@@ -1,19 +1,67 @@
 #include "specimen.h"
 
+#include "keys.h"
 #include "memory.h"
 
 #include <math.h>
 #include <string.h>
 
-static const char *const shapes[] = {"plate", "dogbone"};
-static const char *const gauge_keys_plate[] = {"length", NULL};
-static const char *const gauge_keys_dogbone[] = {"length", "width", "fillet", NULL};
-static const char *const grip_keys[] = {"length", "phase", NULL};
-
 enum { MOST_LAYERS = 1000000 };
 
 #define THINNEST 1e-12 /* m, sheet */
 #define THICKEST 1e3
+
+/* --- the deck ----------------------------------------------------------------------------------- */
+
+const char *const specimen_shapes[] = {"plate", "dogbone", NULL};
+
+static const struct variant *shape_variant(int i)
+{
+    static const struct variant shapes[] = {{.name = "plate"}, {.name = "dogbone"}};
+    return i < 2 ? &shapes[i] : NULL;
+}
+
+#define LENGTH(member) .kind = KEY_SPACINGS, .place = offsetof(struct specimen, member)
+#define DOGBONE        (1u << SPECIMEN_DOGBONE)
+
+static const struct key gauge_rows[] = {
+    {"length", LENGTH(gauge_length), .low = 1, .high = HUGE_VAL, .required = true,
+     .help = "between the sets gauge_left and gauge_right, centred"},
+    {"width", LENGTH(gauge_width), .low = 1, .high = HUGE_VAL, .required = true, .users = DOGBONE,
+     .help = "of the parallel part, at most that of the heads"},
+    {"fillet", LENGTH(fillet), .low = 0, .high = HUGE_VAL, .required = true, .users = DOGBONE,
+     .help = "radius between the parallel part and the heads"},
+};
+
+const struct section specimen_gauge = {
+    .path = "domain.gauge",
+    .help = "Where strain is measured.",
+    .keys = KEYS(gauge_rows),
+    .chooser = "specimen",
+    .variant = shape_variant,
+    .outside = true,
+};
+
+struct grips {
+    double length;
+    const char *phase;
+};
+
+static const struct key grips_rows[] = {
+    {"length", KEY_SPACINGS, offsetof(struct grips, length), .low = 1, .high = HUGE_VAL,
+     .required = true, .help = "of either grip, in the sets grip_left and grip_right"},
+    {"phase", KEY_TEXT, offsetof(struct grips, phase), .form = "structure, or name of a material",
+     .required = true,
+     .help =
+         "what the grips are made of: the structure that goes on, one of its phases, or a further "
+         "material of the deck"},
+};
+
+const struct section specimen_grips = {
+    .path = "domain.grips",
+    .help = "The ends by which the specimen is held; they do not count for the fraction.",
+    .keys = KEYS(grips_rows),
+};
 
 /* A length that the lattice fills with whole layers. */
 static void read_layers(struct deck_node item, int axis, struct specimen *specimen)
@@ -32,9 +80,8 @@ static void read_layers(struct deck_node item, int axis, struct specimen *specim
     specimen->size[axis] = layers * spacing;
 }
 
-static void read_size(struct deck_node domain, struct specimen *specimen)
+static void read_size(struct deck_node size, struct specimen *specimen)
 {
-    struct deck_node size = deck_get(domain, "size");
     if (!deck_is_list(size) || deck_count(size) != 3)
         deck_error(size, "size is a list of three lengths: [along x, along y, along z]");
     for (int axis = 0; axis < specimen->dimensions; axis++)
@@ -44,13 +91,20 @@ static void read_size(struct deck_node domain, struct specimen *specimen)
     specimen->size[2] = deck_length(deck_item(size, 2), specimen->spacing, THINNEST, THICKEST);
 }
 
-static void read_dogbone(struct deck_node gauge, struct specimen *specimen)
+/* Ranges that depend on other keys. */
+static void check_length(struct deck_node map, const char *key, double length, double low,
+                         double high)
 {
-    double spacing = specimen->spacing;
-    double head = specimen->size[1];
-    specimen->gauge_width = deck_length(deck_get(gauge, "width"), spacing, spacing, head);
-    double step = 0.5 * (head - specimen->gauge_width);
-    specimen->fillet = deck_length(deck_get(gauge, "fillet"), spacing, step, 1e3 * head);
+    if (length < low || length > high)
+        deck_error(deck_get(map, key), "%g m is out of range, expected %g to %g m", length, low,
+                   high);
+}
+
+static void check_dogbone(struct deck_node gauge, const struct specimen *specimen)
+{
+    double head = specimen->size[1], step = 0.5 * (head - specimen->gauge_width);
+    check_length(gauge, "width", specimen->gauge_width, specimen->spacing, head);
+    check_length(gauge, "fillet", specimen->fillet, step, 1e3 * head);
     double arc = sqrt(step * (2 * specimen->fillet - step));
     if (specimen->gauge_length + 2 * arc > specimen->size[0])
         deck_error(gauge,
@@ -59,46 +113,37 @@ static void read_dogbone(struct deck_node gauge, struct specimen *specimen)
                    specimen->gauge_length, arc, specimen->size[0]);
 }
 
-static void read_gauge(struct deck_node domain, struct specimen *specimen)
+static void read_gauge(struct deck_node gauge, struct specimen *specimen)
 {
-    bool dogbone = specimen->shape == SPECIMEN_DOGBONE;
-    if (!dogbone && !deck_has(domain, "gauge")) return;
-    struct deck_node gauge = deck_get(domain, "gauge");
-    deck_keys(gauge, dogbone ? gauge_keys_dogbone : gauge_keys_plate);
-    specimen->gauge_length = deck_length(deck_get(gauge, "length"), specimen->spacing,
-                                         specimen->spacing, specimen->size[0]);
-    if (dogbone) read_dogbone(gauge, specimen);
+    keys_read(gauge, &specimen_gauge, (int)specimen->shape, specimen->spacing, specimen, NULL);
+    check_length(gauge, "length", specimen->gauge_length, specimen->spacing, specimen->size[0]);
+    if (specimen->shape == SPECIMEN_DOGBONE) check_dogbone(gauge, specimen);
 }
 
-static void read_grips(struct deck_node domain, struct specimen *specimen)
+static void read_grips(struct deck_node map, struct specimen *specimen)
 {
-    if (!deck_has(domain, "grips")) return;
-    struct deck_node grips = deck_get(domain, "grips");
-    deck_keys(grips, grip_keys);
-    double length = deck_length(deck_get(grips, "length"), specimen->spacing, specimen->spacing,
-                                0.5 * (specimen->size[0] - specimen->spacing));
-    specimen->grip_layers = (int64_t)llround(length / specimen->spacing);
-    const char *phase = deck_string(deck_get(grips, "phase"));
-    specimen->grip_phase = strcmp(phase, "structure") == 0 ? NULL : phase;
+    struct grips grips;
+    keys_read(map, &specimen_grips, 0, specimen->spacing, &grips, NULL);
+    check_length(map, "length", grips.length, specimen->spacing,
+                 0.5 * (specimen->size[0] - specimen->spacing));
+    specimen->grip_layers = (int64_t)llround(grips.length / specimen->spacing);
+    specimen->grip_phase = strcmp(grips.phase, "structure") == 0 ? NULL : grips.phase;
     int64_t layer[2];
     specimen_gauge_layers(specimen, layer);
     if (specimen->gauge_length > 0 && layer[0] < specimen->grip_layers)
-        deck_error(grips, "the gauge planes (%g m apart) lie in the grips (%g m long each)",
-                   specimen->gauge_length, length);
+        deck_error(map, "the gauge planes (%g m apart) lie in the grips (%g m long each)",
+                   specimen->gauge_length, grips.length);
 }
 
-struct specimen specimen_read(struct deck_node domain)
+void specimen_read(struct specimen *specimen, struct deck_node size, struct deck_node gauge,
+                   struct deck_node grips)
 {
-    struct specimen specimen = {.dimensions = 3};
-    specimen.shape = (enum specimen_shape)deck_choice(deck_get(domain, "specimen"), shapes, 2);
-    specimen.spacing = deck_number(deck_get(domain, "spacing"), "m", 1e-12, 1e3);
-    if (deck_has(domain, "dimensions"))
-        specimen.dimensions = (int)deck_integer(deck_get(domain, "dimensions"), 2, 3);
-    read_size(domain, &specimen);
-    read_gauge(domain, &specimen);
-    read_grips(domain, &specimen);
-    return specimen;
+    read_size(size, specimen);
+    if (gauge.index) read_gauge(gauge, specimen);
+    if (grips.index) read_grips(grips, specimen);
 }
+
+/* --- the body ----------------------------------------------------------------------------------- */
 
 double specimen_half_width(const struct specimen *specimen, double x)
 {

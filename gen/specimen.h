@@ -9,13 +9,15 @@
 #include "domain.h"
 #include "sites.h"
 
+struct section;
+
 enum specimen_shape { SPECIMEN_PLATE, SPECIMEN_DOGBONE };
 
 struct specimen {
     enum specimen_shape shape;
-    int dimensions; /* 2: a sheet; else 3 */
-    double size[3]; /* m, along x (loading), y, z */
-    double spacing; /* m */
+    int64_t dimensions; /* 2: a sheet; else 3 */
+    double size[3];     /* m, along x (loading), y, z */
+    double spacing;     /* m */
     int64_t count[3];
     double gauge_length;    /* m, between the gauge planes; 0: none asked for */
     double gauge_width;     /* m, dog-bone: of the parallel part, along y */
@@ -24,9 +26,15 @@ struct specimen {
     const char *grip_phase; /* NULL: the structure goes on under the grips */
 };
 
-/* Reads specimen, dimensions, size, spacing, gauge and grips of the deck's domain section.  Each of the
- * size's components must be a whole number of spacings within 1e-6, but the thickness of a sheet. */
-struct specimen specimen_read(struct deck_node domain);
+/* Names of shapes, and the sections of the deck with the keys of gauge, grips and further node sets. */
+extern const char *const specimen_shapes[];
+extern const struct section specimen_gauge, specimen_grips, specimen_set;
+
+/* Reads the values of these keys of domain (index 0: none; a dog-bone has a gauge) into a specimen whose shape,
+ * dimensions and spacing are known.  Each of the size's components must be a whole number of spacings within 1e-6, but the thickness of a
+ * sheet. */
+void specimen_read(struct specimen *specimen, struct deck_node size, struct deck_node gauge,
+                   struct deck_node grips);
 
 struct sites specimen_sites(const struct specimen *specimen);
 

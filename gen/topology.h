@@ -5,6 +5,7 @@
 #ifndef HS_TOPOLOGY_H
 #define HS_TOPOLOGY_H
 
+#include "keys.h"
 #include "recipe.h"
 
 /* Scores are whole numbers of SCORE_UNIT spacings, so that nodes that are equal by symmetry are
@@ -14,11 +15,11 @@
 struct findings;
 
 struct topology {
-    const char *name;
+    struct variant deck; /* its name, and the keys that only it has, which fill the recipe */
     bool single_phase;
-    bool cores_apart;        /* different cores are meant not to touch */
-    const char *const *keys; /* of the deck, ended by NULL */
-    void (*read)(struct deck_node domain, struct recipe *recipe);
+    bool cores_apart; /* different cores are meant not to touch */
+    /* Checks what the rows of the keys cannot say; NULL: nothing. */
+    void (*check)(struct deck_node domain, struct recipe *recipe);
     struct cores (*place)(const struct recipe *recipe);
     /* Score of a point (m) and the core it belongs to. */
     int64_t (*score)(const struct recipe *recipe, const struct cores *cores, const double point[3],
@@ -34,6 +35,7 @@ extern const struct topology topology_harmonic;
 extern const struct topology topology_random;
 extern const struct topology topology_homogeneous;
 
-extern const struct topology *const topologies[]; /* ended by NULL */
+/* The section domain: what all topologies share, and each as a variant. */
+extern const struct section domain_section;
 
 #endif

@@ -14,32 +14,31 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const char *const keys[] = {"specimen",      "dimensions", "size",         "spacing",
-                                   "topology",      "phases",     "lattice",      "core",
-                                   "core_distance", "jitter",     "ufg_fraction", "match",
-                                   "minimum_shell", "override",   "seed",         "grips",
-                                   "gauge",         "sets",       "cores",        NULL};
+static const char *const lattices[] = {"sc", "bcc", "fcc", NULL};
 
-enum { MOST_FILM = 10 }; /* spacings that minimum_shell may ask for */
+#define MEMBER(member) .place = offsetof(struct recipe, member)
 
-static const char *const lattices[] = {"sc", "bcc", "fcc"};
+static const struct key rows[] = {
+    {"lattice", KEY_CHOICE, MEMBER(lattice), .names = lattices, .otherwise = "none",
+     .help = "of the centres; required without cores; in two dimensions sc or fcc"},
+    {"core_distance", KEY_SPACINGS, MEMBER(distance), .low = 1, .high = LONGEST_DISTANCE,
+     .usual = NAN, .help = "of the nearest centres; required without cores"},
+    {"jitter", KEY_NUMBER, MEMBER(jitter), .unit = "1", .low = 0, .high = 1,
+     .help = "standard deviation of each coordinate of the centres, in core distances"},
+    {"minimum_shell", KEY_SPACINGS, MEMBER(minimum_shell), .low = 1, .high = 10, .usual = 1,
+     .help = "what the topology check demands between cores"},
+};
 
-static void read_keys(struct deck_node domain, struct recipe *recipe)
+static void check(struct deck_node domain, struct recipe *recipe)
 {
-    double spacing = recipe->specimen.spacing;
-    struct deck_node shell = deck_find(domain, "minimum_shell");
-    recipe->minimum_shell =
-        shell.index ? deck_length(shell, spacing, spacing, MOST_FILM * spacing) / spacing : 1;
+    recipe->minimum_shell /= recipe->specimen.spacing;
     if (recipe->cores_file) return;
-    recipe->lattice = (enum core_lattice)deck_choice(deck_get(domain, "lattice"), lattices, 3);
+    deck_get(domain, "core_distance"); /* dies where it is missing */
+    struct deck_node lattice = deck_get(domain, "lattice");
     if (recipe->lattice == LATTICE_BCC && specimen_is_sheet(&recipe->specimen))
-        deck_error(deck_get(domain, "lattice"),
+        deck_error(lattice,
                    "in two dimensions the cores lie on sc or fcc (square lattices along x or along "
                    "the diagonals); the section of bcc has no shell of even width");
-    recipe->distance = deck_length(deck_get(domain, "core_distance"), spacing, spacing,
-                                   LONGEST_DISTANCE * spacing);
-    if (deck_has(domain, "jitter"))
-        recipe->jitter = deck_number(deck_get(domain, "jitter"), "1", 0, 1);
 }
 
 static struct cores place(const struct recipe *recipe)
@@ -124,10 +123,12 @@ static char *describe(const struct recipe *recipe, const struct findings *findin
 }
 
 const struct topology topology_harmonic = {
-    .name = "harmonic",
+    .deck = {.name = "harmonic",
+             .help =
+                 "coarse cores on a lattice, isolated from each other in a connected fine shell",
+             .keys = KEYS(rows)},
     .cores_apart = true,
-    .keys = keys,
-    .read = read_keys,
+    .check = check,
     .place = place,
     .score = score,
     .fault = fault,

@@ -2,15 +2,10 @@
 #include "memory.h"
 #include "topology.h"
 
-static const char *const keys[] = {"specimen", "dimensions", "size", "spacing",
-                                   "topology", "phase",      "seed", "grips",
-                                   "gauge",    "sets",       NULL};
-
-static void read_keys(struct deck_node domain, struct recipe *recipe)
-{
-    recipe->phase_names[PHASE_CG] = deck_string(deck_get(domain, "phase"));
-    recipe->n_phases = 1;
-}
+static const struct key rows[] = {
+    {"phase", KEY_TEXT, offsetof(struct recipe, phase_names[PHASE_CG]),
+     .form = "name of a material", .required = true, .help = "what the body is made of"},
+};
 
 static char *no_fault(const struct recipe *recipe, const struct findings *findings)
 {
@@ -25,10 +20,8 @@ static char *describe(const struct recipe *recipe, const struct findings *findin
 }
 
 const struct topology topology_homogeneous = {
-    .name = "homogeneous",
+    .deck = {.name = "homogeneous", .help = "one phase everywhere", .keys = KEYS(rows)},
     .single_phase = true,
-    .keys = keys,
-    .read = read_keys,
     .fault = no_fault,
     .describe = describe,
 };

@@ -14,30 +14,26 @@
 
 #include <math.h>
 
-static const char *const keys[] = {
-    "specimen", "dimensions", "size",          "spacing",       "topology",     "phases",
-    "core",     "cores",      "core_distance", "core_diameter", "ufg_fraction", "match",
-    "override", "seed",       "grips",         "gauge",         "sets",         NULL};
+static const struct key rows[] = {
+    {"core_distance", KEY_SPACINGS, offsetof(struct recipe, distance), .low = 1,
+     .high = LONGEST_DISTANCE, .usual = NAN,
+     .help = "cube root of the cells' mean volume; required of cells without cores"},
+    {"core_diameter", KEY_SPACINGS, offsetof(struct recipe, diameter), .low = 1,
+     .high = LONGEST_DISTANCE, .usual = NAN,
+     .help = "of the spheres, required without cores; their number follows from ufg_fraction"},
+};
 
-static void read_keys(struct deck_node domain, struct recipe *recipe)
+static void check(struct deck_node domain, struct recipe *recipe)
 {
-    double spacing = recipe->specimen.spacing, longest = LONGEST_DISTANCE * spacing;
-    struct deck_node distance = deck_find(domain, "core_distance");
-    struct deck_node diameter = deck_find(domain, "core_diameter");
     if (recipe->cores_file) return;
-    if (recipe->shape == CORE_SPHERE) {
-        if (distance.index)
-            deck_error(distance, "random spheres take core_diameter; their number follows from "
-                                 "ufg_fraction");
-        recipe->diameter =
-            deck_length(deck_get(domain, "core_diameter"), spacing, spacing, longest);
-    } else {
-        if (diameter.index)
-            deck_error(diameter, "random cells take core_distance, the cube root of their mean "
-                                 "volume");
-        recipe->distance =
-            deck_length(deck_get(domain, "core_distance"), spacing, spacing, longest);
-    }
+    const bool sphere = recipe->shape == CORE_SPHERE;
+    struct deck_node other = deck_find(domain, sphere ? "core_distance" : "core_diameter");
+    if (other.index && sphere)
+        deck_error(other, "random spheres take core_diameter; their number follows from "
+                          "ufg_fraction");
+    if (other.index)
+        deck_error(other, "random cells take core_distance, the cube root of their mean volume");
+    deck_get(domain, sphere ? "core_diameter" : "core_distance"); /* dies where it is missing */
 }
 
 static struct cores place(const struct recipe *recipe)
@@ -94,9 +90,11 @@ static char *describe(const struct recipe *recipe, const struct findings *findin
 }
 
 const struct topology topology_random = {
-    .name = "random",
-    .keys = keys,
-    .read = read_keys,
+    .deck = {.name = "random",
+             .help =
+                 "cells or spheres at independent uniform places; both phases are to be connected",
+             .keys = KEYS(rows)},
+    .check = check,
     .place = place,
     .score = score,
     .fault = fault,

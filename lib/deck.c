@@ -313,24 +313,6 @@ void deck_keys(struct deck_node map, const char *const known[])
     }
 }
 
-const char *const deck_post_keys[] = {"title",           "gauge_length",
-                                      "section",         "modulus_range",
-                                      "modulus_rows",    "toe",
-                                      "modulus",         "true_modulus",
-                                      "hardening_range", "fit_range",
-                                      "window",          "yield_drop",
-                                      "fracture_share",  NULL};
-
-void deck_check_sections(const struct deck *deck)
-{
-    static const char *const sections[] = {"title",  "domain", "materials", "boundary",
-                                           "damage", "cracks", "initial",   "solver",
-                                           "output", "post",   NULL};
-    deck_keys(deck_root(deck), sections);
-    struct deck_node post = deck_find(deck_root(deck), "post");
-    if (post.index) deck_keys(post, deck_post_keys);
-}
-
 const char *deck_string(struct deck_node node)
 {
     expect(node, YAML_SCALAR_NODE);

@@ -38,16 +38,6 @@ struct deck_node deck_root(const struct deck *deck);
  * key and listing all. */
 void deck_keys(struct deck_node map, const char *const known[]);
 
-/* Keys of the section post, ended by NULL.  They are known here so that every tool can check them: hspost
- * would find a misspelt one only after the run. */
-enum { DECK_POST_KEYS = 13 };
-extern const char *const deck_post_keys[DECK_POST_KEYS + 1];
-
-/* The sections one tool owns and those it passes over: every tool accepts title, domain, materials,
- * boundary, damage, cracks, initial, solver, output, post at the top level, nothing else, and in post the
- * keys above. */
-void deck_check_sections(const struct deck *deck);
-
 bool deck_has(struct deck_node map, const char *key);
 struct deck_node deck_get(struct deck_node map, const char *key);  /* dies when missing */
 struct deck_node deck_find(struct deck_node map, const char *key); /* index 0 when missing */

@@ -18,14 +18,10 @@ static struct attribute *find_or_add(struct attributes *attributes, const char *
 {
     struct attribute *item = find(attributes, name);
     if (item != NULL) return item;
-    size_t count = (size_t)attributes->count;
-    struct attribute *items = memory_new(count + 1, sizeof *items);
-    if (count > 0) memcpy(items, attributes->items, count * sizeof *items);
-    free(attributes->items);
-    attributes->items = items;
-    attributes->count++;
-    items[count].name = memory_text(name);
-    return &items[count];
+    attributes->items = memory_grow(attributes->items, attributes->count, sizeof *item);
+    item = &attributes->items[attributes->count++];
+    *item = (struct attribute){.name = memory_text(name)};
+    return item;
 }
 
 void attributes_set_number(struct attributes *attributes, const char *name, double number)
@@ -77,16 +73,10 @@ const struct node_set *domain_set(const struct domain *domain, const char *name)
 
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes)
 {
-    size_t n_sets = (size_t)domain->n_sets, n_nodes = (size_t)count;
-    struct node_set *sets = memory_new(n_sets + 1, sizeof *sets);
-    if (n_sets > 0) memcpy(sets, domain->sets, n_sets * sizeof *sets);
-    sets[n_sets].name = memory_text(name);
-    sets[n_sets].count = count;
-    sets[n_sets].nodes = memory_new(n_nodes, sizeof *nodes);
-    if (n_nodes > 0) memcpy(sets[n_sets].nodes, nodes, n_nodes * sizeof *nodes);
-    free(domain->sets);
-    domain->sets = sets;
-    domain->n_sets++;
+    struct node_set set = {memory_text(name), count, memory_new((size_t)count, sizeof *nodes)};
+    if (count > 0) memcpy(set.nodes, nodes, (size_t)count * sizeof *nodes);
+    domain->sets = memory_grow(domain->sets, domain->n_sets, sizeof set);
+    domain->sets[domain->n_sets++] = set;
 }
 
 void domain_forget_nodes(struct domain *domain)

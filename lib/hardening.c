@@ -6,74 +6,78 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One law: its keys in the deck with unit and range, and sigma_y(p), d sigma_y/dp. */
-struct hardening_key {
-    const char *name, *unit;
-    double low, high;
-};
-struct hardening_law {
-    const char *name;
-    struct hardening_key keys[HARDENING_PARAMETERS + 1];
-    double (*stress)(const struct hardening *h, double p);
-    double (*slope)(const struct hardening *h, double p);
-};
+#define NUMBER(i, key, sign, dimension, least, most, words)                                        \
+    {                                                                                              \
+        .name = key, .kind = KEY_NUMBER, .place = offsetof(struct hardening, parameter[i]),        \
+        .unit = dimension, .low = least, .high = most, .required = true, .help = words,            \
+        .symbol = sign                                                                             \
+    }
+#define YIELD(i)    NUMBER(i, "yield", "Y", "Pa", 1, 1e13, "stress at first yield")
+#define STRENGTH(i) NUMBER(i, "strength", "K", "Pa", 1, 1e13, "strength coefficient")
+#define EXPONENT(i) NUMBER(i, "exponent", "n", "1", 1e-3, 1, "hardening exponent")
+#define SATURATION(i, key, sign)                                                                   \
+    NUMBER(i, key, sign, "Pa", 0, 1e13, "what hardening adds in the end")
+#define RATE(i, key, sign) NUMBER(i, key, sign, "1", 0, 1e6, "how fast it comes")
 
-static const double huge_stress = 1e15; /* Pa; a strength no metal has */
-
-/* sigma_y = Y + H p */
-static double linear_stress(const struct hardening *h, double p)
+/* Hollomon (1945), with a yield stress in the deck: sigma_y = max(Y, K p^n). */
+static const struct key hollomon_keys[] = {
+    STRENGTH(0), EXPONENT(1),
+    NUMBER(2, "yield", "Y", "Pa", 1, 1e13, "stress at first yield, where K p^n is below it")};
+static double hollomon_stress(const struct hardening *h, double p)
 {
-    return h->parameter[0] + h->parameter[1] * p;
+    return fmax(h->parameter[2], h->parameter[0] * pow(p, h->parameter[1]));
 }
-static double linear_slope(const struct hardening *h, double p)
+static double hollomon_slope(const struct hardening *h, double p)
 {
-    (void)p;
-    return h->parameter[1];
-}
-
-/* Swift (1952): sigma_y = K (p0 + p)^n with K p0^n = Y, so that Y is the stress at first yield. */
-static double swift_offset(const struct hardening *h)
-{
-    return pow(h->parameter[0] / h->parameter[1], 1 / h->parameter[2]);
-}
-static double swift_stress(const struct hardening *h, double p)
-{
-    return h->parameter[1] * pow(swift_offset(h) + p, h->parameter[2]);
-}
-static double swift_slope(const struct hardening *h, double p)
-{
-    double n = h->parameter[2];
-    return h->parameter[1] * n * pow(swift_offset(h) + p, n - 1);
+    double k = h->parameter[0], n = h->parameter[1];
+    return k * pow(p, n) < h->parameter[2] ? 0 : k * n * pow(p, n - 1);
 }
 
 /* Ludwik (1909): sigma_y = Y + K p^n.  Its slope is infinite at p = 0 for n < 1; the first 1e-9 of
  * plastic strain takes the chord. */
+static const struct key ludwik_keys[] = {YIELD(0), STRENGTH(1), EXPONENT(2)};
 static const double first_strain = 1e-9;
 static double ludwik_stress(const struct hardening *h, double p)
 {
     double k = h->parameter[1], n = h->parameter[2];
-    if (p < first_strain) return h->parameter[0] + k * pow(first_strain, n) * p / first_strain;
+    if (n < 1 && p < first_strain)
+        return h->parameter[0] + k * pow(first_strain, n) * p / first_strain;
     return h->parameter[0] + k * pow(p, n);
 }
 static double ludwik_slope(const struct hardening *h, double p)
 {
     double k = h->parameter[1], n = h->parameter[2];
-    if (p < first_strain) return k * pow(first_strain, n - 1);
+    if (n < 1 && p < first_strain) return k * pow(first_strain, n - 1);
     return k * n * pow(p, n - 1);
 }
 
-/* Hollomon (1945) with a yield stress: sigma_y = max(Y, K p^n). */
-static double hollomon_stress(const struct hardening *h, double p)
+/* Swift (1952): sigma_y = K (e0 + p)^n.  The deck has the stress at first yield, Y = K e0^n, in the place of the
+ * offset e0 that a fit finds. */
+static const struct key swift_keys[] = {
+    STRENGTH(0), NUMBER(1, "yield", "Y", "Pa", 1, 1e13, "stress at first yield, K e0^n"),
+    EXPONENT(2)};
+static const struct key swift_parameters[] = {
+    STRENGTH(0), NUMBER(1, "offset", "e0", "1", 0, 1, "plastic strain before the test"),
+    EXPONENT(2)};
+static void swift_complete(struct hardening *h, struct deck_node map)
 {
-    return fmax(h->parameter[0], h->parameter[1] * pow(p, h->parameter[2]));
+    if (h->parameter[1] > h->parameter[0])
+        deck_error(map, "swift: the yield stress lies above the strength K");
+    h->parameter[1] = pow(h->parameter[1] / h->parameter[0], 1 / h->parameter[2]);
 }
-static double hollomon_slope(const struct hardening *h, double p)
+static double swift_stress(const struct hardening *h, double p)
 {
-    double k = h->parameter[1], n = h->parameter[2];
-    return k * pow(p, n) < h->parameter[0] ? 0 : k * n * pow(p, n - 1);
+    return h->parameter[0] * pow(h->parameter[1] + p, h->parameter[2]);
+}
+static double swift_slope(const struct hardening *h, double p)
+{
+    double n = h->parameter[2];
+    return h->parameter[0] * n * pow(h->parameter[1] + p, n - 1);
 }
 
 /* Voce (1948): sigma_y = Y + Q (1 - exp(-b p)). */
+static const struct key voce_keys[] = {YIELD(0), SATURATION(1, "saturation", "Q"),
+                                       RATE(2, "rate", "b")};
 static double voce_stress(const struct hardening *h, double p)
 {
     return h->parameter[0] - h->parameter[1] * expm1(-h->parameter[2] * p);
@@ -84,83 +88,47 @@ static double voce_slope(const struct hardening *h, double p)
 }
 
 /* Two Voce terms: sigma_y = Y + Q1 (1 - exp(-b1 p)) + Q2 (1 - exp(-b2 p)). */
+static const struct key two_voce_keys[] = {YIELD(0), SATURATION(1, "saturation", "Q1"),
+                                           SATURATION(2, "saturation_2", "Q2"),
+                                           RATE(3, "rate", "b1"), RATE(4, "rate_2", "b2")};
 static double two_voce_stress(const struct hardening *h, double p)
 {
-    return voce_stress(h, p) - h->parameter[3] * expm1(-h->parameter[4] * p);
+    const double *a = h->parameter;
+    return a[0] - a[1] * expm1(-a[3] * p) - a[2] * expm1(-a[4] * p);
 }
 static double two_voce_slope(const struct hardening *h, double p)
 {
-    return voce_slope(h, p) + h->parameter[3] * h->parameter[4] * exp(-h->parameter[4] * p);
+    const double *a = h->parameter;
+    return a[1] * a[3] * exp(-a[3] * p) + a[2] * a[4] * exp(-a[4] * p);
+}
+
+/* sigma_y = Y + H p */
+static const struct key linear_keys[] = {
+    YIELD(0), NUMBER(1, "modulus", "H", "Pa", 0, 1e13, "hardening modulus")};
+static double linear_stress(const struct hardening *h, double p)
+{
+    return h->parameter[0] + h->parameter[1] * p;
+}
+static double linear_slope(const struct hardening *h, double p)
+{
+    (void)p;
+    return h->parameter[1];
 }
 
 /* Straight lines between the points; past the last one the stress stays (perfect plasticity). */
-static int table_interval(const struct hardening *h, double p)
-{
-    int i = 0;
-    while (i + 1 < h->n_points && p >= h->strain[i + 1]) i++;
-    return i;
-}
-static double table_slope(const struct hardening *h, double p)
-{
-    int i = table_interval(h, p);
-    if (i + 1 >= h->n_points) return 0;
-    return (h->stress[i + 1] - h->stress[i]) / (h->strain[i + 1] - h->strain[i]);
-}
-static double table_stress(const struct hardening *h, double p)
-{
-    int i = table_interval(h, p);
-    return h->stress[i] + table_slope(h, p) * (p - h->strain[i]);
-}
-
-static double no_yield_stress(const struct hardening *h, double p)
-{
-    (void)h, (void)p;
-    return huge_stress;
-}
-static double no_yield_slope(const struct hardening *h, double p)
-{
-    (void)h, (void)p;
-    return 0;
-}
-
-#define YIELD                                                                                      \
-    {                                                                                              \
-        "yield", "Pa", 1, 1e13                                                                     \
-    }
-#define EXPONENT                                                                                   \
-    {                                                                                              \
-        "exponent", "1", 1e-3, 1                                                                   \
-    }
-#define STRENGTH                                                                                   \
-    {                                                                                              \
-        "strength", "Pa", 1, 1e13                                                                  \
-    }
-
-static const struct hardening_law laws[] = {
-    {"linear", {YIELD, {"modulus", "Pa", 0, 1e13}}, linear_stress, linear_slope},
-    {"swift", {YIELD, STRENGTH, EXPONENT}, swift_stress, swift_slope},
-    {"ludwik", {YIELD, STRENGTH, EXPONENT}, ludwik_stress, ludwik_slope},
-    {"hollomon", {YIELD, STRENGTH, EXPONENT}, hollomon_stress, hollomon_slope},
-    {"voce",
-     {YIELD, {"saturation", "Pa", 0, 1e13}, {"rate", "1", 0, 1e6}},
-     voce_stress,
-     voce_slope},
-    {"two_voce",
-     {YIELD,
-      {"saturation", "Pa", 0, 1e13},
-      {"rate", "1", 0, 1e6},
-      {"saturation_2", "Pa", 0, 1e13},
-      {"rate_2", "1", 0, 1e6}},
-     two_voce_stress,
-     two_voce_slope},
-    {"tabulated", {{0}}, table_stress, table_slope},
+struct tabulated {
+    struct hardening hardening;
+    struct deck_node points; /* read by tabulated_complete */
 };
-enum { LAW_COUNT = sizeof laws / sizeof *laws };
-
-static const struct hardening_law no_yield = {"none", {{0}}, no_yield_stress, no_yield_slope};
-
-static void read_points(struct hardening *h, struct deck_node list)
+static const struct key tabulated_keys[] = {{.name = "points",
+                                             .kind = KEY_NODE,
+                                             .place = offsetof(struct tabulated, points),
+                                             .required = true,
+                                             .form = "[[plastic strain, true stress], ...]",
+                                             .help = "two or more, the first at plastic strain 0"}};
+static void tabulated_complete(struct hardening *h, struct deck_node map)
 {
+    struct deck_node list = deck_get(map, "points");
     h->n_points = deck_count(list);
     if (h->n_points < 2) deck_error(list, "a tabulated law needs two points or more");
     h->strain = memory_new((size_t)h->n_points, sizeof(double));
@@ -178,32 +146,95 @@ static void read_points(struct hardening *h, struct deck_node list)
             deck_error(pair, "true stress must not fall (softening is damage, not hardening)");
     }
 }
+static int tabulated_interval(const struct hardening *h, double p)
+{
+    int i = 0;
+    while (i + 1 < h->n_points && p >= h->strain[i + 1]) i++;
+    return i;
+}
+static double tabulated_slope(const struct hardening *h, double p)
+{
+    int i = tabulated_interval(h, p);
+    if (i + 1 >= h->n_points) return 0;
+    return (h->stress[i + 1] - h->stress[i]) / (h->strain[i + 1] - h->strain[i]);
+}
+static double tabulated_stress(const struct hardening *h, double p)
+{
+    int i = tabulated_interval(h, p);
+    return h->stress[i] + tabulated_slope(h, p) * (p - h->strain[i]);
+}
+
+#define LAW(name, formula, fitted, ...)                                                            \
+    {                                                                                              \
+        .variant = {#name, formula, KEYS(name##_keys)}, .parameters = fitted,                      \
+        .stress = name##_stress, .slope = name##_slope, __VA_ARGS__                                \
+    }
+
+/* In the order in which hspost lists its fits. */
+static const struct hardening_law laws[] = {
+    LAW(hollomon, "K p^n", hollomon_keys, .n_linear = 1, .n_shapes = 1, .range = {{0.01, 2}}),
+    LAW(ludwik, "Y + K p^n", ludwik_keys, .n_linear = 2, .n_shapes = 1, .range = {{0.01, 2}}),
+    LAW(swift, "K (e0 + p)^n", swift_parameters, .n_linear = 1, .n_shapes = 2,
+        .range = {{1e-6, 1}, {0.01, 2}}, .complete = swift_complete),
+    LAW(voce, "Y + Q (1 - exp(-b p))", voce_keys, .n_linear = 2, .n_shapes = 1,
+        .range = {{0.1, 1e4}}),
+    LAW(two_voce, "Y + Q1 (1 - exp(-b1 p)) + Q2 (1 - exp(-b2 p))", two_voce_keys, .n_linear = 3,
+        .n_shapes = 2, .range = {{0.1, 1e4}, {0.1, 1e4}}, .interchangeable = true),
+    LAW(linear, "Y + H p", linear_keys, .n_linear = 2),
+    LAW(tabulated, "straight lines between points, the last stress beyond them", NULL,
+        .complete = tabulated_complete),
+};
+enum { LAW_COUNT = sizeof laws / sizeof *laws };
+
+const struct hardening_law *hardening_law(int i)
+{
+    return i < LAW_COUNT ? &laws[i] : NULL;
+}
+
+const struct hardening_law *hardening_fitted(const char *name)
+{
+    for (int i = 0; i < LAW_COUNT; i++)
+        if (laws[i].n_linear > 0 && strcmp(laws[i].variant.name, name) == 0) return &laws[i];
+    return NULL;
+}
+
+static const struct variant *variant(int i)
+{
+    return i < LAW_COUNT ? &laws[i].variant : NULL;
+}
+
+const struct section section_hardening = {.path = "materials.NAME.hardening",
+                                          .help = "The flow stress sigma of true stress against p, "
+                                                  "the equivalent logarithmic plastic strain.",
+                                          .chooser = "law",
+                                          .variant = variant,
+                                          .usual = -1};
 
 struct hardening hardening_read(struct deck_node map)
 {
-    const char *names[LAW_COUNT];
-    for (int i = 0; i < LAW_COUNT; i++) names[i] = laws[i].name;
-    struct hardening h = {.law = &laws[deck_choice(deck_get(map, "law"), names, LAW_COUNT)]};
+    const int i = keys_variant(map, &section_hardening);
+    struct tabulated read = {.hardening.law = &laws[i]};
+    keys_read(map, &section_hardening, i, 0, NULL, &read);
+    if (laws[i].complete) laws[i].complete(&read.hardening, map);
+    return read.hardening;
+}
 
-    const char *known[HARDENING_PARAMETERS + 3] = {"law"};
-    int n = 0;
-    for (; h.law->keys[n].name; n++) known[n + 1] = h.law->keys[n].name;
-    if (n == 0) known[1] = "points";
-    deck_keys(map, known);
-
-    if (n == 0) read_points(&h, deck_get(map, "points"));
-    for (int i = 0; i < n; i++) {
-        const struct hardening_key *key = &h.law->keys[i];
-        h.parameter[i] = deck_number(deck_get(map, key->name), key->unit, key->low, key->high);
-    }
-    if (h.law->stress == swift_stress && h.parameter[0] > h.parameter[1])
-        deck_error(map, "swift: the yield stress lies above the strength K");
-    return h;
+static double no_yield_stress(const struct hardening *h, double p)
+{
+    (void)h, (void)p;
+    return 1e15; /* Pa; a strength no metal has */
+}
+static double no_yield_slope(const struct hardening *h, double p)
+{
+    (void)h, (void)p;
+    return 0;
 }
 
 struct hardening hardening_none(void)
 {
-    return (struct hardening){.law = &no_yield};
+    static const struct hardening_law none = {
+        .variant.name = "none", .stress = no_yield_stress, .slope = no_yield_slope};
+    return (struct hardening){.law = &none};
 }
 
 void hardening_free(struct hardening *h)
@@ -225,5 +256,5 @@ double hardening_slope(const struct hardening *h, double p)
 
 const char *hardening_name(const struct hardening *h)
 {
-    return h->law->name;
+    return h->law->variant.name;
 }

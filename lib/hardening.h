@@ -1,25 +1,56 @@
-/* hardening.h - flow stress against equivalent plastic strain, sigma_y(p).
+/* hardening.h - flow stress against equivalent plastic strain, sigma_y(p): one table of laws for the solver, which
+ * reads them from the deck, and for hspost, which fits them to curves.
  *
  * sigma_y is a Kirchhoff stress (true stress up to the elastic volume change, below 0.4 % in metals),
- * p the equivalent logarithmic plastic strain.  To add a law: one more row in the table of
- * hardening.c. */
+ * p the equivalent logarithmic plastic strain.  To add a law: one more row in the table of hardening.c with its
+ * keys, stress and slope; the deck, hspost --law, the fits and the manual have it from there. */
 #ifndef HS_HARDENING_H
 #define HS_HARDENING_H
 
 #include "deck.h"
+#include "keys.h"
 
-enum { HARDENING_PARAMETERS = 5 };
+enum { HARDENING_PARAMETERS = 5, HARDENING_SHAPES = 2 };
 
 struct hardening_law;
 
+/* A law with its numbers. */
 struct hardening {
     const struct hardening_law *law;
-    double parameter[HARDENING_PARAMETERS]; /* in the order of the law's keys, SI */
+    double parameter[HARDENING_PARAMETERS]; /* in the order of law->parameters, SI */
     int n_points;                           /* tabulated law only */
     double *strain, *stress;                /* [n_points] -, Pa */
 };
 
-/* Reads "hardening: {law: ..., ...}"; dies at what is missing, unknown, falling or out of range. */
+struct hardening_law {
+    struct variant variant; /* name, formula, keys in the deck */
+    /* What a fit finds: first n_linear stresses in which sigma_y is linear, then n_shapes positive numbers.
+     * Parameters beyond these only the deck gives; a fit leaves them 0.  n_linear 0: the law is not fitted. */
+    const struct key *parameters;
+    int n_linear, n_shapes;
+    struct {
+        double low,
+            high; /* where the fit's first search looks for a shape, and where such laws are found */
+    } range[HARDENING_SHAPES];
+    bool interchangeable; /* two equal terms, each with a shape: the first is the faster one */
+    /* sigma_y [Pa] and its slope [Pa] at p >= 0 */
+    double (*stress)(const struct hardening *h, double p);
+    double (*slope)(const struct hardening *h, double p);
+    /* From the numbers of the deck's keys to the parameters, where they are not the same; dies where they do not go
+     * together.  NULL: nothing to do. */
+    void (*complete)(struct hardening *h, struct deck_node map);
+};
+
+/* Row i of the table; NULL beyond the last one. */
+const struct hardening_law *hardening_law(int i);
+
+/* The law that is fitted under this name; NULL: there is none. */
+const struct hardening_law *hardening_fitted(const char *name);
+
+/* "hardening: {law: ..., ...}" of a material. */
+extern const struct section section_hardening;
+
+/* Reads it; dies at what is missing, unknown, falling or out of range. */
 struct hardening hardening_read(struct deck_node map);
 void hardening_free(struct hardening *hardening);
 

@@ -56,9 +56,14 @@ static const struct key *find(const struct keys *keys, const char *name)
     return NULL;
 }
 
+static bool chooses(const struct section *section)
+{
+    return section->chooser && !section->outside;
+}
+
 static bool belongs(const struct section *section, int variant, const char *name)
 {
-    if (section->chooser && strcmp(section->chooser, name) == 0) return true;
+    if (chooses(section) && strcmp(section->chooser, name) == 0) return true;
     const struct key *key = find(&section->keys, name);
     if (key && uses(key, variant)) return true;
     return section->variant && find(&section->variant(variant)->keys, name);
@@ -86,7 +91,7 @@ static const char **known_names(const struct section *section, int variant)
     const int most = 1 + section->keys.count + (own ? own->count : 0);
     const char **names = memory_new((size_t)most + 1, sizeof *names);
     int n = 0;
-    if (section->chooser) names[n++] = section->chooser;
+    if (chooses(section)) names[n++] = section->chooser;
     for (int i = 0; i < section->keys.count; i++)
         if (uses(&section->keys.rows[i], variant)) names[n++] = section->keys.rows[i].name;
     for (int i = 0; own && i < own->count; i++) names[n++] = own->rows[i].name;
@@ -95,6 +100,7 @@ static const char **known_names(const struct section *section, int variant)
 
 void keys_check(struct deck_node map, const struct section *section, int variant)
 {
+    (void)deck_find(map, ""); /* dies where it is no mapping */
     for (int i = 0; i < deck_count(map); i++) {
         const char *name = deck_key(map, i);
         if (belongs(section, variant, name)) continue;
@@ -104,7 +110,6 @@ void keys_check(struct deck_node map, const struct section *section, int variant
                        section->chooser, section->variant(variant)->name);
         deck_keys(map, known_names(section, variant)); /* dies */
     }
-    (void)deck_find(map, ""); /* dies where it is no mapping */
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */
@@ -117,25 +122,33 @@ static double read_number(const struct key *key, struct deck_node node, double s
                        : deck_number(node, "m", key->low, key->high);
 }
 
-static void read_list(const struct key *key, struct deck_node node, double spacing, double values[])
+void keys_list(const struct key *key, struct deck_node node, double spacing, double values[])
 {
     if (!deck_is_list(node) || deck_count(node) != key->size)
         deck_error(node, "'%s' is a list of %d %s", key->name, key->size,
                    key->kind == KEY_NUMBER ? "numbers" : "lengths");
-    for (int k = 0; k < key->size; k++) values[k] = read_number(key, deck_item(node, k), spacing);
+    for (int k = 0; k < key->size; k++) {
+        values[k] = read_number(key, deck_item(node, k), spacing);
+        if (key->rising && k > 0 && values[k] <= values[k - 1])
+            deck_error(deck_item(node, k), "'%s' must rise, expected more than %g", key->name,
+                       values[k - 1]);
+    }
 }
 
-static void read_key(const struct key *key, struct deck_node node, double spacing, void *place,
+static void read_key(const struct key *key, struct deck_node node, double *spacing, void *place,
                      void *whole)
 {
     switch (key->kind) {
+    case KEY_SPACING:
+        *(double *)place = *spacing = deck_number(node, "m", key->low, key->high);
+        break;
     case KEY_NUMBER:
     case KEY_LENGTH:
     case KEY_SPACINGS:
         if (key->size)
-            read_list(key, node, spacing, place);
+            keys_list(key, node, *spacing, place);
         else
-            *(double *)place = read_number(key, node, spacing);
+            *(double *)place = read_number(key, node, *spacing);
         break;
     case KEY_INTEGER:
         *(int64_t *)place = deck_integer(node, (long)key->low, (long)key->high);
@@ -150,20 +163,28 @@ static void read_key(const struct key *key, struct deck_node node, double spacin
         *(const char **)place = deck_string(node);
         break;
     case KEY_SECTION:
-        keys_read(node, key->section, 0, spacing, whole, NULL);
+        keys_read(node, key->section, 0, *spacing, whole, NULL);
         break;
     case KEY_NODE:
         *(struct deck_node *)place = node;
     }
 }
 
-static void set_usual(const struct key *key, void *place, void *whole)
+double keys_usual(const struct key *key, int k)
 {
+    return key->usuals ? key->usuals[k] : key->usual;
+}
+
+static void set_usual(const struct key *key, double spacing, void *place, void *whole)
+{
+    const double scale = key->kind == KEY_SPACINGS ? spacing : 1;
     switch (key->kind) {
     case KEY_NUMBER:
     case KEY_LENGTH:
     case KEY_SPACINGS:
-        for (int k = 0; k < (key->size ? key->size : 1); k++) ((double *)place)[k] = key->usual;
+    case KEY_SPACING:
+        for (int k = 0; k < (key->size ? key->size : 1); k++)
+            ((double *)place)[k] = scale * keys_usual(key, k);
         break;
     case KEY_INTEGER:
         *(int64_t *)place = (int64_t)key->usual;
@@ -175,10 +196,7 @@ static void set_usual(const struct key *key, void *place, void *whole)
         *(bool *)place = key->usual > 0;
         break;
     case KEY_SECTION:
-        for (int i = 0; i < key->section->keys.count; i++) {
-            const struct key *inner = &key->section->keys.rows[i];
-            set_usual(inner, (char *)whole + inner->place, whole);
-        }
+        keys_read((struct deck_node){0}, key->section, 0, spacing, whole, NULL);
         break;
     case KEY_TEXT:
         *(const char **)place = NULL;
@@ -188,26 +206,26 @@ static void set_usual(const struct key *key, void *place, void *whole)
     }
 }
 
-static void read_rows(struct deck_node map, const struct keys *keys, int variant, double spacing,
+static void read_rows(struct deck_node map, const struct keys *keys, int variant, double *spacing,
                       void *out)
 {
     for (int i = 0; i < keys->count; i++) {
         const struct key *key = &keys->rows[i];
         void *place = (char *)out + key->place;
-        struct deck_node node = deck_find(map, key->name);
-        if (node.index && uses(key, variant))
+        struct deck_node node = {0};
+        if (map.index && uses(key, variant))
+            node = key->required ? deck_get(map, key->name) : deck_find(map, key->name);
+        if (node.index)
             read_key(key, node, spacing, place, out);
-        else if (key->required && uses(key, variant))
-            deck_get(map, key->name); /* dies */
         else
-            set_usual(key, place, out);
+            set_usual(key, *spacing, place, out);
     }
 }
 
 void keys_read(struct deck_node map, const struct section *section, int variant, double spacing,
                void *common, void *own)
 {
-    keys_check(map, section, variant);
-    read_rows(map, &section->keys, variant, spacing, common);
-    if (own && section->variant) read_rows(map, &section->variant(variant)->keys, 0, spacing, own);
+    if (map.index) keys_check(map, section, variant);
+    read_rows(map, &section->keys, variant, &spacing, common);
+    if (own && section->variant) read_rows(map, &section->variant(variant)->keys, 0, &spacing, own);
 }

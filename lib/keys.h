@@ -18,12 +18,13 @@
 enum key_kind {
     KEY_NUMBER,   /* double [SI], low <= value <= high */
     KEY_LENGTH,   /* double [m]; also in spacings */
-    KEY_SPACINGS, /* the same, but low and high are in spacings */
-    KEY_INTEGER,  /* int64_t */
-    KEY_CHOICE,   /* int, index in names */
-    KEY_FLAG,     /* bool, false or true */
-    KEY_TEXT,     /* const char *, lives as long as the deck */
-    KEY_SECTION,  /* a mapping whose keys (section->keys) fill the same struct */
+    KEY_SPACINGS, /* the same, but low, high and usual are in spacings */
+    KEY_SPACING, /* double [m], the spacing of all lengths that follow, of the variant's rows too */
+    KEY_INTEGER, /* int64_t */
+    KEY_CHOICE,  /* int or enum, index in names */
+    KEY_FLAG,    /* bool, false or true */
+    KEY_TEXT,    /* const char *, lives as long as the deck */
+    KEY_SECTION, /* a mapping whose keys (section->keys) fill the same struct */
     KEY_NODE /* struct deck_node that its owner reads, as form says (index 0: absent); section: its keys */
 };
 
@@ -36,15 +37,19 @@ struct key {
     const char *unit; /* SI, of a number; "1": a pure one */
     double low, high; /* range, of numbers, lengths and integers */
     int size;         /* of a list of so many numbers or lengths, double[size]; 0: one value */
+    bool rising;      /* of a list: each number lies above the one before */
     bool required;    /* has no default */
     double usual;     /* the default: of a number or integer; index of a choice; 0 or 1 of a flag */
-    const char *const *names; /* of a choice, ended by NULL */
+    const double *usuals;     /* [size] of a list, where its numbers have different ones */
+    const char *const *names; /* of a choice, ended by NULL; of a KEY_NODE for the manual alone */
     unsigned users;           /* bit i: variant i of the section has it; 0: all have it */
     const struct section *section;
-    const char *form; /* KEY_NODE: how it is written, for the manual: "[x, y, z]" */
-    const char *
-        otherwise; /* what the manual says of a default that is no constant: "of the formulation" */
-    const char *help; /* one line: what it is */
+    /* For the manual, plain words without markup: */
+    const char
+        *form; /* of a KEY_NODE or KEY_TEXT, how it is written: "[x, y, z]", "name of a phase" */
+    const char *otherwise; /* a default that is no constant: "of the formulation" */
+    const char *help;      /* what it is, one line */
+    const char *symbol;    /* in the formula of its variant; NULL: it has none */
 };
 
 struct keys {
@@ -70,6 +75,8 @@ struct section {
     const char *chooser; /* the key that names the variant; NULL: there are none */
     const struct variant *(*variant)(int i); /* NULL beyond the last one */
     int usual; /* variant without the chooser's key; -1: it has to be there */
+    bool
+        outside; /* the chooser stands in the mapping around this one, whose reader tells the variant */
 };
 
 /* The variant that the map's chooser names, or the usual one; dies where it is unknown or missing. */
@@ -78,15 +85,22 @@ int keys_variant(struct deck_node map, const struct section *section);
 /* Checks that each key of the map belongs to the section and to this variant (0 where there are none): an unknown one
  * is told with the nearest known, one of another variant with whose it is.  Then fills *common from the section's
  * rows and *own from the variant's (NULL: it has none): what the map says, in range, or the default; of keys that are
- * not this variant's the default.  spacing [m]: for lengths in spacings; 0: there are none. */
+ * not this variant's the default, and all defaults of a map that is not there (index 0).  spacing [m]: for lengths in
+ * spacings; 0: there are none. */
 void keys_read(struct deck_node map, const struct section *section, int variant, double spacing,
                void *common, void *own);
+
+/* Reads a list of key->size numbers or lengths that a row describes, wherever it stands. */
+void keys_list(const struct key *key, struct deck_node node, double spacing, double values[]);
 
 /* Only checks the names of the keys, for an owner that reads them itself. */
 void keys_check(struct deck_node map, const struct section *section, int variant);
 
 /* Index in names (ended by NULL) of a scalar; dies naming the nearest. */
 int keys_choice(struct deck_node node, const char *const names[]);
+
+/* The default of item k of a list, or of one number. */
+double keys_usual(const struct key *key, int k);
 
 enum keys_format { KEYS_TEXT, KEYS_MDOC, KEYS_MARKDOWN };
 

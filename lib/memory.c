@@ -28,6 +28,17 @@ void *memory_new(size_t count, size_t size)
     return memset(block, 0, bytes);
 }
 
+void *memory_grow(void *items, int64_t count, size_t size)
+{
+    enum { LEAST = 16 };
+    const bool full = count == 0 || (count >= LEAST && (count & (count - 1)) == 0);
+    if (!full) return items;
+    void *longer = memory_new(count ? 2 * (size_t)count : LEAST, size);
+    if (count > 0) memcpy(longer, items, (size_t)count * size);
+    free(items);
+    return longer;
+}
+
 char *memory_text(const char *text)
 {
     if (text == NULL) return NULL;

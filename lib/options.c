@@ -3,6 +3,7 @@
 #include "deck.h"
 #include "die.h"
 #include "exodus.h"
+#include "keys.h"
 #include "memory.h"
 #include "random.h"
 
@@ -23,8 +24,15 @@ enum { LONG_OPTION = 256, HELP_COLUMN = 30 };
 static const struct option_row built_in[] = {
     {'h', "help", NULL, "print this and leave", NULL, NULL},
     {'V', "version", NULL, "print the version and leave", NULL, NULL},
+    {0, "keys", "[=FORMAT]", "print the deck's keys (text, mdoc, markdown) and leave", NULL, NULL},
 };
-enum { BUILT_IN = sizeof built_in / sizeof *built_in };
+enum { HELP, VERSION, KEYS_OPTION, BUILT_IN };
+
+/* Rows of the table and built in ones; without sections there is no --keys. */
+static int count_rows(const struct option_table *table)
+{
+    return table->count + (table->sections ? BUILT_IN : KEYS_OPTION);
+}
 
 static const struct option_row *row_at(const struct option_table *table, int i)
 {
@@ -34,12 +42,13 @@ static const struct option_row *row_at(const struct option_table *table, int i)
 static void print_help(const struct option_table *table)
 {
     printf("Usage: %s %s\n\n%s\n\n", table->program, table->synopsis, table->purpose);
-    for (int i = 0; i < table->count + BUILT_IN; i++) {
+    for (int i = 0; i < count_rows(table); i++) {
         const struct option_row *row = row_at(table, i);
         char letter[] = "-?, ";
         letter[1] = row->letter;
+        const char *argument = row->argument ? row->argument : "";
         int printed = printf("  %s--%s%s%s", row->letter ? letter : "    ", row->name,
-                             row->argument ? " " : "", row->argument ? row->argument : "");
+                             *argument && *argument != '[' ? " " : "", argument);
         printf("%*s%s\n", printed < HELP_COLUMN ? HELP_COLUMN - printed : 1, "", row->help);
     }
 }
@@ -53,10 +62,12 @@ static _Noreturn void leave_after_printing(void)
 /* Fills getopt_long's two descriptions of the options. */
 static void describe(const struct option_table *table, char *letters, struct option *names)
 {
-    for (int i = 0; i < table->count + BUILT_IN; i++) {
+    for (int i = 0; i < count_rows(table); i++) {
         const struct option_row *row = row_at(table, i);
         names[i].name = row->name;
-        names[i].has_arg = row->argument ? required_argument : no_argument;
+        names[i].has_arg = !row->argument            ? no_argument
+                           : row->argument[0] == '[' ? optional_argument
+                                                     : required_argument;
         names[i].val = LONG_OPTION + i;
         if (row->letter == 0) continue;
         *letters++ = row->letter;
@@ -67,21 +78,33 @@ static void describe(const struct option_table *table, char *letters, struct opt
 static const struct option_row *row_of(const struct option_table *table, int found)
 {
     if (found >= LONG_OPTION) return row_at(table, found - LONG_OPTION);
-    for (int i = 0; i < table->count + BUILT_IN; i++)
+    for (int i = 0; i < count_rows(table); i++)
         if (row_at(table, i)->letter == found) return row_at(table, i);
     return NULL;
 }
 
+static void print_keys(const struct option_table *table, const char *format)
+{
+    static const char *const formats[] = {"text", "mdoc", "markdown"};
+    for (int i = 0; i < 3; i++) {
+        if (format && strcmp(format, formats[i]) != 0) continue;
+        keys_print(stdout, table->sections, (enum keys_format)i);
+        leave_after_printing();
+    }
+    die_user("--keys=%s: expected text, mdoc or markdown", format);
+}
+
 static void take(const struct option_table *table, const struct option_row *row)
 {
-    if (row == &built_in[0]) {
+    if (row == &built_in[HELP]) {
         print_help(table);
         leave_after_printing();
     }
-    if (row == &built_in[1]) {
+    if (row == &built_in[VERSION]) {
         fputs(options_version(), stdout);
         leave_after_printing();
     }
+    if (row == &built_in[KEYS_OPTION]) print_keys(table, optarg);
     if (row->argument)
         *row->value = optarg;
     else
@@ -90,7 +113,7 @@ static void take(const struct option_table *table, const struct option_row *row)
 
 int options_read(const struct option_table *table, int argc, char **argv)
 {
-    size_t rows = (size_t)(table->count + BUILT_IN);
+    size_t rows = (size_t)count_rows(table);
     char *letters = memory_new(2 * rows + 1, 1);
     struct option *names = memory_new(rows + 1, sizeof *names);
     describe(table, letters, names);

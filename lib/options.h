@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+struct section;
+
 /* One option.  argument = NULL: a flag, *flag becomes true.  Otherwise *value points at the
  * text given (the last one wins). */
 struct option_row {
@@ -21,10 +23,11 @@ struct option_table {
     const char *purpose;  /* one sentence */
     const struct option_row *rows;
     int count;
+    const struct section *const *sections; /* of the deck, for --keys; ended by NULL */
 };
 
-/* Reads argv by the table (getopt_long).  -h/--help and -V/--version are built in, print to
- * stdout and exit 0.  A wrong option ends with exit 2 and a hint at --help.
+/* Reads argv by the table (getopt_long).  -h/--help, -V/--version and, where there are sections,
+ * --keys[=text|mdoc|markdown] (the manual of their keys) are built in, print to stdout and exit 0.  A wrong option ends with exit 2 and a hint at --help.
  * Returns the index of the first operand in argv. */
 int options_read(const struct option_table *table, int argc, char **argv);
 

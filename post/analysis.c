@@ -62,7 +62,8 @@ static struct power_law harden(const struct curve *curve, struct analysis *analy
 
 struct analysis analysis_make(struct curve *curve, const struct choices *choices)
 {
-    struct analysis analysis = {.line = strength_line(curve, choices)};
+    struct analysis analysis = {.line = strength_line(curve, choices),
+                                .fit_range = {choices->fit_range[0], choices->fit_range[1]}};
     if (!isnan(choices->true_modulus)) {
         strength_correct(curve, &analysis.line, choices->true_modulus);
         analysis.line.error *= choices->true_modulus / analysis.line.slope;
@@ -80,9 +81,6 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     analysis.considere = true_curve_considere(curve, analysis.modulus, reach);
     true_curve_cut(curve, last);
     analysis.power_law = harden(curve, &analysis, choices);
-    for (int k = 0; k < LAW_COUNT; k++)
-        analysis.fits[k] =
-            true_curve_fit(curve, law_of((enum law_index)k), last, choices->fit_range);
     add_neck_stress(curve);
     phases_add_factor(curve);
     note_rules(curve, &analysis, choices);

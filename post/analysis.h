@@ -15,7 +15,7 @@ struct analysis {
     struct considere considere;
     struct power_law power_law;
     bool cut_at_maximum; /* the range of n ends at Ag */
-    struct law_fit fits[LAW_COUNT];
+    double fit_range[2]; /* true plastic strain, of the laws */
 };
 
 /* Puts the machine's compliance right where asked for, fills the true curve and the columns that follow

@@ -11,25 +11,15 @@ enum { POINTS = 601 };
 
 static const double default_end = 0.3;
 
-static struct constituent constituent_of(const struct curve *curve, const struct analysis *analysis,
-                                         const struct law *law)
-{
-    for (int k = 0; k < LAW_COUNT; k++)
-        if (analysis->fits[k].law == law && analysis->fits[k].done && analysis->modulus > 0)
-            return (struct constituent){analysis->fits[k], analysis->modulus};
-    die_user("%s: too few points for the law %s up to maximum force; see --fit-range", curve->title,
-             law->name);
-}
-
 static void note_constituent(struct curve *curve, const char *key, const struct curve *from,
-                             const struct constituent *constituent)
+                             double modulus, const struct law_fit *fit)
 {
-    const struct law_fit *fit = &constituent->law;
-    char *text = memory_print("%s: E = %.6g Pa, sigma = %s", from->title, constituent->modulus,
-                              fit->law->formula);
-    for (int k = 0; k < fit->law->n_linear + fit->law->n_shapes; k++) {
-        char *longer = memory_print("%s, %s = %.6g%s", text, fit->law->parameters[k].symbol,
-                                    fit->parameter[k], k < fit->law->n_linear ? " Pa" : "");
+    const struct hardening_law *law = fit->hardening.law;
+    char *text =
+        memory_print("%s: E = %.6g Pa, sigma = %s", from->title, modulus, law->variant.help);
+    for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
+        char *longer = memory_print("%s, %s = %.6g%s", text, law->parameters[k].symbol,
+                                    fit->hardening.parameter[k], k < law->n_linear ? " Pa" : "");
         free(text);
         text = longer;
     }
@@ -40,12 +30,23 @@ static void note_constituent(struct curve *curve, const char *key, const struct 
     free(text);
 }
 
-struct curve bounds_curve(enum bound bound, const struct curve pair[2],
-                          const struct analysis analyses[2], const struct law *law, double fraction,
-                          const double range[2])
+/* Fits the law to one of the two curves, and notes it in the mixture's. */
+static struct constituent constituent_of(struct curve *curve, const char *key,
+                                         const struct curve *from, const struct analysis *analysis,
+                                         const struct hardening_law *law)
 {
-    struct constituent constituents[2] = {constituent_of(&pair[0], &analyses[0], law),
-                                          constituent_of(&pair[1], &analyses[1], law)};
+    struct law_fit fit = true_curve_fit(from, law, analysis->maximum.row, analysis->fit_range);
+    if (!fit.done || !(analysis->modulus > 0))
+        die_user("%s: too few points for the law %s up to maximum force; see --fit-range",
+                 from->title, law->variant.name);
+    note_constituent(curve, key, from, analysis->modulus, &fit);
+    return (struct constituent){fit.hardening, analysis->modulus};
+}
+
+struct curve bounds_curve(enum bound bound, const struct curve pair[2],
+                          const struct analysis analyses[2], const struct hardening_law *law,
+                          double fraction, const double range[2])
+{
     const char *name = bound == BOUND_VOIGT ? "Voigt" : "Reuss";
     char *title = memory_print("%s (%g %% %s)", name, 100 * fraction, pair[1].title);
     struct curve curve = curve_new(POINTS, title);
@@ -54,8 +55,9 @@ struct curve bounds_curve(enum bound bound, const struct curve pair[2],
     attributes_set_text(&curve.provenance, "mixture",
                         bound == BOUND_VOIGT ? "iso-strain" : "iso-stress");
     attributes_set_number(&curve.provenance, "fraction_of_second", fraction);
-    note_constituent(&curve, "first", &pair[0], &constituents[0]);
-    note_constituent(&curve, "second", &pair[1], &constituents[1]);
+    const struct constituent constituents[2] = {
+        constituent_of(&curve, "first", &pair[0], &analyses[0], law),
+        constituent_of(&curve, "second", &pair[1], &analyses[1], law)};
 
     double first = isnan(range[0]) ? 0 : range[0], last = isnan(range[1]) ? default_end : range[1];
     for (long i = 0; i < POINTS; i++) {

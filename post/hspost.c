@@ -5,8 +5,10 @@
 #include "die.h"
 #include "difference.h"
 #include "figure.h"
+#include "keys_options.h"
 #include "memory.h"
 #include "request.h"
+#include "snapshot.h"
 #include "spool.h"
 #include "text_output.h"
 #include "view.h"
@@ -35,19 +37,20 @@ static char *describe_maker(int argc, char **argv)
     return text;
 }
 
-static struct choices choose(const struct request *request, const struct input *input)
+/* The deck whose section post counts; NULL: there is none. */
+static struct deck *find_deck(const struct request *request, const struct input *input)
 {
-    struct choices choices = choices_default();
     const char *within = attributes_text(&input->attributes, "deck");
     const char *name = attributes_text(&input->attributes, "deck_name");
-    struct deck *deck = NULL;
-    if (request->deck)
-        deck = deck_read(request->deck);
-    else if (within)
-        deck = deck_parse(within, strlen(within), name ? name : "the deck within the history");
-    if (deck) choices_read_deck(&choices, deck);
-    deck_free(deck);
-    choices_read_options(&choices, request->choices);
+    if (request->deck) return deck_read(request->deck);
+    if (!within) return NULL;
+    return deck_parse(within, strlen(within), name ? name : "the deck within the history");
+}
+
+static struct choices choose(const struct request *request, const struct deck *deck)
+{
+    struct choices choices = choices_read(deck);
+    keys_read_options(&post_section.keys, request->choices, &choices);
     return choices;
 }
 
@@ -62,8 +65,10 @@ static struct study read_and_analyse(const struct request *request, const char *
     study.titles = memory_new(n, sizeof *study.titles);
     for (size_t i = 0; i < n; i++) {
         struct input input = input_read(request->files[i]);
-        study.choices[i] = choose(request, &input);
+        struct deck *deck = find_deck(request, &input);
+        study.choices[i] = choose(request, deck);
         study.curves[i] = curve_make(&input, &study.choices[i]);
+        deck_free(deck);
         input_free(&input);
         study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
         study.properties[i] =
@@ -133,7 +138,6 @@ static void study_free(struct study *study)
 {
     for (int i = 0; i < study->count; i++) {
         curve_free(&study->curves[i]);
-        choices_free(&study->choices[i]);
         properties_free(&study->properties[i]);
     }
     free(study->curves);
@@ -158,19 +162,66 @@ static void treat_curves(const struct request *request, const char *maker)
     study_free(&study);
 }
 
+static void check_frames(const struct view_request *request)
+{
+    struct snapshot snapshot = snapshot_read(request);
+    note("%s: frame %lld of %lld, %g s, %lld particles, %d variables", request->frames,
+         (long long)snapshot.frame, (long long)snapshot.n_frames, snapshot.time,
+         (long long)snapshot.domain.n_nodes, snapshot.n_fields);
+    snapshot_free(&snapshot);
+}
+
+static void check_columns(const char *file)
+{
+    struct input input = input_read(file);
+    note("%s: %d columns of %ld rows", input.name, input.table.n_columns, input.table.n_rows);
+    input_free(&input);
+}
+
+static void check_curves(const struct request *request)
+{
+    struct deck *deck = request->deck ? deck_read(request->deck) : NULL;
+    choose(request, deck);
+    deck_free(deck);
+    struct study study = read_and_analyse(request, "");
+    for (int i = 0; i < study.count; i++)
+        note("%s: curve '%s' of %ld points, %d properties", request->files[i], study.titles[i],
+             study.curves[i].n, study.properties[i].count);
+    study_free(&study);
+}
+
+/* Does all but writing: what is wrong ends the program. */
+static void check_all(const struct request *request)
+{
+    const char *const files[] = {request->output,      request->properties, request->json,
+                                 request->plot,        request->voigt,      request->reuss,
+                                 request->view.picture};
+    if (request->view.frames)
+        check_frames(&request->view);
+    else if (request->columns && request->n_files > 0)
+        check_columns(request->files[0]);
+    else
+        check_curves(request);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (files[i]) note("would write %s", files[i]);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hspost");
     struct request request = request_read(argc, argv);
     note_set_quiet(request.quiet);
     char *maker = describe_maker(argc, argv);
-    if (request.view.frames)
+    if (request.check)
+        check_all(&request);
+    else if (request.view.frames)
         view_write(&request.view, request.output, maker);
     else if (request.columns)
         columns_write(request.files[0], request.output, maker);
     else
         treat_curves(&request, maker);
     free(maker);
+    free(request.choices);
     if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
     return 0;
 }

@@ -1,11 +1,10 @@
-#include "law.h"
-
-#include "memory.h"
+#include "law_fit.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multifit_nlinear.h>
+#include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,78 +13,87 @@ enum { GRID = 24, MOST_ITERATIONS = 500 };
 static const double pascals = 1e6; /* MPa inside, so that all unknowns are of a size */
 
 struct data {
-    const struct law *law;
+    const struct hardening_law *law;
     const double *p, *stress; /* [n] */
     size_t n;
 };
 
 /* Unknowns of the polish: linear parameters in MPa, then logarithms of the shapes, which keeps them
  * positive. */
-static void unpack(const struct law *law, const gsl_vector *x, struct law_fit *fit)
+static void unpack(const gsl_vector *x, struct hardening *hardening)
 {
+    const struct hardening_law *law = hardening->law;
     int n = law->n_linear;
-    for (int k = 0; k < n; k++) fit->parameter[k] = gsl_vector_get(x, (size_t)k) * pascals;
+    for (int k = 0; k < n; k++) hardening->parameter[k] = gsl_vector_get(x, (size_t)k) * pascals;
     for (int k = n; k < n + law->n_shapes; k++)
-        fit->parameter[k] = exp(gsl_vector_get(x, (size_t)k));
+        hardening->parameter[k] = exp(gsl_vector_get(x, (size_t)k));
 }
 
 static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
 {
     const struct data *data = context;
-    struct law_fit fit = {.law = data->law};
-    unpack(data->law, x, &fit);
+    struct hardening law = {.law = data->law};
+    unpack(x, &law);
     for (size_t i = 0; i < data->n; i++) {
-        double difference = (law_stress(&fit, data->p[i]) - data->stress[i]) / pascals;
+        double difference = (hardening_stress(&law, data->p[i]) - data->stress[i]) / pascals;
         if (!isfinite(difference)) return GSL_EDOM;
         gsl_vector_set(f, i, difference);
     }
     return GSL_SUCCESS;
 }
 
+/* sigma_y = sum a_k f_k(p): f_k is the law whose parameter k is 1 and whose other stresses are 0. */
+static void basis(const struct data *data, const double shape[], gsl_matrix *rows)
+{
+    const int n_linear = data->law->n_linear, n_shapes = data->law->n_shapes;
+    for (int k = 0; k < n_linear; k++) {
+        struct hardening term = {.law = data->law};
+        term.parameter[k] = 1;
+        for (int j = 0; j < n_shapes; j++) term.parameter[n_linear + j] = shape[j];
+        for (size_t i = 0; i < data->n; i++)
+            gsl_matrix_set(rows, i, (size_t)k, hardening_stress(&term, data->p[i]));
+    }
+}
+
 /* The linear parameters that suit given shapes best; returns the sum of squares in MPa^2. */
 static double fit_linear(const struct data *data, const double shape[], double linear[])
 {
     size_t n = data->n, m = (size_t)data->law->n_linear;
-    gsl_matrix *basis = gsl_matrix_alloc(n, m), *covariance = gsl_matrix_alloc(m, m);
+    gsl_matrix *rows = gsl_matrix_alloc(n, m), *covariance = gsl_matrix_alloc(m, m);
     gsl_vector *stress = gsl_vector_alloc(n), *solution = gsl_vector_alloc(m);
     gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(n, m);
-    for (size_t i = 0; i < n; i++) {
-        double value[LAW_LINEAR];
-        data->law->basis(shape, data->p[i], value);
-        for (size_t k = 0; k < m; k++) gsl_matrix_set(basis, i, k, value[k]);
-        gsl_vector_set(stress, i, data->stress[i] / pascals);
-    }
+    basis(data, shape, rows);
+    for (size_t i = 0; i < n; i++) gsl_vector_set(stress, i, data->stress[i] / pascals);
     double squares = INFINITY;
-    if (gsl_multifit_linear(basis, stress, solution, covariance, &squares, work) != GSL_SUCCESS)
+    if (gsl_multifit_linear(rows, stress, solution, covariance, &squares, work) != GSL_SUCCESS)
         squares = INFINITY;
     for (size_t k = 0; k < m; k++) linear[k] = gsl_vector_get(solution, k);
     gsl_multifit_linear_free(work);
     gsl_vector_free(solution);
     gsl_vector_free(stress);
     gsl_matrix_free(covariance);
-    gsl_matrix_free(basis);
+    gsl_matrix_free(rows);
     return squares;
 }
 
-static double grid_value(const struct law_parameter *parameter, int i)
+static double grid_value(const struct hardening_law *law, int shape, int i)
 {
-    return parameter->low * pow(parameter->high / parameter->low, i / (GRID - 1.0));
+    const double low = law->range[shape].low, high = law->range[shape].high;
+    return low * pow(high / low, i / (GRID - 1.0));
 }
 
 /* Best point of the grid over the shapes, as a start for the polish. */
 static void search(const struct data *data, gsl_vector *start)
 {
-    const struct law *law = data->law;
-    const struct law_parameter *shapes = law->parameters + law->n_linear;
+    const struct hardening_law *law = data->law;
     int outer = law->n_shapes > 0 ? GRID : 1, inner = law->n_shapes > 1 ? GRID : 1;
     double best = INFINITY;
     for (int i = 0; i < outer; i++)
         for (int j = 0; j < inner; j++) {
-            double shape[LAW_SHAPES] = {1, 1}, linear[LAW_LINEAR] = {0};
-            if (law->n_shapes > 0) shape[0] = grid_value(&shapes[0], i);
-            if (law->n_shapes > 1) shape[1] = grid_value(&shapes[1], j);
-            /* Two equal terms: their order is free, the first is the faster one. */
-            if (law == law_of(LAW_TWO_VOCE) && j >= i) continue;
+            double shape[HARDENING_SHAPES] = {1, 1}, linear[HARDENING_PARAMETERS] = {0};
+            if (law->n_shapes > 0) shape[0] = grid_value(law, 0, i);
+            if (law->n_shapes > 1) shape[1] = grid_value(law, 1, j);
+            if (law->interchangeable && j >= i) continue;
             double squares = fit_linear(data, shape, linear);
             if (!(squares < best)) continue;
             best = squares;
@@ -109,7 +117,7 @@ static void polish(struct data *data, gsl_vector *x, struct law_fit *fit)
         gsl_multifit_nlinear_driver(MOST_ITERATIONS, 1e-12, 1e-10, 0, NULL, NULL, &reason, work);
     /* A start that is the solution, as for linear laws, ends where no step gets any further. */
     fit->converged = status == GSL_SUCCESS || reason == GSL_ENOPROG;
-    unpack(data->law, work->x, fit);
+    unpack(work->x, &fit->hardening);
 
     gsl_matrix *covariance = gsl_matrix_alloc(parameters, parameters);
     gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work), 0, covariance);
@@ -119,7 +127,7 @@ static void polish(struct data *data, gsl_vector *x, struct law_fit *fit)
         double error =
             sqrt(gsl_matrix_get(covariance, k, k) * squares / (double)(data->n - parameters));
         bool is_linear = (int)k < data->law->n_linear;
-        fit->error[k] = is_linear ? error * pascals : error * fit->parameter[k];
+        fit->error[k] = is_linear ? error * pascals : error * fit->hardening.parameter[k];
     }
     gsl_matrix_free(covariance);
     gsl_multifit_nlinear_free(work);
@@ -129,22 +137,23 @@ static void judge(const struct data *data, struct law_fit *fit)
 {
     double squares = 0;
     for (size_t i = 0; i < data->n; i++) {
-        double difference = law_stress(fit, data->p[i]) - data->stress[i];
+        double difference = hardening_stress(&fit->hardening, data->p[i]) - data->stress[i];
         squares += difference * difference;
         fit->largest = fmax(fit->largest, fabs(difference));
     }
     double n = (double)data->n, mean = squares / n;
-    int parameters = fit->law->n_linear + fit->law->n_shapes;
+    int parameters = data->law->n_linear + data->law->n_shapes;
     fit->root_mean_square = sqrt(mean);
     fit->akaike = n * log(mean / (pascals * pascals)) + 2 * (parameters + 1);
 }
 
-struct law_fit law_fit(const struct law *law, const double p[], const double stress[], long n)
+struct law_fit law_fit(const struct hardening_law *law, const double p[], const double stress[],
+                       long n)
 {
-    struct law_fit fit = {.law = law};
+    struct law_fit fit = {.hardening.law = law};
     struct data data = {law, p, stress, (size_t)n};
     int parameters = law->n_linear + law->n_shapes;
-    for (int k = 0; k < LAW_PARAMETERS; k++) fit.parameter[k] = fit.error[k] = NAN;
+    for (int k = 0; k < parameters; k++) fit.hardening.parameter[k] = fit.error[k] = NAN;
     fit.count = n;
     fit.first = n > 0 ? p[0] : NAN;
     fit.last = n > 0 ? p[n - 1] : NAN;
@@ -159,4 +168,29 @@ struct law_fit law_fit(const struct law *law, const double p[], const double str
     judge(&data, &fit);
     fit.done = isfinite(fit.root_mean_square);
     return fit;
+}
+
+static double instability(double p, void *law)
+{
+    return hardening_slope(law, p) - hardening_stress(law, p);
+}
+
+double law_uniform_strain(const struct hardening *law)
+{
+    const double first = 1e-12, most = 10; /* power laws have no slope at zero */
+    struct hardening copy = *law;
+    gsl_function f = {instability, &copy};
+    double low = first, high = most;
+    if (!(instability(low, &copy) > 0) || !(instability(high, &copy) < 0)) return NAN;
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    gsl_root_fsolver_set(solver, &f, low, high);
+    for (int i = 0; i < 200; i++) {
+        gsl_root_fsolver_iterate(solver);
+        low = gsl_root_fsolver_x_lower(solver);
+        high = gsl_root_fsolver_x_upper(solver);
+        if (gsl_root_test_interval(low, high, 0, 1e-12) == GSL_SUCCESS) break;
+    }
+    double root = gsl_root_fsolver_root(solver);
+    gsl_root_fsolver_free(solver);
+    return root;
 }

@@ -9,27 +9,27 @@ static const double most_plastic_strain = 10; /* far beyond any tensile test */
 double constituent_stress(const struct constituent *constituent, double strain)
 {
     double low = 0, high = strain;
-    if (law_stress(&constituent->law, 0) >= constituent->modulus * strain)
+    if (hardening_stress(&constituent->law, 0) >= constituent->modulus * strain)
         return constituent->modulus * strain;
     for (int i = 0; i < BISECTIONS; i++) {
         double p = (low + high) / 2;
-        if (p + law_stress(&constituent->law, p) / constituent->modulus < strain)
+        if (p + hardening_stress(&constituent->law, p) / constituent->modulus < strain)
             low = p;
         else
             high = p;
     }
-    return law_stress(&constituent->law, high);
+    return hardening_stress(&constituent->law, high);
 }
 
 double constituent_strain(const struct constituent *constituent, double stress)
 {
-    const struct law_fit *law = &constituent->law;
+    const struct hardening *law = &constituent->law;
     double low = 0, high = most_plastic_strain, elastic = stress / constituent->modulus;
-    if (law_stress(law, 0) >= stress) return elastic;
-    if (law_stress(law, high) < stress) return INFINITY;
+    if (hardening_stress(law, 0) >= stress) return elastic;
+    if (hardening_stress(law, high) < stress) return INFINITY;
     for (int i = 0; i < BISECTIONS; i++) {
         double p = (low + high) / 2;
-        if (law_stress(law, p) < stress)
+        if (hardening_stress(law, p) < stress)
             low = p;
         else
             high = p;

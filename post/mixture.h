@@ -6,10 +6,10 @@
 #ifndef HS_MIXTURE_H
 #define HS_MIXTURE_H
 
-#include "law.h"
+#include "hardening.h"
 
 struct constituent {
-    struct law_fit law;
+    struct hardening law;
     double modulus; /* Pa */
 };
 

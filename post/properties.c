@@ -10,16 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void make_room(struct properties *list)
-{
-    if (list->count < list->room) return;
-    list->room = 2 * list->room + 32;
-    struct property *items = memory_new((size_t)list->room, sizeof *items);
-    if (list->count > 0) memcpy(items, list->items, (size_t)list->count * sizeof *items);
-    free(list->items);
-    list->items = items;
-}
-
 struct property *properties_add(struct properties *list, const char *name, const char *symbol,
                                 double value, const char *unit, double uncertainty,
                                 const char *definition, ...)
@@ -29,7 +19,7 @@ struct property *properties_add(struct properties *list, const char *name, const
     va_start(arguments, definition);
     if (vasprintf(&text, definition, arguments) < 0) die_run("out of memory");
     va_end(arguments);
-    make_room(list);
+    list->items = memory_grow(list->items, list->count, sizeof *list->items);
     struct property *property = &list->items[list->count++];
     *property = (struct property){
         memory_text(name), memory_text(symbol), value, unit, uncertainty, text, NULL};

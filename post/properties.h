@@ -14,7 +14,7 @@ struct property {
 };
 
 struct properties {
-    int count, room;
+    int count;
     struct property *items;
 };
 

@@ -187,13 +187,12 @@ static void add_hardening(struct properties *list, const struct analysis *analys
  * the range where such laws are found. */
 static bool ill_determined(const struct law_fit *fit)
 {
-    const struct law *law = fit->law;
-    for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
-        const struct law_parameter *limits = &law->parameters[k];
-        double value = fit->parameter[k];
-        if (fit->error[k] > fabs(value)) return true;
-        if (k >= law->n_linear && (value < limits->low || value > limits->high)) return true;
-    }
+    const struct hardening_law *law = fit->hardening.law;
+    const double *value = fit->hardening.parameter, *shape = value + law->n_linear;
+    for (int k = 0; k < law->n_linear + law->n_shapes; k++)
+        if (fit->error[k] > fabs(value[k])) return true;
+    for (int k = 0; k < law->n_shapes; k++)
+        if (shape[k] < law->range[k].low || shape[k] > law->range[k].high) return true;
     return false;
 }
 
@@ -206,16 +205,16 @@ static const char *flag_of(const struct law_fit *fit)
 
 static void add_fit(struct properties *list, const struct law_fit *fit)
 {
-    const struct law *law = fit->law;
-    const char *flag = flag_of(fit);
+    const struct hardening_law *law = fit->hardening.law;
+    const char *of = law->variant.name, *flag = flag_of(fit);
     for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
         bool stress = k < law->n_linear;
         double scale = stress ? mega : 1;
-        char *name = memory_print("%s_%s", law->name, law->parameters[k].name);
-        properties_add(list, name, law->parameters[k].symbol, fit->parameter[k] / scale,
+        char *name = memory_print("%s_%s", of, law->parameters[k].name);
+        properties_add(list, name, law->parameters[k].symbol, fit->hardening.parameter[k] / scale,
                        stress ? "MPa" : "1", fit->error[k] / scale,
-                       "sigma = %s, true plastic strain %.4g to %.4g, %ld points", law->formula,
-                       fit->first, fit->last, fit->count)
+                       "sigma = %s, true plastic strain %.4g to %.4g, %ld points",
+                       law->variant.help, fit->first, fit->last, fit->count)
             ->flag = flag;
         free(name);
     }
@@ -228,14 +227,25 @@ static void add_fit(struct properties *list, const struct law_fit *fit)
         {"max_error", "max", "MPa", "largest residual", fit->largest / mega},
         {"akaike", "AIC", "1", "n ln(mean square/MPa2) + 2 (parameters + 1)", fit->akaike},
         {"uniform_strain", "eps_u,p", "1", "plastic strain where d sigma/d eps_p = sigma",
-         law_uniform_strain(fit)},
+         law_uniform_strain(&fit->hardening)},
     };
     for (int k = 0; k < 4; k++) {
-        char *name = memory_print("%s_%s", law->name, rows[k].name);
-        properties_add(list, name, rows[k].symbol, rows[k].value, rows[k].unit, NAN, "%s: %s",
-                       law->name, rows[k].definition)
+        char *name = memory_print("%s_%s", of, rows[k].name);
+        properties_add(list, name, rows[k].symbol, rows[k].value, rows[k].unit, NAN, "%s: %s", of,
+                       rows[k].definition)
             ->flag = flag;
         free(name);
+    }
+}
+
+static void add_fits(struct properties *list, const struct curve *curve,
+                     const struct analysis *analysis)
+{
+    const struct hardening_law *law;
+    for (int i = 0; (law = hardening_law(i)); i++) {
+        if (law->n_linear == 0) continue;
+        struct law_fit fit = true_curve_fit(curve, law, analysis->maximum.row, analysis->fit_range);
+        add_fit(list, &fit);
     }
 }
 
@@ -326,7 +336,7 @@ struct properties analysis_report(const struct curve *curve, const struct analys
     add_neck(&list, curve, analysis);
     add_energies(&list, curve, analysis);
     add_hardening(&list, analysis);
-    for (int k = 0; k < LAW_COUNT; k++) add_fit(&list, &analysis->fits[k]);
+    add_fits(&list, curve, analysis);
     add_phases(&list, curve, analysis);
     add_quality(&list, curve, analysis);
     return list;

@@ -2,43 +2,31 @@
 
 #include "die.h"
 #include "figure.h"
+#include "keys_options.h"
 #include "memory.h"
-#include "units.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-struct texts {
-    const char *fraction, *strain_range, *law;
+static const struct key own_rows[] = {
+    {"fraction", KEY_NUMBER, offsetof(struct request, fraction), .unit = "1", .low = 0, .high = 1,
+     .usual = NAN, .help = "of the second FILE in the mixture"},
+    {"strain_range", KEY_NUMBER, offsetof(struct request, strain_range), .unit = "1", .low = 0,
+     .high = 10, .size = 2, .rising = true, .usual = NAN,
+     .help = "of --difference and the mixtures"},
 };
+static const struct keys own_keys = KEYS(own_rows);
+enum { OWN_OPTIONS = 13, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
-static double read_number(const char *option, const char *text, double low, double high)
+static const struct hardening_law *read_law(const char *name)
 {
-    double value;
-    const char *wrong = units_read(text, "1", &value);
-    if (wrong) die_user("--%s: %s", option, wrong);
-    if (!(value >= low && value <= high))
-        die_user("--%s: %s is out of range, expected %g to %g", option, text, low, high);
-    return value;
-}
-
-static void read_strain_range(const char *text, double range[2])
-{
-    char *low = memory_text(text), *colon = strchr(low, ':');
-    if (!colon) die_user("--strain-range: '%s', expected A:B", text);
-    *colon = '\0';
-    range[0] = read_number("strain-range", low, 0, 10);
-    range[1] = read_number("strain-range", colon + 1, 0, 10);
-    if (range[0] >= range[1]) die_user("--strain-range: '%s', expected A below B", text);
-    free(low);
-}
-
-static const struct law *read_law(const char *name)
-{
-    for (int k = 0; k < LAW_COUNT; k++)
-        if (strcmp(law_of((enum law_index)k)->name, name) == 0) return law_of((enum law_index)k);
-    die_user("--law: no law '%s'; there are hollomon, ludwik, swift, voce, two_voce, linear", name);
+    const struct hardening_law *law = hardening_fitted(name);
+    if (law) return law;
+    char *names = memory_text("");
+    for (int i = 0; (law = hardening_law(i)); i++)
+        if (law->n_linear > 0) names = memory_print("%s %s", names, law->variant.name);
+    die_user("--law: no law '%s'; there are%s", name, names);
 }
 
 static void check(const struct request *request)
@@ -81,47 +69,68 @@ static void check_view(const struct request *request, bool files)
         die_user("-o is the file of --csv; the picture has its own name");
 }
 
+static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r, const char **law)
+{
+    const struct option_row own[OWN_OPTIONS] = {
+        {'o', "output", "FILE", "curve to a file instead of standard output", NULL, &r->output},
+        {'p', "properties", "FILE", "properties as CSV", NULL, &r->properties},
+        {'j', "json", "FILE", "properties as JSON", NULL, &r->json},
+        {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r->plot},
+        {0, "true", NULL, "figure of the true curve", &r->true_curve, NULL},
+        {0, "difference", NULL, "stress of the first FILE relative to the second", &r->difference,
+         NULL},
+        {0, "columns", NULL, "a history's columns as they are, of whatever test", &r->columns,
+         NULL},
+        {0, "voigt", "FILE", "iso-strain mixture of two FILEs, a curve", NULL, &r->voigt},
+        {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r->reuss},
+        {0, "law", "NAME", "hardening law of the constituents (voce)", NULL, law},
+        {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r->deck},
+        {0, "check", NULL, "read and check all, say what would be made, make nothing", &r->check,
+         NULL},
+        {'q', "quiet", NULL, "no table of properties on stderr", &r->quiet, NULL},
+    };
+    memcpy(rows, own, sizeof own);
+}
+
+/* Reads the options; returns the index of the first file. */
+static int read_options(struct request *r, int argc, char **argv)
+{
+    static const struct section *const sections[] = {&post_section, NULL};
+    const struct keys *choices = &post_section.keys;
+    const char *law = "voce", *texts[OWN_KEYS] = {0};
+    const int count = OWN_OPTIONS + OWN_KEYS + VIEW_OPTION_COUNT + choices->count;
+    struct option_row *rows = memory_new((size_t)count, sizeof *rows), *next = rows;
+    own_options(rows, r, &law);
+    keys_options(&own_keys, next += OWN_OPTIONS, texts);
+    view_request_options(next += OWN_KEYS, &r->view);
+    r->choices = memory_new((size_t)choices->count, sizeof *r->choices);
+    keys_options(choices, next += VIEW_OPTION_COUNT, r->choices);
+    const struct option_table table = {
+        "hspost",
+        "[FILE...] [-o FILE]",
+        "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
+        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.\n"
+        "With --frames instead: pictures of particle fields.",
+        rows,
+        count,
+        sections};
+    int first = options_read(&table, argc, argv);
+    keys_options_free(choices, next);
+    keys_options_free(&own_keys, rows + OWN_OPTIONS);
+    free(rows);
+    keys_read_options(&own_keys, texts, r);
+    r->law = read_law(law);
+    return first;
+}
+
 struct request request_read(int argc, char **argv)
 {
     static const char *const standard_input[] = {"-"};
     struct request r = {.fraction = NAN, .strain_range = {NAN, NAN}};
-    struct texts texts = {.law = "voce"};
-    const struct option_row own[] = {
-        {'o', "output", "FILE", "curve to a file instead of standard output", NULL, &r.output},
-        {'p', "properties", "FILE", "properties as CSV", NULL, &r.properties},
-        {'j', "json", "FILE", "properties as JSON", NULL, &r.json},
-        {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r.plot},
-        {0, "true", NULL, "figure of the true curve", &r.true_curve, NULL},
-        {0, "difference", NULL, "stress of the first FILE relative to the second", &r.difference,
-         NULL},
-        {0, "columns", NULL, "a history's columns as they are, of whatever test", &r.columns, NULL},
-        {0, "voigt", "FILE", "iso-strain mixture of two FILEs, a curve", NULL, &r.voigt},
-        {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r.reuss},
-        {0, "fraction", "SHARE", "of the second FILE in the mixture", NULL, &texts.fraction},
-        {0, "law", "NAME", "hardening law of the constituents (voce)", NULL, &texts.law},
-        {0, "strain-range", "A:B", "of --difference and the mixtures", NULL, &texts.strain_range},
-        {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r.deck},
-        {'q', "quiet", NULL, "no table of properties on stderr", &r.quiet, NULL},
-    };
-    enum { OWN = sizeof own / sizeof *own };
-    enum { ROWS = OWN + VIEW_OPTION_COUNT + CHOICE_COUNT };
-    struct option_row rows[ROWS];
-    memcpy(rows, own, sizeof own);
-    view_request_options(rows + OWN, &r.view);
-    choices_options(rows + OWN + VIEW_OPTION_COUNT, r.choices);
-    const struct option_table table = {
-        "hspost", "[FILE...] [-o FILE]",
-        "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
-        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.\n"
-        "With --frames instead: pictures of particle fields.",
-        rows, ROWS};
-    int first = options_read(&table, argc, argv);
-
-    r.n_files = argc > first ? argc - first : 1;
+    const int first = read_options(&r, argc, argv);
+    /* A check of the options alone waits for no pipe. */
+    r.n_files = argc > first || r.check ? argc - first : 1;
     r.files = argc > first ? (const char *const *)(argv + first) : standard_input;
-    if (texts.fraction) r.fraction = read_number("fraction", texts.fraction, 0, 1);
-    if (texts.strain_range) read_strain_range(texts.strain_range, r.strain_range);
-    r.law = read_law(texts.law);
     view_request_check(&r.view);
     if (r.view.frames)
         check_view(&r, argc > first);

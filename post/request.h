@@ -3,7 +3,7 @@
 #define HS_REQUEST_H
 
 #include "choices.h"
-#include "law.h"
+#include "hardening.h"
 #include "view_request.h"
 
 #include <stdbool.h>
@@ -11,13 +11,13 @@
 struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss;
     const char *deck;
-    bool true_curve, difference, columns, quiet;
-    double fraction;        /* of the second curve; NAN where not given */
-    double strain_range[2]; /* NAN where not given */
-    const struct law *law;  /* of the constituents */
-    const char *choices[CHOICE_COUNT];
+    bool true_curve, difference, columns, check, quiet;
+    double fraction;                 /* of the second curve; NAN where not given */
+    double strain_range[2];          /* NAN where not given */
+    const struct hardening_law *law; /* of the constituents */
+    const char **choices;            /* texts of the options of post_section; NULL: not given */
     struct view_request view;
-    int n_files;
+    int n_files;              /* with --check perhaps none */
     const char *const *files; /* [n_files]; "-": standard input */
 };
 

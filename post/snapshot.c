@@ -3,30 +3,13 @@
 #include "die.h"
 #include "exodus.h"
 #include "memory.h"
+#include "variable.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const char *const axes[3] = {"X", "Y", "Z"};
-
-/* --- units ------------------------------------------------------------------------------------ */
-
-/* By the beginnings of the names that hssolve gives. */
-static const struct {
-    const char *beginning, *unit;
-} units[] = {
-    {"Displacement", "m"},     {"Velocity", "m/s"}, {"Force", "N/m3"},
-    {"ExternalForce", "N/m3"}, {"Stress", "Pa"},    {"VonMises", "Pa"},
-};
-
-static const char *unit_of(const char *variable)
-{
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (strncmp(variable, units[i].beginning, strlen(units[i].beginning)) == 0)
-            return units[i].unit;
-    return "1";
-}
 
 /* --- variables -------------------------------------------------------------------------------- */
 
@@ -80,18 +63,22 @@ static _Noreturn void die_of_variable(const struct frames *frames, const char *f
              file, name, known);
 }
 
-static struct field read_field(const struct frames *frames, const char *file, const char *name,
-                               int64_t frame)
+static void read_field(struct snapshot *snapshot, const struct view_request *request,
+                       const struct frames *frames, const char *name)
 {
-    struct field field = {.name = memory_text(name), .unit = unit_of(name)};
-    int variable = frames_find(frames, name);
-    if (variable >= 0)
+    const int64_t frame = snapshot->frame - 1;
+    int variable = frames_find(frames, name), of = variable;
+    struct field field = {.name = memory_text(name)};
+    if (variable >= 0) {
         field.values = read_values(frames, variable, frame);
-    else if (is_vector(frames, name))
+    } else if (is_vector(frames, name)) {
         field.values = read_magnitude(frames, name, frame);
-    else
-        die_of_variable(frames, file, name);
-    return field;
+        of = component(frames, name, 0);
+    } else {
+        die_of_variable(frames, request->frames, name);
+    }
+    field.unit = variable_unit(&snapshot->domain.attributes, frames->variables[of]);
+    snapshot->fields[snapshot->n_fields++] = field;
 }
 
 static void read_fields(struct snapshot *snapshot, const struct view_request *request,
@@ -103,11 +90,9 @@ static void read_fields(struct snapshot *snapshot, const struct view_request *re
     snapshot->fields = memory_new(most + 1, sizeof *snapshot->fields);
     if (!names)
         for (int i = 0; i < frames->n_variables; i++)
-            snapshot->fields[snapshot->n_fields++] =
-                read_field(frames, request->frames, frames->variables[i], snapshot->frame - 1);
+            read_field(snapshot, request, frames, frames->variables[i]);
     for (char *name; names && (name = strsep(&rest, ","));)
-        snapshot->fields[snapshot->n_fields++] =
-            read_field(frames, request->frames, name, snapshot->frame - 1);
+        read_field(snapshot, request, frames, name);
     free(names);
 }
 

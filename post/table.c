@@ -8,13 +8,8 @@
 
 double *table_add(struct table *table, const char *name)
 {
-    struct column *columns = memory_new((size_t)table->n_columns + 1, sizeof *columns);
-    if (table->n_columns > 0)
-        memcpy(columns, table->columns, (size_t)table->n_columns * sizeof *columns);
-    free(table->columns);
-    table->columns = columns;
-
-    struct column *column = &columns[table->n_columns++];
+    table->columns = memory_grow(table->columns, table->n_columns, sizeof *table->columns);
+    struct column *column = &table->columns[table->n_columns++];
     column->name = memory_text(name);
     column->values = memory_new((size_t)table->n_rows, sizeof *column->values);
     for (long i = 0; i < table->n_rows; i++) column->values[i] = NAN;

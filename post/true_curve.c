@@ -161,7 +161,7 @@ struct power_law true_curve_power_law(const struct curve *curve, const struct el
     return law;
 }
 
-struct law_fit true_curve_fit(const struct curve *curve, const struct law *law, long last,
+struct law_fit true_curve_fit(const struct curve *curve, const struct hardening_law *law, long last,
                               const double range[2])
 {
     double *p = memory_new((size_t)last + 1, sizeof *p);

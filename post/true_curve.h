@@ -2,7 +2,7 @@
 #ifndef HS_TRUE_CURVE_H
 #define HS_TRUE_CURVE_H
 
-#include "law.h"
+#include "law_fit.h"
 #include "strength.h"
 
 /* Fills true_strain = ln(1 + e - toe), true_stress = s (1 + e - toe), plastic_strain and the
@@ -37,7 +37,7 @@ struct power_law true_curve_power_law(const struct curve *curve, const struct el
                                       long last, double low, double high);
 
 /* One law fitted to the rows up to last whose true plastic strain lies in range. */
-struct law_fit true_curve_fit(const struct curve *curve, const struct law *law, long last,
+struct law_fit true_curve_fit(const struct curve *curve, const struct hardening_law *law, long last,
                               const double range[2]);
 
 #endif

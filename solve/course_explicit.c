@@ -4,7 +4,6 @@
 #include "verlet.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
 
@@ -35,7 +34,7 @@ static void check_step(struct simulation *s)
 static bool record_due(const struct simulation *s)
 {
     const struct integration *integration = &s->integration;
-    const double records = s->scene.history, end = s->end_time;
+    const double records = (double)s->scene.history, end = s->end_time;
     double before = floor(records * sqrt(integration->time / end));
     double after = floor(records * sqrt((integration->time + integration->dt) / end));
     return after > before;
@@ -67,9 +66,7 @@ static void explicit_advance(struct simulation *s)
 {
     const bool recording = record_due(s) || near_end(s), framing = simulation_frame_due(s),
                looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
-    if (recording) memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
-    verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking,
-                recording ? s->axial : NULL);
+    verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking, recording);
     if (looking) {
         s->drift = energy_drift(&s->integration.balance);
         s->failure = simulation_find_failure(s);

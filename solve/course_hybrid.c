@@ -9,7 +9,6 @@
 #include "simulation_parts.h"
 
 #include <math.h>
-#include <string.h>
 
 /* What calls for explicit steps, or NULL. */
 static const char *event(struct simulation *s)
@@ -70,8 +69,7 @@ static void begin_static(struct simulation *s)
     body_clear(&s->body, s->body.v, 3);
     boundary_stop(&s->boundary);
     balance_motion(integration, &s->body, &s->boundary);
-    memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
-    const double lost = quasi_static_settle(s->quasi_static, s->axial);
+    const double lost = quasi_static_settle(s->quasi_static);
     if (!isfinite(lost)) {
         s->failure = memory_print("no equilibrium at t = %.4g s after the explicit steps (residual "
                                   "%.2g, tolerance %g)",

@@ -3,7 +3,6 @@
 #include "simulation_parts.h"
 
 #include <math.h>
-#include <string.h>
 
 double simulation_load_step(const struct simulation *s, double step)
 {
@@ -40,8 +39,7 @@ bool simulation_load(struct simulation *s)
     if (s->scene.end_time > 0)
         integration->dt = fmin(integration->dt, s->end_time - integration->time);
     s->framing = simulation_frame_due(s);
-    memset(s->axial, 0, (size_t)s->body.grid.n_sites * sizeof(double));
-    if (!quasi_static_step(s->quasi_static, s->axial)) return false;
+    if (!quasi_static_step(s->quasi_static)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
     return true;
@@ -57,8 +55,8 @@ static void shorten_step(struct simulation *s, double degradation)
 
 void simulation_settle(struct simulation *s)
 {
-    struct quasi_static_damage damage = {.most = s->scene.statics.break_at_once};
-    if (!quasi_static_break(s->quasi_static, &damage, s->axial)) {
+    struct quasi_static_damage damage = {.most = (double)s->scene.statics.break_at_once};
+    if (!quasi_static_break(s->quasi_static, &damage)) {
         s->failure = no_equilibrium(s, "after something broke");
         return;
     }

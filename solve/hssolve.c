@@ -16,8 +16,8 @@ int main(int argc, char **argv)
     struct ranks ranks = ranks_start(&argc, &argv);
     struct simulation *simulation = simulation_new(&arguments, ranks);
     simulation_announce(simulation);
-    const char *failure = simulation_run(simulation);
-    simulation_finish(simulation, failure);
+    const char *failure = arguments.check ? NULL : simulation_run(simulation);
+    if (!arguments.check) simulation_finish(simulation, failure);
     if (failure) {
         ranks_wait();
         if (ranks.rank == 0) die_run("%s", failure);

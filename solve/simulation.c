@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct domain *own_domain(const struct simulation *s)
+static struct domain *own_domain(struct simulation *s)
 {
     return s->ranks.rank == 0 ? &s->domain : NULL;
 }
@@ -99,7 +99,9 @@ static void open_outputs(struct simulation *s)
     if (a->ranks > 1 && a->ranks != s->ranks.size)
         die_user("-j %d within a launcher that started %d: leave one of them out", a->ranks,
                  s->ranks.size);
-    if (a->spooled)
+    if (a->check && !a->history)
+        s->history_output = (struct spool){.descriptor = -1};
+    else if (a->spooled)
         s->history_output = (struct spool){.descriptor = -1, .path = memory_text(a->spooled)};
     else if (!a->history && s->ranks.size > 1)
         die_user("under mpirun or srun the history needs a name: --history FILE "
@@ -125,11 +127,6 @@ static void start_damage(struct simulation *s)
     cracks_free(&cracks);
 }
 
-static bool needs_gradient(const struct simulation *s)
-{
-    return s->materials.formulation == &formulation_correspondence;
-}
-
 static void build(struct simulation *s)
 {
     const struct offset *near;
@@ -146,14 +143,13 @@ static void build(struct simulation *s)
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
-    s->axial = memory_new((size_t)s->body.grid.n_sites, sizeof(double));
-    if (s->body.unsupported == s->lattice.n_nodes && needs_gradient(s))
+    if (s->body.unsupported == s->lattice.n_nodes &&
+        s->materials.formulation->stress_of == STRESS_OF_NODES)
         die_user("no node has a deformation gradient: the body is too thin for horizon %g",
                  s->scene.horizon);
 }
 
-/* Share of a phase between the gauge planes, or of the whole body. */
-static double fraction(const struct simulation *s, int phase)
+double simulation_fraction(const struct simulation *s, int phase)
 {
     int64_t nodes = 0;
     if (s->gauge) return gauge_fraction(s->gauge, phase);
@@ -167,7 +163,7 @@ static double mean_poissons_ratio(const struct simulation *s)
 {
     double sum = 0;
     for (int p = 0; p < s->materials.count; p++)
-        sum += fraction(s, p) * s->materials.items[p].poissons_ratio;
+        sum += simulation_fraction(s, p) * s->materials.items[p].poissons_ratio;
     return sum;
 }
 
@@ -244,8 +240,9 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     profile_enter(s->profile, PART_REST);
     plan_time(s);
     s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
-                               boundary_has_grips(&s->boundary), s->gauge != NULL);
-    if (arguments->fields) {
+                               (boundary_has_grips(&s->boundary) ? NEEDS_GRIPS : 0) |
+                                   (s->gauge ? NEEDS_GAUGE : 0));
+    if (arguments->fields && !arguments->check) {
         if (ranks.rank == 0) {
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());
             attributes_set_text(&s->domain.attributes, "deck", deck_text(s->deck));
@@ -255,45 +252,6 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     }
     domain_forget_nodes(&s->domain);
     return s;
-}
-
-void simulation_announce(struct simulation *s)
-{
-    double start = ranks_clock();
-    model_force(s->model, &s->body, (struct force_mode){0}, NULL);
-    double force = ranks_clock() - start;
-    double memory = ranks_memory();
-    if (s->ranks.rank != 0) return;
-    const struct scene_static *statics = &s->scene.statics;
-    char *rate =
-        boundary_has_grips(&s->boundary)
-            ? memory_print("strain rate %.3g 1/s, ", boundary_full_strain_rate(&s->boundary))
-            : memory_text("");
-    char *scaled = s->scene.mass_scaling != 1
-                       ? memory_print("inertia times %g, ", s->scene.mass_scaling)
-                       : memory_text("");
-    char *steps =
-        s->integration.moving
-            ? memory_print("step %.3g s (%.2f of the critical %.3g s), about %lld steps to %.3g s; "
-                           "%s%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
-                           s->integration.dt, s->scene.safety, s->critical_step,
-                           (long long)s->n_steps, s->end_time, rate, scaled,
-                           materials_wave_speed(&s->materials), memory * 1e-6,
-                           1.15 * force * (double)s->n_steps)
-            : memory_print(
-                  "load steps from %g up to %g %s by %s, residual under %g; %.0f MB; %.2g s each "
-                  "evaluation of the force",
-                  statics->first_step, statics->largest_step,
-                  s->scene.end_strain > 0 ? "of strain" : "s", s->equilibrium->method->name,
-                  statics->tolerance, memory * 1e-6, force);
-    note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
-         (long long)s->n_bonds, s->ranks.size, steps);
-    free(steps);
-    free(scaled);
-    free(rate);
-    if (s->body.unsupported > 0 && needs_gradient(s))
-        warn("%lld nodes have too few neighbours for a deformation gradient and carry no stress",
-             (long long)s->body.unsupported);
 }
 
 void simulation_free(struct simulation *s)
@@ -317,7 +275,6 @@ void simulation_free(struct simulation *s)
     domain_free(&s->domain);
     if (s->history_output.path) spool_close(&s->history_output);
     if (s->fields_output.path) spool_close(&s->fields_output);
-    free(s->axial);
     free(s->failure);
     profile_free(s->profile);
     free(s);

@@ -10,7 +10,8 @@ struct simulation;
 /* Reads domain and deck, partitions, builds body and model, finds the stable step.  Collective. */
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks);
 
-/* One line of sanity for people: nodes, bonds, ranks, step, wave speed, memory, estimated time. */
+/* One line of sanity for people: nodes, bonds, ranks, step, wave speed, memory, and the time by one evaluation of the
+ * force; where all that is wanted is a check, also phases, records and frames.  Collective. */
 void simulation_announce(struct simulation *simulation);
 
 /* Advances to the end.  NULL, or why it had to stop (valid as long as the simulation). */

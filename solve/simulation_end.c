@@ -105,7 +105,7 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (damage_broken_bonds(s->damage) > 0)
         note("%.0f bonds broken, %.3g J", damage_broken_bonds(s->damage),
              s->integration.balance.fracture);
-    if (s->materials.formulation == &formulation_correspondence && s->body.broken &&
+    if (s->materials.formulation->stress_of == STRESS_OF_NODES && s->body.broken &&
         s->body.broken->n_lost > 0)
         note("%.0f nodes have no deformation gradient left", s->body.broken->n_lost);
     char *strain = s->gauge ? memory_print("gauge strain %.4f, ", s->strain) : memory_text("");

@@ -45,7 +45,6 @@ struct simulation {
     struct recorder recorder;
     struct fields *fields;
     struct spool history_output, fields_output; /* rank 0 */
-    double *axial;                              /* box field */
     double critical_step, end_time;
     double strain;                    /* of the gauge */
     double checked_deformation;       /* as of the last critical step */
@@ -60,6 +59,9 @@ struct simulation {
     double wall;      /* s */
     char *failure;
 };
+
+/* Share of a phase between the gauge planes, without them of the whole body. */
+double simulation_fraction(const struct simulation *simulation, int phase);
 
 /* Seconds of a load step that the deck gives in strain or seconds. */
 double simulation_load_step(const struct simulation *simulation, double step);

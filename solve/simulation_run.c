@@ -49,7 +49,7 @@ char *simulation_find_failure(const struct simulation *s)
 /* Root mean square displacement gradient, none of which counts more than 1. */
 static double mean_deformation(struct simulation *s)
 {
-    if (s->materials.formulation != &formulation_correspondence) displacement_gradient(&s->body);
+    if (s->materials.formulation->stress_of == STRESS_OF_BONDS) displacement_gradient(&s->body);
     struct exact_sum sum = exact_sum_new((double)s->lattice.n_nodes);
     const struct strips *strips = model_strips(s->model, &s->body);
     for (int64_t k = 0; k < strips->count; k++) {
@@ -91,7 +91,7 @@ void simulation_record(struct simulation *s)
     s->fallen = s->scene.end_load > 0 && damage_broken_bonds(s->damage) > 0 &&
                 load < s->scene.end_load * s->highest_load;
     s->strain = recorder_take(&s->recorder, s->gauge, s->quantities, &s->integration, &s->boundary,
-                              s->model, &s->body, s->axial);
+                              s->model, &s->body);
     profile_enter(s->profile, before);
 }
 
@@ -109,7 +109,7 @@ bool simulation_frame_due(const struct simulation *s)
     const struct integration *integration = &s->integration;
     if (!s->fields) return false;
     if (wanted->every > 0) return (integration->step + 1) % wanted->every == 0;
-    const double each = s->end_time / wanted->frames;
+    const double each = s->end_time / (double)wanted->frames;
     return floor((integration->time + integration->dt) / each) > floor(integration->time / each);
 }
 

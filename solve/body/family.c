@@ -43,11 +43,12 @@ static double spline(double length, double horizon)
     return q < 0.5 ? 1 - 6 * q * q * (1 - q) : 2 * left * left * left;
 }
 
-static double (*const influences[])(double length, double horizon) = {constant, steep,    inverse,
-                                                                      linear,   gaussian, spline};
-const char *const family_influences[] = {"constant", "steep",    "inverse",
-                                         "linear",   "gaussian", "spline"};
-const int family_influence_count = sizeof family_influences / sizeof *family_influences;
+/* All of them, in the order of their numbers. */
+#define INFLUENCES(DO) DO(constant), DO(steep), DO(inverse), DO(linear), DO(gaussian), DO(spline)
+#define ITSELF(name)   name
+#define IN_DECK(name)  #name
+static double (*const influences[])(double length, double horizon) = {INFLUENCES(ITSELF)};
+const char *const family_influences[] = {INFLUENCES(IN_DECK), NULL};
 
 int family_influence(const char *name)
 {

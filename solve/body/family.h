@@ -47,9 +47,8 @@ struct family {
  * Plimpton, Silling, Comput. Phys. Commun. 179 (2008) 777, eq. (19)). */
 struct family family_new(double horizon, int influence, bool partial);
 void family_free(struct family *family);
-extern const char *const family_influences[];
-extern const int family_influence_count;
-int family_influence(const char *name); /* its number */
+extern const char *const family_influences[]; /* ended by NULL */
+int family_influence(const char *name);       /* its number */
 
 /* Number of a step among the half offsets, -1 where it is not one. */
 int family_number(const struct family *family, const int step[3]);

@@ -65,15 +65,13 @@ static void mark_neighbours(struct grid *grid, const struct lattice *lattice,
                             const struct neighbours *neighbours, int around, uint8_t mark)
 {
     uint8_t *marked = memory_new((size_t)lattice->n_sites, 1);
-    int64_t *members = NULL, room = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
         if (!(grid->flags[site] & around)) continue;
-        int64_t count = neighbours_find(neighbours, lattice->point, site, &members, &room);
-        for (int64_t k = 0; k < count; k++) marked[members[k]] = 1;
+        int64_t count = neighbours_find(neighbours, lattice->point, site);
+        for (int64_t k = 0; k < count; k++) marked[neighbours->found[k]] = 1;
     }
     for (int64_t site = 0; site < lattice->n_sites; site++)
         if (marked[site]) grid->flags[site] |= mark;
-    free(members);
     free(marked);
 }
 

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* The reach, or so much more that the bins of a loose set take no more room than its particles. */
 static double bin_width(const double length[3], int64_t n, double reach)
@@ -24,6 +23,17 @@ static int64_t bin_of(const struct neighbours *b, double *const x[3], int64_t i,
         at[a] = at[a] < 0 ? 0 : at[a] >= b->size[a] ? b->size[a] - 1 : at[a];
     }
     return (at[2] * b->size[1] + at[1]) * b->size[0] + at[0];
+}
+
+/* As many nodes as the 27 bins around any node may have. */
+static int64_t most_candidates(const struct neighbours *b, int64_t bins, int64_t n)
+{
+    int64_t most = 0;
+    for (int64_t bin = 0; bin < bins; bin++) {
+        const int64_t members = b->start[bin + 1] - b->start[bin];
+        if (members > most) most = members;
+    }
+    return 27 * most < n ? 27 * most : n;
 }
 
 struct neighbours neighbours_new(double *const x[3], int64_t n, double reach)
@@ -46,6 +56,7 @@ struct neighbours neighbours_new(double *const x[3], int64_t n, double reach)
     for (int64_t i = 0; i < n; i++) b.start[bin_of(&b, x, i, at) + 2]++;
     for (int64_t k = 2; k <= bins + 1; k++) b.start[k] += b.start[k - 1];
     for (int64_t i = 0; i < n; i++) b.nodes[b.start[bin_of(&b, x, i, at) + 1]++] = i;
+    b.found = memory_new((size_t)most_candidates(&b, bins, n), sizeof *b.found);
     return b;
 }
 
@@ -53,6 +64,7 @@ void neighbours_free(struct neighbours *neighbours)
 {
     free(neighbours->start);
     free(neighbours->nodes);
+    free(neighbours->found);
     *neighbours = (struct neighbours){0};
 }
 
@@ -62,20 +74,7 @@ static int ascending(const void *a, const void *b)
     return (i > j) - (i < j);
 }
 
-static void append(int64_t **members, int64_t *room, int64_t count, int64_t node)
-{
-    if (count == *room) {
-        *room = 2 * *room + 128;
-        int64_t *longer = memory_new((size_t)*room, sizeof *longer);
-        if (count > 0) memcpy(longer, *members, (size_t)count * sizeof *longer);
-        free(*members);
-        *members = longer;
-    }
-    (*members)[count] = node;
-}
-
-int64_t neighbours_find(const struct neighbours *b, double *const x[3], int64_t i,
-                        int64_t **members, int64_t *room)
+int64_t neighbours_find(const struct neighbours *b, double *const x[3], int64_t i)
 {
     const double limit = b->reach * (1 + 1e-9);
     int64_t at[3], low[3], high[3], count = 0;
@@ -92,9 +91,9 @@ int64_t neighbours_find(const struct neighbours *b, double *const x[3], int64_t 
                     const int64_t j = b->nodes[k];
                     double square = 0;
                     for (int a = 0; a < 3; a++) square += (x[a][j] - x[a][i]) * (x[a][j] - x[a][i]);
-                    if (j != i && square <= limit * limit) append(members, room, count++, j);
+                    if (j != i && square <= limit * limit) b->found[count++] = j;
                 }
             }
-    if (count > 1) qsort(*members, (size_t)count, sizeof **members, ascending);
+    if (count > 1) qsort(b->found, (size_t)count, sizeof *b->found, ascending);
     return count;
 }

@@ -43,12 +43,7 @@ static void add_strip(struct bonds *bonds, int64_t first, int count)
     struct bond_strip strip = {.count = count, .offset = -1, .i = first, .store = bonds->points};
     strip.weight = memory_new((size_t)bonds_stride(count), sizeof(double));
     for (int k = 0; k < count; k++) strip.weight[k] = bonds_first_weight(bonds, &strip, k);
-    if (bonds->count % 1024 == 0) {
-        struct bond_strip *longer = memory_new((size_t)bonds->count + 1024, sizeof *longer);
-        if (bonds->count > 0) memcpy(longer, bonds->strips, (size_t)bonds->count * sizeof *longer);
-        free(bonds->strips);
-        bonds->strips = longer;
-    }
+    bonds->strips = memory_grow(bonds->strips, bonds->count, sizeof strip);
     strip.line = bonds->lines++;
     bonds->strips[bonds->count++] = strip;
     bonds->points += bonds_stride(count);
@@ -60,25 +55,25 @@ void scattered_bonds(struct bonds *bonds, const struct body *body)
     const uint8_t *flags = body->grid.flags;
     struct neighbours neighbours =
         neighbours_new(lattice->point, lattice->n_sites, body->family->horizon * lattice->spacing);
-    int64_t *members = NULL, room = 0, entries = 0;
+    int64_t entries = 0;
     bonds->body = body;
     for (int pass = 0; pass < 2; pass++) {
         if (pass == 1) make_room(bonds, (size_t)entries);
         entries = 0;
         for (int64_t i = 0; i < lattice->n_sites; i++) {
             if (!(flags[i] & (SITE_NEAR | SITE_MOVES))) continue;
-            const int64_t count = neighbours_find(&neighbours, lattice->point, i, &members, &room);
+            const int64_t count = neighbours_find(&neighbours, lattice->point, i);
             const int64_t first = entries;
             for (int64_t k = 0; k < count; k++) {
-                if (members[k] < i || !listed(flags[i], flags[members[k]])) continue;
-                if (pass == 1) add_bond(bonds, lattice, entries, i, members[k]);
+                const int64_t j = neighbours.found[k];
+                if (j < i || !listed(flags[i], flags[j])) continue;
+                if (pass == 1) add_bond(bonds, lattice, entries, i, j);
                 entries++;
             }
             for (int64_t at = first; pass == 1 && at < entries; at += LANES)
                 add_strip(bonds, at, (int)(entries - at < LANES ? entries - at : LANES));
         }
     }
-    free(members);
     neighbours_free(&neighbours);
 }
 

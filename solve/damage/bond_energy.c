@@ -32,14 +32,19 @@ static void check(const struct damage_view *see, struct deck_node where)
 {
     if (!see->materials->formulation->bond_energy)
         deck_error(where, "bonds of %s materials have no energy of their own: use %s or %s",
-                   see->materials->formulation->name, damage_critical_stretch.name,
-                   damage_plastic_strain.name);
+                   see->materials->formulation->name, damage_critical_stretch.words.name,
+                   damage_plastic_strain.words.name);
 }
 
+static const struct key keys[] = {{"value", KEY_NUMBER, 0, "J/m6", 1e-12, 1e60,
+                                   .otherwise = "by fracture_energy",
+                                   .help = "energy density of a bond longer than at rest"}};
+
 const struct damage_law damage_bond_energy = {
-    .name = "bond_energy",
-    .unit = "J/m6",
-    .most = 1e60,
+    .words = {"bond_energy",
+              "A bond longer than at rest breaks beyond an energy density; not for correspondence.",
+              KEYS(keys)},
+    .size = sizeof(double),
     .room = room,
     .from_fracture_energy = from_fracture_energy,
     .check = check,

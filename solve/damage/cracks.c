@@ -7,6 +7,35 @@
 #include <stdlib.h>
 #include <string.h>
 
+struct entry {
+    struct deck_node rectangle;
+    struct crack crack;
+};
+#define AT(member)    offsetof(struct entry, member)
+#define LENGTHS(name) name, KEY_LENGTH, .low = -1e3, .high = 1e3, .size = 3
+
+static const struct key disc_keys[] = {
+    {LENGTHS("centre"), .place = AT(crack.corner), .required = true, .help = "[x, y, z]"},
+    {"normal", KEY_NUMBER, AT(crack.normal), "1", -1e6, 1e6, 3, .required = true,
+     .help = "of any length; nodes on the plane belong to the side it points to"},
+    {"radius", KEY_LENGTH, AT(crack.radius), NULL, 0, 1e3, .required = true, .help = "of its rim"},
+};
+static const struct section disc = {.path = "cracks.disc",
+                                    .help = "In a body of one layer a line of twice the radius.",
+                                    .keys = KEYS(disc_keys)};
+static const struct key keys[] = {
+    {"rectangle", KEY_NODE, AT(rectangle), .form = "[corner, edge, edge]",
+     .help = "three lengths each, in m or spacings, the edges at right angles; in a body of one "
+             "layer one edge lies along z and has no end"},
+    {"disc", KEY_SECTION, .section = &disc, .help = "a round one"},
+};
+const struct section section_cracks = {
+    .path = "cracks",
+    .help =
+        "A list of cracks that are there from the start; bonds that cross one are cut.  The body "
+        "is centred at the origin.",
+    .keys = KEYS(keys)};
+
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -16,13 +45,6 @@ static void cross(const double a[3], const double b[3], double out[3])
 {
     for (int k = 0; k < 3; k++)
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-static void read_point(struct deck_node list, double spacing, double point[3])
-{
-    if (!deck_is_list(list) || deck_count(list) != 3)
-        deck_error(list, "a list of three lengths is expected here");
-    for (int a = 0; a < 3; a++) point[a] = deck_length(deck_item(list, a), spacing, -1e3, 1e3);
 }
 
 static void make_unit(double vector[3], struct deck_node where)
@@ -46,38 +68,47 @@ static void stand_up(struct crack *crack, struct deck_node where)
     memcpy(crack->edge[1], (double[3]){0, 0, 1}, sizeof crack->edge[1]);
 }
 
-static struct crack read_rectangle(struct deck_node list, double spacing, int dimensions)
+static void read_rectangle(struct crack *crack, struct deck_node list, double spacing,
+                           int dimensions)
 {
-    struct crack crack = {.slack = 1e-9 * spacing};
+    static const struct key parts[] = {{LENGTHS("corner")}, {LENGTHS("edge")}, {LENGTHS("edge")}};
+    double *const part[] = {crack->corner, crack->edge[0], crack->edge[1]};
     if (!deck_is_list(list) || deck_count(list) != 3)
         deck_error(list, "a rectangle is a list of a corner and two edges");
-    read_point(deck_item(list, 0), spacing, crack.corner);
-    for (int e = 0; e < 2; e++) read_point(deck_item(list, e + 1), spacing, crack.edge[e]);
-    if (dimensions == 2) stand_up(&crack, list);
-    cross(crack.edge[0], crack.edge[1], crack.normal);
-    make_unit(crack.normal, list);
-    const double *a = crack.edge[0], *b = crack.edge[1];
+    for (int k = 0; k < 3; k++) keys_list(&parts[k], deck_item(list, k), spacing, part[k]);
+    if (dimensions == 2) stand_up(crack, list);
+    cross(crack->edge[0], crack->edge[1], crack->normal);
+    make_unit(crack->normal, list);
+    const double *a = crack->edge[0], *b = crack->edge[1];
     if (fabs(dot(a, b)) > 1e-6 * sqrt(dot(a, a) * dot(b, b)))
         deck_error(list, "the edges of a rectangle stand at right angles");
-    if (dimensions == 2) memset(crack.edge[1], 0, sizeof crack.edge[1]); /* no end along z */
-    return crack;
+    if (dimensions == 2) memset(crack->edge[1], 0, sizeof crack->edge[1]); /* no end along z */
 }
 
-static struct crack read_disc(struct deck_node map, double spacing, int dimensions)
+static void check_disc(struct crack *crack, struct deck_node map, int dimensions)
 {
-    struct crack crack = {.disc = true, .slack = 1e-9 * spacing};
-    deck_keys(map, (const char *const[]){"centre", "normal", "radius", NULL});
-    read_point(deck_get(map, "centre"), spacing, crack.corner);
     struct deck_node normal = deck_get(map, "normal");
-    if (!deck_is_list(normal) || deck_count(normal) != 3)
-        deck_error(normal, "a list of three numbers is expected here");
-    for (int a = 0; a < 3; a++) crack.normal[a] = deck_number(deck_item(normal, a), "1", -1e6, 1e6);
-    make_unit(crack.normal, normal);
-    crack.radius = deck_length(deck_get(map, "radius"), spacing, 0, 1e3);
-    if (dimensions == 2 && fabs(crack.normal[2]) > 1e-9)
+    crack->disc = true;
+    make_unit(crack->normal, normal);
+    if (dimensions == 2 && fabs(crack->normal[2]) > 1e-9)
         deck_error(normal, "in a body of one layer the normal of a crack lies in the plane");
-    if (dimensions == 2) crack.corner[2] = 0;
-    return crack;
+    if (dimensions == 2) crack->corner[2] = 0;
+}
+
+static struct crack read_crack(struct deck_node map, double spacing, int dimensions)
+{
+    struct entry entry = {0};
+    keys_read(map, &section_cracks, 0, spacing, &entry, NULL);
+    const struct deck_node round = deck_find(map, "disc");
+    struct crack *crack = &entry.crack;
+    crack->slack = 1e-9 * spacing;
+    if ((round.index != 0) == (entry.rectangle.index != 0))
+        deck_error(map, "give one of rectangle and disc");
+    if (round.index)
+        check_disc(crack, round, dimensions);
+    else
+        read_rectangle(crack, entry.rectangle, spacing, dimensions);
+    return *crack;
 }
 
 struct cracks cracks_read(struct deck_node section, double spacing, int dimensions)
@@ -87,15 +118,8 @@ struct cracks cracks_read(struct deck_node section, double spacing, int dimensio
     if (!deck_is_list(section)) deck_error(section, "cracks is a list of rectangles and discs");
     cracks.count = deck_count(section);
     cracks.items = memory_new((size_t)cracks.count, sizeof *cracks.items);
-    for (int i = 0; i < cracks.count; i++) {
-        struct deck_node entry = deck_item(section, i);
-        deck_keys(entry, (const char *const[]){"rectangle", "disc", NULL});
-        if (deck_has(entry, "rectangle") == deck_has(entry, "disc"))
-            deck_error(entry, "give one of rectangle and disc");
-        cracks.items[i] = deck_has(entry, "disc")
-                              ? read_disc(deck_get(entry, "disc"), spacing, dimensions)
-                              : read_rectangle(deck_get(entry, "rectangle"), spacing, dimensions);
-    }
+    for (int i = 0; i < cracks.count; i++)
+        cracks.items[i] = read_crack(deck_item(section, i), spacing, dimensions);
     return cracks;
 }
 

@@ -9,7 +9,7 @@
 #define HS_CRACKS_H
 
 #include "bonds.h"
-#include "deck.h"
+#include "keys.h"
 
 #include <stdbool.h>
 
@@ -25,6 +25,8 @@ struct cracks {
     int count;
     struct crack *items;
 };
+
+extern const struct section section_cracks;
 
 /* section.index may be 0: none.  spacing [m] for lengths in spacings. */
 struct cracks cracks_read(struct deck_node section, double spacing, int dimensions);

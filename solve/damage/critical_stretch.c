@@ -64,10 +64,13 @@ static double from_fracture_energy(const struct damage_view *see, int a, int b, 
     return sqrt(energy / sum);
 }
 
+static const struct key keys[] = {{"value", KEY_NUMBER, 0, "1", 1e-12, 10,
+                                   .otherwise = "by fracture_energy",
+                                   .help = "(length - length at rest)/(length at rest)"}};
+
 const struct damage_law damage_critical_stretch = {
-    .name = "critical_stretch",
-    .unit = "1",
-    .most = 10,
+    .words = {"critical_stretch", "A bond breaks beyond a stretch.", KEYS(keys)},
+    .size = sizeof(double),
     .room = room,
     .from_fracture_energy = from_fracture_energy,
 };

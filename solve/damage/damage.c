@@ -29,7 +29,7 @@ struct damage {
         int64_t strip, place;
         double excess, count;
     } * found;
-    int64_t n_found, room;
+    int64_t n_found;
 };
 
 /* The volume of its family that each node is bonded to, now or without what has been cut and broken: adds that of the
@@ -61,10 +61,11 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     damage->body = body;
     damage->bonds = bonds;
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
-    if (damage->rules.bonds || damage->rules.nodes) body_need_gradient(body);
+    const bool nodes = damage->rules.n_node_laws > 0;
+    if (damage->rules.bonds || nodes) body_need_gradient(body);
     if (damage->rules.degrading)
         body->integrity = integrity_new(body, materials->count, damage->rules.integrity);
-    if (damage->rules.nodes) damage->spent = memory_new(sites, sizeof(double));
+    if (nodes) damage->spent = memory_new(sites, sizeof(double));
     if (!damage->rules.bonds) return damage;
     damage->due = memory_new((size_t)bonds->count, sizeof(double));
     damage->soonest = damage->moved = -1;
@@ -196,14 +197,7 @@ static double count_bond(const struct damage *damage, const struct bond_view *vi
 
 static void add_found(struct damage *damage, struct found found)
 {
-    if (damage->n_found == damage->room) {
-        damage->room = 2 * damage->room + 64;
-        struct found *longer = memory_new((size_t)damage->room, sizeof *longer);
-        if (damage->n_found > 0)
-            memcpy(longer, damage->found, (size_t)damage->n_found * sizeof *longer);
-        free(damage->found);
-        damage->found = longer;
-    }
+    damage->found = memory_grow(damage->found, damage->n_found, sizeof found);
     damage->found[damage->n_found++] = found;
 }
 
@@ -255,36 +249,67 @@ HS_SIMD static int64_t any_beyond(int count, const double *restrict p, double li
     return any;
 }
 
-/* The integrities of the nodes of a strip from p: minus the largest change. */
-static double degrade(struct damage *damage, const struct strip *strip, const double *p)
+/* What is done to an owned node beyond the least of its rule, whose law gets these states; a change is summed up as
+ * the least of all. */
+typedef double node_action(struct damage *damage, int64_t site, const struct node_rule *rule,
+                           const double state[]);
+
+static double act_on_strip(struct damage *damage, const struct node_law *used,
+                           const struct strip *strip, const double *const state[], node_action *act)
 {
-    const struct damage_rules *rules = &damage->rules;
     const struct grid *grid = &damage->body->grid;
-    double change = 0;
+    double change = 0, at[DAMAGE_STATES];
     for (int i = 0; i < strip->count; i++) {
         const int64_t site = strip->site + i;
-        const int phase = grid->phase[site];
-        const double onset = rules->onset[phase];
-        if (!(p[i] > onset) || !(grid->flags[site] & SITE_OWNED)) continue;
-        double *left = &damage->body->integrity->node[site];
-        const double now = fmax(1 - (p[i] - onset) / (rules->full[phase] - onset), 0);
-        change = fmin(change, now - *left);
-        *left = now;
+        const struct node_rule *rule = &damage->rules.node[grid->phase[site]];
+        if (rule->law != used->law || !(state[0][i] > rule->least) ||
+            !(grid->flags[site] & SITE_OWNED))
+            continue;
+        for (int k = 0; k < used->count; k++) at[k] = state[k][i];
+        change = fmin(change, act(damage, site, rule, at));
     }
+    return change;
+}
+
+/* Returns how many strips had to be looked at. */
+static int64_t act_on_nodes(struct damage *damage, const struct node_law *used, node_action *act,
+                            double *change)
+{
+    const struct model *model = damage->see.model;
+    const struct strips *strips = model_strips(model, damage->body);
+    int64_t seen = 0;
+    for (int64_t s = 0; s < strips->count; s++) {
+        const struct strip *strip = &strips->items[s];
+        double buffer[DAMAGE_STATES][LANES];
+        const double *state[DAMAGE_STATES] = {
+            model_state(model, strip, used->state[0], 0, buffer[0])};
+        if (!any_beyond(strip->count, state[0], used->least)) continue;
+        for (int k = 1; k < used->count; k++)
+            state[k] = model_state(model, strip, used->state[k], 0, buffer[k]);
+        *change = fmin(*change, act_on_strip(damage, used, strip, state, act));
+        seen++;
+    }
+    return seen;
+}
+
+static double degrade(struct damage *damage, int64_t site, const struct node_rule *rule,
+                      const double state[])
+{
+    double *integrity = &damage->body->integrity->node[site];
+    const double now = fmax(1 - rule->law->degradation(rule->own, state), 0),
+                 change = now - *integrity;
+    *integrity = now;
     return change;
 }
 
 double damage_grow(struct damage *damage)
 {
-    const struct model *model = damage->see.model;
     struct body *body = damage->body;
-    if (!body->integrity) return 0;
-    const struct strips *strips = model_strips(model, body);
     double change = 0;
-    for (int64_t s = 0; s < strips->count; s++) {
-        const double *p = model->formulation->plastic_strain(model->self, &strips->items[s]);
-        if (p && any_beyond(strips->items[s].count, p, damage->rules.least))
-            change = fmin(change, degrade(damage, &strips->items[s], p));
+    if (!body->integrity) return 0;
+    for (int k = 0; k < damage->rules.n_node_laws; k++) {
+        const struct node_law *used = &damage->rules.node_laws[k];
+        if (used->law->degradation) act_on_nodes(damage, used, degrade, &change);
     }
     ranks_minimum(&change, 1);
     if (!(change < 0)) return 0;
@@ -293,25 +318,22 @@ double damage_grow(struct damage *damage)
     return -change;
 }
 
-/* Owned nodes that are beyond their plastic strain. */
-static void find_spent(struct damage *damage)
+static double find_spent(struct damage *damage, int64_t site, const struct node_rule *rule,
+                         const double state[])
 {
-    const struct model *model = damage->see.model;
-    const struct body *body = damage->body;
-    const struct strips *strips = model_strips(model, body);
-    for (int64_t s = 0; s < strips->count; s++) {
-        const struct strip *strip = &strips->items[s];
-        const double *p = model->formulation->plastic_strain(model->self, strip);
-        const bool beyond = p && any_beyond(strip->count, p, damage->rules.least);
-        profile_count(body->profile, WORK_NODE_TESTS, beyond, 1);
-        if (!beyond) continue;
-        for (int i = 0; i < strip->count; i++) {
-            const int64_t site = strip->site + i;
-            const double full = damage->rules.full[body->grid.phase[site]];
-            if (!(p[i] > full)) continue;
-            if (!(body->grid.flags[site] & SITE_OWNED) || damage->spent[site] > 0) continue;
-            add_found(damage, (struct found){-1, site, p[i] / full - 1, 1});
-        }
+    const double limit = rule->law->limit(rule->own, state);
+    if (state[0] > limit && !(damage->spent[site] > 0))
+        add_found(damage, (struct found){-1, site, state[0] / limit - 1, 1});
+    return 0;
+}
+
+static void test_nodes(struct damage *damage)
+{
+    const double strips = (double)model_strips(damage->see.model, damage->body)->count;
+    for (int k = 0; k < damage->rules.n_node_laws; k++) {
+        double change = 0;
+        const int64_t seen = act_on_nodes(damage, &damage->rules.node_laws[k], find_spent, &change);
+        profile_count(damage->body->profile, WORK_NODE_TESTS, (double)seen, strips);
     }
 }
 
@@ -346,16 +368,17 @@ static double count_beyond(const struct damage *damage, double excess)
 bool damage_find(struct damage *damage)
 {
     const struct damage_rules *rules = &damage->rules;
+    const bool nodes = rules->n_node_laws > 0;
     damage->n_found = 0;
-    if (!rules->bonds && !rules->nodes) return false;
+    if (!rules->bonds && !nodes) return false;
     const enum profile_part before = profile_enter(damage->body->profile, PART_DAMAGE);
     const bool due = rules->bonds && may_be_due(damage);
     const int64_t tested = due ? test_bonds(damage) : 0;
     if (rules->bonds)
         profile_count(damage->body->profile, WORK_BOND_TESTS, (double)tested,
                       (double)damage->bonds->count);
-    if (rules->nodes) find_spent(damage);
-    const bool found = (due || rules->nodes) && count_beyond(damage, -1) > 0;
+    if (nodes) test_nodes(damage);
+    const bool found = (due || nodes) && count_beyond(damage, -1) > 0;
     profile_enter(damage->body->profile, before);
     return found;
 }
@@ -403,5 +426,5 @@ void damage_break(struct damage *damage)
     }
     damage->broken += counts[0];
     damage->removed += counts[1];
-    broken_shapes(damage->body, damage->see.model->formulation == &formulation_correspondence);
+    broken_shapes(damage->body, damage->see.materials->formulation->stress_of == STRESS_OF_NODES);
 }

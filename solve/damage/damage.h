@@ -2,14 +2,15 @@
  *
  * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the
  * configuration that a step has led to: what the body holds less after they have broken is the energy of
- * fracture.  Of nodes, also what their stress loses before that (ductile.c).  To add a law: one file, one line in the
- * table of damage_rules.c. */
+ * fracture.  Of nodes, also what their stress loses before that.  To add a law: one file after the pattern of
+ * critical_stretch.c (bonds) or ductile.c (nodes), its name in one of the lists below. */
 #ifndef HS_DAMAGE_H
 #define HS_DAMAGE_H
 
 #include "bonds.h"
 #include "deck.h"
 #include "integrity.h"
+#include "keys.h"
 #include "model.h"
 
 #include <stdbool.h>
@@ -22,40 +23,69 @@ struct damage_view {
     const struct bonds *bonds;
 };
 
+enum { DAMAGE_STATES = 4 }; /* at most */
+
 struct damage_law {
-    const char *name;
-    const char *unit; /* of a law of bonds: of its value, and the largest one */
-    double most;
-    /* Of nodes: reads the plastic strains beyond which one degrades, INFINITY for never, and at which it is gone; NULL:
-     * a law of bonds. */
-    void (*read_range)(struct deck_node entry, double spacing, double range[2]);
+    struct variant words; /* name, help and keys of its own, which fill size bytes: */
+    size_t size;          /* of a law of bonds one double, its value, 0 where its entry has none */
     /* Of bonds: how far [m] the ends of each bond of a strip may still move apart before it breaks, below 0
      * where it has to break now, 0 where only a test can tell. */
     void (*room)(const struct damage_view *see, const struct bond_strip *strip,
                  const struct bond_view *bond, const double *value, double *room);
     /* The value that a fracture energy [J/m^2] stands for, at bonds between two phases; dies where the
-     * material has none.  NULL: there is no such thing. */
+     * material has none. */
     double (*from_fracture_energy)(const struct damage_view *see, int a, int b, double energy,
                                    struct deck_node where);
-    /* Dies where the material lacks what the law needs. */
+    /* Dies where the material lacks what the law needs; may be NULL. */
     void (*check)(const struct damage_view *see, struct deck_node where);
+    /* Of nodes: the states of their material that it reads, by name (model.h); none: a law of bonds.  Each of the
+     * functions gets one number of each, the last two only beyond least. */
+    const char *states[DAMAGE_STATES + 1];
+    /* Of its keys, what depends on more than one of them; may be NULL. */
+    void (*read)(void *own, struct deck_node entry, double spacing);
+    /* The first state up to which a node is sound. */
+    double (*least)(const void *own);
+    /* D, by which the stress of the node is degraded, 1 and more: all of it.  NULL: nothing before it is gone. */
+    double (*degradation)(const void *own, const double state[]);
+    /* The first state beyond which all bonds of the node break. */
+    double (*limit)(const void *own, const double state[]);
 };
 
-extern const struct damage_law damage_critical_stretch, damage_bond_energy, damage_plastic_strain,
-    damage_ductile;
+/* All laws, in the order of the manual: damage_NAME, each in a file of its own. */
+#define DAMAGE_BOND_LAWS(DO) DO(critical_stretch), DO(bond_energy)
+#define DAMAGE_NODE_LAWS(DO) DO(plastic_strain), DO(ductile)
+#define DAMAGE_LAW(name)     damage_##name
+extern const struct damage_law DAMAGE_BOND_LAWS(DAMAGE_LAW), DAMAGE_NODE_LAWS(DAMAGE_LAW);
+
+/* What the nodes of a phase obey. */
+struct node_rule {
+    const struct damage_law *law; /* NULL: they stay as they are */
+    void *own;
+    double least; /* INFINITY without a law */
+};
+
+/* A law of nodes that some phase has. */
+struct node_law {
+    const struct damage_law *law;
+    int count, state[DAMAGE_STATES]; /* numbers of its states */
+    double least;                    /* of all its phases */
+};
 
 /* The deck's section, read for the phases of the domain. */
 struct damage_rules {
     int n_phases;
     const struct damage_law *
-        *law;      /* [n_phases^2] of the bonds of each pair, NULL: they never break */
-    double *value; /* [n_phases^2] */
-    /* [n_phases] Plastic strains beyond which a node degrades, and is gone, or INFINITY; least: of all of them. */
-    double *onset, *full, least;
+        *law;               /* [n_phases^2] of the bonds of each pair, NULL: they never break */
+    double *value;          /* [n_phases^2] */
+    struct node_rule *node; /* [n_phases] */
+    int n_node_laws;        /* up to n_phases */
+    struct node_law *node_laws;
     enum combination *integrity; /* [n_phases^2] of the bonds between two phases */
-    bool bonds, nodes;           /* whether there is any rule of either kind */
-    bool degrading;              /* whether some of the nodes' do so by degrees */
+    bool bonds;                  /* whether any of them may break */
+    bool degrading;              /* whether some nodes do so by degrees */
 };
+
+extern const struct section section_damage, section_damage_rule;
 
 /* section.index may be 0: nothing breaks. */
 struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see);

@@ -16,22 +16,62 @@
 
 #include <math.h>
 
-static void read_range(struct deck_node entry, double spacing, double range[2])
+struct ductile {
+    double onset, full; /* p_c, and p_f once it is read */
+    double length;
+};
+#define AT(member) offsetof(struct ductile, member)
+
+static const struct key keys[] = {
+    {"onset", KEY_NUMBER, AT(onset), "1", 0, 100, .required = true,
+     .help = "plastic strain at which D begins to rise; well below 0.65, from where on strain "
+             "gathers in one or two layers of nodes, damage or not"},
+    {"full", KEY_NUMBER, AT(full), "1", 0, 100, .required = true,
+     .help = "plastic strain at which D is 1 and all bonds of the node break"},
+    {"length", KEY_LENGTH, AT(length), NULL, 1e-12, 1e3, .otherwise = "none",
+     .help = "spacing for which full is meant; at another one exp(full) - exp(onset) is scaled by "
+             "length/spacing, which halves the effect of the spacing on the strain at fracture"},
+};
+
+static void read(void *own, struct deck_node entry, double spacing)
 {
-    deck_keys(entry, (const char *const[]){"phase", "law", "onset", "full", "length", NULL});
-    struct deck_node full = deck_get(entry, "full");
-    range[0] = deck_number(deck_get(entry, "onset"), "1", 0, 100);
-    range[1] = deck_number(full, "1", 0, 100);
-    if (!(range[1] > range[0]))
-        deck_error(full, "%g: the node has to be gone beyond 'onset' (%g)", range[1], range[0]);
-    if (!deck_has(entry, "length")) return;
-    const double length = deck_length(deck_get(entry, "length"), spacing, 1e-12, 1e3);
-    range[1] = log(exp(range[0]) + (exp(range[1]) - exp(range[0])) * length / spacing);
+    struct ductile *law = own;
+    if (!(law->full > law->onset))
+        deck_error(deck_get(entry, "full"), "%g: the node has to be gone beyond 'onset' (%g)",
+                   law->full, law->onset);
+    if (!(law->length > 0)) return;
+    law->full = log(exp(law->onset) + (exp(law->full) - exp(law->onset)) * law->length / spacing);
     note("damage: nodes of '%s' are removed at a plastic strain of %.4g",
-         deck_string(deck_get(entry, "phase")), range[1]);
+         deck_string(deck_get(entry, "phase")), law->full);
+}
+
+static double least(const void *own)
+{
+    return ((const struct ductile *)own)->onset;
+}
+
+/* (ductile.1) */
+static double degradation(const void *own, const double state[])
+{
+    const struct ductile *law = own;
+    return (state[0] - law->onset) / (law->full - law->onset);
+}
+
+static double limit(const void *own, const double state[])
+{
+    (void)state;
+    return ((const struct ductile *)own)->full;
 }
 
 const struct damage_law damage_ductile = {
-    .name = "ductile",
-    .read_range = read_range,
+    .words = {"ductile",
+              "The stress of a node is multiplied by 1 - D, D rising from 0 at onset to 1 at full; "
+              "without it correspondence hardly fractures, as broken bonds alone do not unload it.",
+              KEYS(keys)},
+    .size = sizeof(struct ductile),
+    .states = {"equivalent_plastic_strain"},
+    .read = read,
+    .least = least,
+    .degradation = degradation,
+    .limit = limit,
 };

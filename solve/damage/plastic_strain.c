@@ -1,17 +1,26 @@
 /* plastic_strain.c - (plastic_strain.1): all bonds of a node break once its equivalent plastic strain is beyond a value. */
 #include "damage.h"
 
-#include <math.h>
+static const struct key keys[] = {{"value", KEY_NUMBER, 0, "1", 0, 100, .required = true,
+                                   .help = "the equivalent plastic strain"}};
 
-static void read_range(struct deck_node entry, double spacing, double range[2])
+static double value(const void *own)
 {
-    (void)spacing;
-    deck_keys(entry, (const char *const[]){"phase", "law", "value", NULL});
-    range[0] = INFINITY;
-    range[1] = deck_number(deck_get(entry, "value"), "1", 0, 100);
+    return *(const double *)own;
+}
+
+static double limit(const void *own, const double state[])
+{
+    (void)state;
+    return value(own);
 }
 
 const struct damage_law damage_plastic_strain = {
-    .name = "plastic_strain",
-    .read_range = read_range,
+    .words = {"plastic_strain",
+              "All bonds of a node break once its equivalent plastic strain is beyond a value.",
+              KEYS(keys)},
+    .size = sizeof(double),
+    .states = {"equivalent_plastic_strain"},
+    .least = value,
+    .limit = limit,
 };

@@ -2,6 +2,7 @@
 
 #include "die.h"
 #include "options.h"
+#include "solver_sections.h"
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -61,13 +62,17 @@ struct arguments arguments_read(int argc, char **argv)
         {'H', "history", "FILE", "the history (default: the pipe)", NULL, &a.history},
         {0, "profile", NULL, "at the end, where the time went and what was left out", &a.profile,
          NULL},
+        {0, "check", NULL, "check everything, say what would be done, and leave", &a.check, NULL},
         {'q', "quiet", NULL, "no notes, no progress", &a.quiet, NULL},
         {0, "spooled-history", "FILE", "used by -j for the processes it starts", NULL, &a.spooled},
     };
     const struct option_table table = {
-        "hssolve", "[-i domain.g] [-d study.yaml] [-j N] [-o fields.e] [-H history.e]",
-        "Peridynamic tension test of a multi-phase body: domain in, histories out.", rows,
-        sizeof rows / sizeof *rows};
+        "hssolve",
+        "[-i domain.g] [-d study.yaml] [-j N] [-o fields.e] [-H history.e] [--check]",
+        "Peridynamic tension test of a multi-phase body: domain in, histories out.",
+        rows,
+        sizeof rows / sizeof *rows,
+        solver_sections};
     int first = options_read(&table, argc, argv);
     if (first < argc) die_user("unexpected argument '%s' (the domain goes with -i)", argv[first]);
     if (ranks) a.ranks = number_of_ranks(ranks);

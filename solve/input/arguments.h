@@ -12,6 +12,7 @@ struct arguments {
     const char *spooled; /* the history goes to this open file of the parent, whatever its name */
     int ranks;           /* of -j */
     bool quiet, profile;
+    bool check;    /* everything but the run */
     char *command; /* the whole line, for provenance */
 };
 

@@ -4,34 +4,27 @@
 #include "domain_order.h"
 #include "domain_text.h"
 #include "exodus.h"
+#include "keys.h"
 #include "memory.h"
 #include "spool.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static int is_netcdf(const char *path)
-{
-    unsigned char bytes[4] = {0};
-    FILE *file = fopen(path, "rb");
-    if (!file) die_user("cannot open the domain");
-    size_t got = fread(bytes, 1, sizeof bytes, file);
-    fclose(file);
-    if (got < sizeof bytes) return 0;
-    return memcmp(bytes, "CDF", 3) == 0 || memcmp(bytes, "\211HDF", 4) == 0;
-}
+enum file_kind { FILE_NETCDF, FILE_TEXT, FILE_OTHER };
 
 /* Text has no bytes below space but tab and line ends. */
-static int is_text(const char *path)
+static enum file_kind kind_of(const char *path)
 {
-    unsigned char bytes[512];
+    unsigned char bytes[512] = {0};
     FILE *file = fopen(path, "rb");
-    if (!file) return 0;
-    size_t got = fread(bytes, 1, sizeof bytes, file);
+    if (!file) die_user("cannot open the domain");
+    const size_t got = fread(bytes, 1, sizeof bytes, file);
     fclose(file);
+    if (memcmp(bytes, "CDF", 3) == 0 || memcmp(bytes, "\211HDF", 4) == 0) return FILE_NETCDF;
     for (size_t i = 0; i < got; i++)
-        if (bytes[i] < ' ' && bytes[i] != '\n' && bytes[i] != '\r' && bytes[i] != '\t') return 0;
-    return got > 0;
+        if (bytes[i] < ' ' && !memchr("\n\r\t", bytes[i], 3)) return FILE_OTHER;
+    return got > 0 ? FILE_TEXT : FILE_OTHER;
 }
 
 /* A key of the deck's domain section; index 0 where there is none. */
@@ -51,14 +44,14 @@ static void take_dimensions(struct domain *domain, const struct deck *deck)
     const long said = deck_integer(dimensions, 2, 3);
     attributes_set_number(facts, "dimensions", (double)said);
     if (said == 3) return;
-    struct deck_node size = said_of_domain(deck, "size");
-    struct deck_node spacing = said_of_domain(deck, "spacing");
-    if (size.index == 0 || !deck_is_list(size) || deck_count(size) != 3)
-        deck_error(size.index == 0 ? dimensions : size,
-                   "size is a list of three lengths; the third is the sheet's thickness");
-    const double length = spacing.index ? deck_number(spacing, "m", 1e-12, 1e3) : 0;
-    attributes_set_number(facts, "thickness_m",
-                          deck_length(deck_item(size, 2), length, 1e-12, 1e3));
+    static const struct key row = {"size", KEY_LENGTH, .low = 1e-12, .high = 1e3, .size = 3};
+    const struct deck_node spacing = said_of_domain(deck, "spacing"),
+                           given = said_of_domain(deck, "size");
+    double size[3];
+    if (given.index == 0)
+        deck_error(dimensions, "a sheet needs its size here, whose third length is the thickness");
+    keys_list(&row, given, spacing.index ? deck_number(spacing, "m", 1e-12, 1e3) : 0, size);
+    attributes_set_number(facts, "thickness_m", size[2]);
 }
 
 /* Of scattered particles the deck may say what a spacing is to mean. */
@@ -83,7 +76,7 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     struct spool input = spool_input(a->input);
     bool piped = !a->input || strncmp(a->input, "/proc/", strlen("/proc/")) == 0;
     const char *shown = piped ? "standard input" : a->input;
-    const bool text = !is_netcdf(input.path) && is_text(input.path);
+    const bool text = kind_of(input.path) == FILE_TEXT;
     *deck = a->deck ? deck_read(a->deck) : NULL;
     if (text && !*deck)
         die_user("%s is text: a deck goes through hsgen first; particles in Peridigm's text format "

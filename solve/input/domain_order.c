@@ -3,88 +3,31 @@
 #include "die.h"
 #include "lattice.h"
 #include "memory.h"
+#include "neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* --- coincident nodes --- */
-
-struct point {
-    double x[3];
-    int64_t node;
-};
-
-static int compare_along(const void *a, const void *b, int axis)
-{
-    const struct point *s = a, *t = b;
-    if (s->x[axis] != t->x[axis]) return s->x[axis] < t->x[axis] ? -1 : 1;
-    return (s->node > t->node) - (s->node < t->node);
-}
-
-static int compare_x(const void *a, const void *b)
-{
-    return compare_along(a, b, 0);
-}
-static int compare_y(const void *a, const void *b)
-{
-    return compare_along(a, b, 1);
-}
-static int compare_z(const void *a, const void *b)
-{
-    return compare_along(a, b, 2);
-}
-
-static void refuse_pairs(const struct point *points, int64_t count, double slack)
-{
-    for (int64_t i = 0; i < count; i++)
-        for (int64_t j = i + 1; j < count; j++) {
-            const struct point *p = &points[i], *q = &points[j];
-            if (fabs(p->x[0] - q->x[0]) > slack || fabs(p->x[1] - q->x[1]) > slack ||
-                fabs(p->x[2] - q->x[2]) > slack)
-                continue;
-            const struct point *first = p->node < q->node ? p : q, *second = first == p ? q : p;
-            die_user("node %lld at (%g, %g, %g) m lies on another node, %lld",
-                     (long long)second->node + 1, second->x[0], second->x[1], second->x[2],
-                     (long long)first->node + 1);
-        }
-}
-
-/* Sorts along one axis and goes on with each run of points without a gap above slack, along the next
- * axis.  Runs that no axis splits (whole: how many did not) are looked at pair by pair; there are none
- * where nothing coincides. */
-static void seek_coincident(struct point *points, int64_t count, int axis, int whole, double slack)
-{
-    static int (*const compare[3])(const void *, const void *) = {compare_x, compare_y, compare_z};
-    if (count < 2) return;
-    if (whole == 3) {
-        refuse_pairs(points, count, slack);
-        return;
-    }
-    qsort(points, (size_t)count, sizeof *points, compare[axis]);
-    for (int64_t start = 0, end = 1; end <= count; end++) {
-        if (end < count && points[end].x[axis] - points[end - 1].x[axis] <= slack) continue;
-        const int unsplit = end - start == count ? whole + 1 : 0;
-        seek_coincident(points + start, end - start, (axis + 1) % 3, unsplit, slack);
-        start = end;
-    }
-}
-
 static void refuse_coincident(const struct domain *domain)
 {
-    const int64_t n = domain->n_nodes;
-    struct point *points = memory_new((size_t)n, sizeof *points);
-    for (int64_t i = 0; i < n; i++)
-        points[i] = (struct point){{domain->x[i], domain->y[i], domain->z[i]}, i};
-    seek_coincident(points, n, 0, 0, 1e-4 * domain_spacing(domain));
-    free(points);
+    double *const x[3] = {domain->x, domain->y, domain->z};
+    struct neighbours close = neighbours_new(x, domain->n_nodes, 1e-4 * domain_spacing(domain));
+    for (int64_t i = 0; i < domain->n_nodes; i++)
+        if (neighbours_find(&close, x, i) > 0) {
+            const int64_t other = close.found[0];
+            die_user("node %lld at (%g, %g, %g) m lies on another node, %lld", (long long)other + 1,
+                     x[0][other], x[1][other], x[2][other], (long long)i + 1);
+        }
+    neighbours_free(&close);
 }
 
 /* --- keys --- */
 
 struct place {
     uint64_t key; /* site, or number along the curve */
-    struct point at;
+    double x[3];
+    int64_t node;
 };
 
 static int compare_places(const void *a, const void *b)
@@ -92,8 +35,8 @@ static int compare_places(const void *a, const void *b)
     const struct place *s = a, *t = b;
     if (s->key != t->key) return s->key < t->key ? -1 : 1;
     for (int axis = 2; axis >= 0; axis--)
-        if (s->at.x[axis] != t->at.x[axis]) return s->at.x[axis] < t->at.x[axis] ? -1 : 1;
-    return (s->at.node > t->at.node) - (s->at.node < t->at.node);
+        if (s->x[axis] != t->x[axis]) return s->x[axis] < t->x[axis] ? -1 : 1;
+    return (s->node > t->node) - (s->node < t->node);
 }
 
 enum { CURVE_BITS = 21 }; /* of each coordinate: three fill 63 */
@@ -142,7 +85,7 @@ static void permute(double *values, const struct place *order, int64_t count)
 {
     double *copy = memory_new((size_t)count, sizeof *copy);
     memcpy(copy, values, (size_t)count * sizeof *copy);
-    for (int64_t i = 0; i < count; i++) values[i] = copy[order[i].at.node];
+    for (int64_t i = 0; i < count; i++) values[i] = copy[order[i].node];
     free(copy);
 }
 
@@ -156,8 +99,8 @@ static void reorder(struct domain *domain, const struct place *order)
     uint8_t *phase = memory_new((size_t)n, 1);
     int64_t *new_number = memory_new((size_t)n, sizeof *new_number);
     for (int64_t i = 0; i < n; i++) {
-        phase[i] = domain->phase[order[i].at.node];
-        new_number[order[i].at.node] = i;
+        phase[i] = domain->phase[order[i].node];
+        new_number[order[i].node] = i;
     }
     free(domain->phase);
     domain->phase = phase;
@@ -203,9 +146,9 @@ bool domain_sort(struct domain *domain)
     struct place *order = memory_new((size_t)n, sizeof *order);
     bool sorted = true;
     for (int64_t i = 0; i < n; i++) {
-        order[i].at = (struct point){{domain->x[i], domain->y[i], domain->z[i]}, i};
-        order[i].key = found ? (uint64_t)lattice_nearest(&lattice, order[i].at.x)
-                             : curve_number(&cube, order[i].at.x);
+        order[i] = (struct place){0, {domain->x[i], domain->y[i], domain->z[i]}, i};
+        order[i].key = found ? (uint64_t)lattice_nearest(&lattice, order[i].x)
+                             : curve_number(&cube, order[i].x);
         sorted = sorted && (i == 0 || compare_places(&order[i - 1], &order[i]) < 0);
     }
     if (!sorted) {

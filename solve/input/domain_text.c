@@ -19,20 +19,14 @@ struct particle {
 enum { MOST_BLOCKS = 16, LONGEST_NAME = 64, LONGEST_LINE = 1024 };
 
 struct particles {
-    int64_t count, room;
+    int64_t count;
     struct particle *items;
     char names[MOST_BLOCKS][LONGEST_NAME]; /* of the blocks, where a comment says so */
 };
 
 static void append(struct particles *all, struct particle particle)
 {
-    if (all->count == all->room) {
-        all->room = 2 * all->room + 1024;
-        struct particle *items = memory_new((size_t)all->room, sizeof *items);
-        if (all->count) memcpy(items, all->items, (size_t)all->count * sizeof *items);
-        free(all->items);
-        all->items = items;
-    }
+    all->items = memory_grow(all->items, all->count, sizeof particle);
     all->items[all->count++] = particle;
 }
 

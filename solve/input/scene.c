@@ -2,167 +2,191 @@
 
 #include "equilibrium.h"
 #include "family.h"
+#include "sections.h"
+#include "surface_correction.h"
 
 #include <math.h>
 
-static double number_or(struct deck_node map, const char *key, const char *unit, double low,
-                        double high, double fallback)
+/* --- the section solver ----------------------------------------------------------------------- */
+
+enum {
+    EXPLICIT = 1 << SOLVER_EXPLICIT,
+    HYBRID = 1 << SOLVER_HYBRID,
+    MOVING = EXPLICIT | HYBRID,
+    RESTING = 1 << SOLVER_QUASI_STATIC | HYBRID
+};
+
+static const struct variant types[SOLVER_TYPES] = {
+    [SOLVER_EXPLICIT] = {"explicit", "explicit steps, with inertia", {0}},
+    [SOLVER_QUASI_STATIC] = {"quasi_static", "load steps from one equilibrium to the next", {0}},
+    [SOLVER_HYBRID] = {"hybrid", "load steps, and explicit ones from an event on", {0}},
+};
+
+static const struct variant *type_variant(int i)
 {
-    return deck_has(map, key) ? deck_number(deck_get(map, key), unit, low, high) : fallback;
+    return i < SOLVER_TYPES ? &types[i] : NULL;
 }
 
-static void read_start(struct scene *scene, struct deck_node solver)
+static const char *const volumes[] = {"whole", "partial", NULL};
+static const char *const planes[] = {"stress", "strain", NULL};
+static const char *const starts[] = {"affine", "ramp", NULL};
+static const char *const events[] = {"damage", "maximum_load", NULL};
+
+#define AT(member) offsetof(struct scene, member)
+
+static const struct key back_keys[] = {
+    {"kinetic_to_internal", KEY_NUMBER, AT(hybrid.kinetic_share), "1", 1e-12, 1, .required = true,
+     .help = "kinetic over internal energy, below which the body counts as quiet"},
+    {"quiet", KEY_NUMBER, AT(hybrid.quiet), "s", 0, 1e6, .required = true,
+     .help = "how long it has to stay so, without a broken bond"},
+};
+static const struct section back = {
+    .path = "solver.static_when",
+    .help = "When a hybrid run goes back to load steps; what is left of its motion is damped.",
+    .keys = KEYS(back_keys)};
+
+static const struct key solver_keys[] = {
+    {"horizon", KEY_NUMBER, AT(horizon), "1", 1, 8,
+     .otherwise = "1 of correspondence, else required", .help = "in spacings"},
+    {"influence", KEY_CHOICE, AT(influence), .usual = -1, .names = family_influences,
+     .otherwise = "constant; of ordinary ones linear, of madenci_oterkus inverse and no other",
+     .help = "of a bond of the length r, the horizon being d: constant; steep (dx/r)^8, not for "
+             "bond_based; inverse dx/r; linear 1 - r/d; gaussian exp(-4 r^2/d^2); spline, cubic"},
+    {"volumes", KEY_CHOICE, AT(partial_volumes), .names = volumes,
+     .help = "partial: members near the horizon count by the part of their cell within it"},
+    {"plane", KEY_CHOICE, AT(plane), .usual = -1, .names = planes,
+     .otherwise = "required of a domain of two dimensions",
+     .help = "of such a domain alone; correspondence has strain alone"},
+    {"surface_correction", KEY_NODE, AT(elsewhere), .form = "one", .names = surface_corrections,
+     .otherwise = "none",
+     .help = "factors on the bonds of nodes near a surface; not for correspondence"},
+    {"stabilisation", KEY_NODE, AT(elsewhere), .form = "{law: mix or capped, ...}",
+     .otherwise = "{law: mix, share: 0.1}", .help = "of correspondence"},
+    {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",
+     .help = "of the gauge, at which the run ends; needs grips with velocities that are numbers"},
+    {"end_time", KEY_NUMBER, AT(end_time), "s", 1e-15, 1e12, .otherwise = "none",
+     .help = "in place of end_strain"},
+    {"end_steps", KEY_INTEGER, AT(end_steps), NULL, 1, 1e12, .otherwise = "none",
+     .help = "in place of end_strain"},
+    {"end_load", KEY_NUMBER, AT(end_load), "1", 0, 1,
+     .help = "a broken body that carries less than this share of its largest load ends the run"},
+    {"safety", KEY_NUMBER, AT(safety), "1", 1e-3, 10, .usual = 0.8, .users = MOVING,
+     .help = "time step over the critical one; above 1 the run explodes and is stopped"},
+    {"damping", KEY_NUMBER, AT(damping), "1/s", 0, 1e15, .users = MOVING,
+     .help = "of velocities relative to the uniform motion between the grips, if there are any"},
+    {"local_damping", KEY_NUMBER, AT(local_damping), "1", 0, 0.95, .users = MOVING,
+     .help = "share of the force on each node that acts against its motion, relative as above"},
+    {"mass_scaling", KEY_NUMBER, AT(mass_scaling), "1", 1e-6, 1e12, .usual = 1, .users = MOVING,
+     .help = "factor on the inertia, not on the stiffness; the step grows by its root"},
+    {"energy_tolerance", KEY_NUMBER, AT(energy_tolerance), "1", 1e-12, 1e6, .usual = 0.01,
+     .users = MOVING, .help = "relative drift of the energy balance that stops the run"},
+    {"start", KEY_CHOICE, AT(start), .names = starts, .users = EXPLICIT,
+     .help = "affine: the body moves with its grips from the first step; ramp: from rest"},
+    {"ramp", KEY_NUMBER, AT(ramp), "s", 1e-15, 1e6, .users = EXPLICIT,
+     .otherwise = "required with 'start: ramp', an error without",
+     .help = "time in which velocities that are numbers are reached"},
+    {"method", KEY_CHOICE, AT(statics.method), .names = equilibrium_methods, .users = RESTING,
+     .help = "of finding equilibria: lbfgs, which leaves to newton what it does not find; newton; "
+             "adaptive dynamic relaxation, which takes ten times as many evaluations"},
+    {"step", KEY_NODE, AT(statics.given.largest), .form = "NUMBER", .users = RESTING,
+     .otherwise = "0.005 of strain, or a hundredth of end_time, or 1 s",
+     .help =
+         "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
+         "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where none is found"},
+    {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
+     .otherwise = "5e-6 of strain, so that the elastic slope has its records, else the largest",
+     .help = "first load step, in the same unit"},
+    {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,
+     .otherwise = "1e-4 of the largest", .help = "in the same unit; below it the run stops"},
+    {"tolerance", KEY_NUMBER, AT(statics.tolerance), "1", 1e-10, 1e-2, .usual = 1e-6,
+     .users = RESTING,
+     .help = "of the residual: norm of the unbalanced forces over that of reactions and loads"},
+    {"most_evaluations", KEY_INTEGER, AT(statics.most_evaluations), NULL, 10, 1e9, .users = RESTING,
+     .otherwise = "2000, of relaxation 20000",
+     .help = "of the force, for one equilibrium; steps grow where it takes up to a quarter of it"},
+    {"break_at_once", KEY_INTEGER, AT(statics.break_at_once), NULL, 1, 1e9, .usual = 10,
+     .users = RESTING, .help = "bonds and nodes that break in one round at rest, the worst ones"},
+    {"explicit_when", KEY_NODE, AT(hybrid.events), .form = "list", .names = events, .users = HYBRID,
+     .help =
+         "beside where no equilibrium is found: something has to break; the grips' force falls"},
+    {"explicit_strain", KEY_NUMBER, AT(hybrid.strain), "1", 0, 10, .usual = INFINITY,
+     .users = HYBRID, .otherwise = "none",
+     .help = "of the gauge, from which on steps are explicit"},
+    {"static_when", KEY_SECTION, .users = HYBRID, .section = &back, .otherwise = "never",
+     .help = "when it goes back to load steps"},
+};
+
+const struct section section_solver = {
+    .path = "solver",
+    .help = "How the body is made and how the run advances.  Exactly one of end_strain, end_time "
+            "and end_steps says where it ends.",
+    .keys = KEYS(solver_keys),
+    .chooser = "type",
+    .variant = type_variant,
+    .usual = SOLVER_QUASI_STATIC};
+
+/* --- what depends on other keys --------------------------------------------------------------- */
+
+/* A load step in the unit of the run's end; deck_number wants a literal. */
+static double step_or(const struct scene *scene, struct deck_node given, double usual)
 {
-    static const char *const starts[] = {"affine", "ramp"};
-    if (deck_has(solver, "start"))
-        scene->start = (enum scene_start)deck_choice(deck_get(solver, "start"), starts, 2);
-    if (scene->start == START_RAMP)
-        scene->ramp = deck_number(deck_get(solver, "ramp"), "s", 1e-15, 1e6);
-    else if (deck_has(solver, "ramp"))
-        deck_error(deck_get(solver, "ramp"), "a ramp goes with 'start: ramp'");
+    if (given.index == 0) return usual;
+    return scene->end_strain > 0 ? deck_number(given, "1", 1e-12, 10)
+                                 : deck_number(given, "s", 1e-15, 1e12);
 }
 
-/* Keys of every solver, and those that only some have. */
-#define COMMON_KEYS                                                                                \
-    "type", "horizon", "influence", "stabilisation", "plane", "volumes", "surface_correction",     \
-        "end_strain", "end_time", "end_steps", "end_load"
-#define EXPLICIT_KEYS "safety", "damping", "local_damping", "mass_scaling", "energy_tolerance"
-#define STATIC_KEYS                                                                                \
-    "method", "first_step", "step", "tolerance", "smallest_step", "most_evaluations",              \
-        "break_at_once"
-static const char *const explicit_keys[] = {COMMON_KEYS, EXPLICIT_KEYS, "start", "ramp", NULL};
-static const char *const static_keys[] = {COMMON_KEYS, STATIC_KEYS, NULL};
-static const char *const hybrid_keys[] = {
-    COMMON_KEYS,       EXPLICIT_KEYS, STATIC_KEYS, "explicit_when",
-    "explicit_strain", "static_when", NULL};
-
-static const struct {
-    const char *name;
-    const char *const *keys;
-} types[SOLVER_TYPES] = {
-    {"explicit", explicit_keys}, {"quasi_static", static_keys}, {"hybrid", hybrid_keys}};
-
-static void read_type(struct scene *scene, struct deck_node solver)
+static void refuse_over(double step, struct deck_node given, const char *other, double most)
 {
-    const char *names[SOLVER_TYPES];
-    for (int k = 0; k < SOLVER_TYPES; k++) names[k] = types[k].name;
-    scene->type = SOLVER_QUASI_STATIC;
-    if (deck_has(solver, "type"))
-        scene->type = (enum scene_type)deck_choice(deck_get(solver, "type"), names, SOLVER_TYPES);
-    deck_keys(solver, types[scene->type].keys);
+    if (step > most) deck_error(given, "%g is over the %s step, %g", step, other, most);
 }
 
-static void read_body(struct scene *scene, struct deck_node solver)
+static void read_steps(struct scene *scene)
 {
-    static const char *const volumes[] = {"whole", "partial"}, *const planes[] = {"stress",
-                                                                                  "strain"};
-    if (deck_has(solver, "horizon"))
-        scene->horizon = deck_number(deck_get(solver, "horizon"), "1", 1, 8);
-    scene->influence = -1;
-    if (deck_has(solver, "influence"))
-        scene->influence =
-            deck_choice(deck_get(solver, "influence"), family_influences, family_influence_count);
-    scene->solver = solver;
-    if (deck_has(solver, "volumes"))
-        scene->partial_volumes = deck_choice(deck_get(solver, "volumes"), volumes, 2) == 1;
-    if (deck_has(solver, "plane"))
-        scene->plane =
-            deck_choice(deck_get(solver, "plane"), planes, 2) ? PLANE_STRAIN : PLANE_STRESS;
-}
-
-static void read_end(struct scene *scene, struct deck_node solver)
-{
-    if (deck_has(solver, "end_strain") + deck_has(solver, "end_time") +
-            deck_has(solver, "end_steps") !=
-        1)
-        deck_error(solver, "give one of end_strain, end_time and end_steps");
-    scene->end_strain = number_or(solver, "end_strain", "1", 1e-9, 10, 0);
-    scene->end_time = number_or(solver, "end_time", "s", 1e-15, 1e12, 0);
-    scene->end_load = number_or(solver, "end_load", "1", 0, 1, 0);
-    if (deck_has(solver, "end_steps"))
-        scene->end_steps = deck_integer(deck_get(solver, "end_steps"), 1, 1000000000000);
-}
-
-/* A key's number in the unit of load steps; deck_number wants a literal. */
-static double step_or(struct scene *scene, const char *key, double fallback)
-{
-    if (scene->end_strain > 0) return number_or(scene->solver, key, "1", 1e-12, 10, fallback);
-    return number_or(scene->solver, key, "s", 1e-15, 1e12, fallback);
-}
-
-static void read_static(struct scene *scene, struct deck_node solver)
-{
-    struct scene_static *statics = &scene->statics;
-    const double usual = scene->end_strain > 0 ? 0.005
-                         : scene->end_time > 0 ? scene->end_time / 100
-                                               : 1;
-    statics->largest_step = step_or(scene, "step", usual);
+    struct scene_static *s = &scene->statics;
+    const bool strain = scene->end_strain > 0;
+    const double usual = strain ? 0.005 : scene->end_time > 0 ? scene->end_time / 100 : 1;
+    s->largest_step = step_or(scene, s->given.largest, usual);
     /* Three records lie where the elastic slope of the softest metals is measured; steps of loads are all alike. */
-    const double first =
-        scene->end_strain > 0 ? fmin(5e-6, statics->largest_step) : statics->largest_step;
-    statics->first_step = step_or(scene, "first_step", first);
-    statics->smallest_step =
-        step_or(scene, "smallest_step", fmin(1e-4 * statics->largest_step, statics->first_step));
-    if (statics->first_step > statics->largest_step)
-        deck_error(deck_get(solver, "first_step"), "%g is over the largest step, %g",
-                   statics->first_step, statics->largest_step);
-    if (statics->smallest_step > statics->first_step)
-        deck_error(deck_get(solver, "smallest_step"), "%g is over the first step, %g",
-                   statics->smallest_step, statics->first_step);
-    statics->tolerance = number_or(solver, "tolerance", "1", 1e-10, 1e-2, 1e-6);
-    if (deck_has(solver, "method"))
-        statics->method =
-            deck_choice(deck_get(solver, "method"), equilibrium_methods, equilibrium_method_count);
-    statics->most_evaluations = equilibrium_usual_evaluations(statics->method);
-    if (deck_has(solver, "most_evaluations"))
-        statics->most_evaluations =
-            deck_integer(deck_get(solver, "most_evaluations"), 10, 1000000000);
-    statics->break_at_once = 10;
-    if (deck_has(solver, "break_at_once"))
-        statics->break_at_once =
-            (double)deck_integer(deck_get(solver, "break_at_once"), 1, 1000000000);
+    s->first_step =
+        step_or(scene, s->given.first, strain ? fmin(5e-6, s->largest_step) : s->largest_step);
+    s->smallest_step =
+        step_or(scene, s->given.smallest, fmin(1e-4 * s->largest_step, s->first_step));
+    refuse_over(s->first_step, s->given.first, "largest", s->largest_step);
+    refuse_over(s->smallest_step, s->given.smallest, "first", s->first_step);
+    if (!s->most_evaluations) s->most_evaluations = equilibrium_usual_evaluations(s->method);
 }
 
-static void read_hybrid(struct scene *scene, struct deck_node solver)
+static void read_events(struct scene_hybrid *hybrid)
 {
-    static const char *const events[] = {"damage", "maximum_load"};
-    struct scene_hybrid *hybrid = &scene->hybrid;
-    hybrid->strain = number_or(solver, "explicit_strain", "1", 0, 10, INFINITY);
-    if (deck_has(solver, "explicit_when")) {
-        struct deck_node list = deck_get(solver, "explicit_when");
-        for (int i = 0; i < deck_count(list); i++)
-            *(deck_choice(deck_item(list, i), events, 2) == 0 ? &hybrid->at_damage
-                                                              : &hybrid->at_maximum) = true;
-    }
-    if (!deck_has(solver, "static_when")) return;
-    struct deck_node back = deck_get(solver, "static_when");
-    deck_keys(back, (const char *const[]){"kinetic_to_internal", "quiet", NULL});
-    hybrid->kinetic_share = deck_number(deck_get(back, "kinetic_to_internal"), "1", 1e-12, 1);
-    hybrid->quiet = deck_number(deck_get(back, "quiet"), "s", 0, 1e6);
+    const struct deck_node list = hybrid->events;
+    for (int i = 0; list.index && i < deck_count(list); i++)
+        *(keys_choice(deck_item(list, i), events) == 0 ? &hybrid->at_damage : &hybrid->at_maximum) =
+            true;
 }
 
-static void read_solver(struct scene *scene, struct deck_node solver)
+static void read_solver(struct scene *scene)
 {
-    read_type(scene, solver);
-    read_body(scene, solver);
-    read_end(scene, solver);
-    scene->safety = number_or(solver, "safety", "1", 1e-3, 10, 0.8);
-    scene->local_damping = number_or(solver, "local_damping", "1", 0, 0.95, 0);
-    scene->mass_scaling = number_or(solver, "mass_scaling", "1", 1e-6, 1e12, 1);
-    scene->damping = number_or(solver, "damping", "1/s", 0, 1e15, 0);
-    scene->energy_tolerance = number_or(solver, "energy_tolerance", "1", 1e-12, 1e6, 0.01);
-    read_start(scene, solver);
-    if (scene->type != SOLVER_EXPLICIT) read_static(scene, solver);
-    if (scene->type == SOLVER_HYBRID) read_hybrid(scene, solver);
+    const struct deck_node solver = scene->solver;
+    scene->type = (enum scene_type)keys_variant(solver, &section_solver);
+    keys_read(solver, &section_solver, (int)scene->type, 0, scene, NULL);
+    scene->plane++; /* SPACE stands before the two names */
+    if ((scene->end_strain > 0) + (scene->end_time > 0) + (scene->end_steps > 0) != 1)
+        deck_error(solver, "give one of end_strain, end_time and end_steps");
+    if (scene->start == START_RAMP)
+        deck_get(solver, "ramp"); /* dies */
+    else if (scene->ramp > 0)
+        deck_error(deck_get(solver, "ramp"), "a ramp goes with 'start: ramp'");
+    if (scene->type != SOLVER_EXPLICIT) read_steps(scene);
+    read_events(&scene->hybrid);
 }
 
 struct scene scene_read(struct deck *deck)
 {
-    struct scene scene = {.deck = deck, .history = 500};
-    struct deck_node root = deck_root(deck);
-    deck_check_sections(deck);
-    read_solver(&scene, deck_get(root, "solver"));
+    const struct deck_node root = deck_root(deck);
+    sections_read(deck);
+    struct scene scene = {.solver = deck_get(root, "solver")};
+    read_solver(&scene);
     scene_read_entries(&scene, root);
-    if (deck_has(root, "output")) scene_read_output(&scene, deck_get(root, "output"));
+    scene_read_output(&scene, deck_find(root, "output"));
     return scene;
 }

@@ -4,6 +4,7 @@
 
 #include "deck.h"
 #include "domain.h"
+#include "keys.h"
 #include "material.h"
 #include "selection.h"
 #include "value.h"
@@ -16,13 +17,17 @@ enum scene_type { SOLVER_EXPLICIT, SOLVER_QUASI_STATIC, SOLVER_HYBRID, SOLVER_TY
 struct scene_static {
     int method; /* of equilibrium_methods */
     double first_step, largest_step, smallest_step;
+    struct {
+        struct deck_node first, largest, smallest;
+    } given;
     double tolerance; /* of the residual */
     int64_t most_evaluations;
-    double break_at_once; /* bonds and nodes, the worst ones */
+    int64_t break_at_once; /* bonds and nodes, the worst ones */
 };
 
 /* When a hybrid solver goes over to explicit steps, beside where no equilibrium is found; and back. */
 struct scene_hybrid {
+    struct deck_node events;
     bool at_damage, at_maximum; /* something has to break; the force on the grips falls */
     double strain;              /* of the gauge; INFINITY: never for that */
     double kinetic_share;       /* of the internal energy, below which it goes back; 0: never */
@@ -57,7 +62,7 @@ enum scene_reduction { REDUCE_SUM, REDUCE_MEAN, REDUCE_MINIMUM, REDUCE_MAXIMUM }
 /* A column of the history that the deck asks for. */
 struct scene_quantity {
     const char *name;
-    int value; /* index into the table of output/node_values.c */
+    int value; /* a node_component */
     enum scene_reduction reduction;
     struct deck_node place; /* of its nearest node; index 0: the selection counts */
     struct scene_nodes nodes;
@@ -65,21 +70,24 @@ struct scene_quantity {
 };
 
 struct scene_fields {
-    int frames;    /* roughly; 0: none, or every */
-    int64_t every; /* steps; 0: by frames */
+    struct {
+        struct deck_node every, variables; /* index 0: no fields */
+    } given;
+    int64_t frames; /* roughly; 0: none, or every */
+    int64_t every;  /* steps; 0: by frames */
     int n_variables;
-    int *variables; /* indices into the table of output/fields.c */
+    int *variables; /* [n_variables] node_values */
 };
 
 struct scene {
-    struct deck *deck;
     enum scene_type type;
     struct scene_static statics;
     struct scene_hybrid hybrid;
-    double horizon;          /* spacings; 0: that of the formulation */
-    int influence;           /* -1: that of the formulation */
-    struct deck_node solver; /* for what belongs to the formulation */
-    bool partial_volumes;
+    double horizon;             /* spacings; 0: that of the formulation */
+    int influence;              /* -1: that of the formulation */
+    struct deck_node solver;    /* for what belongs to the formulation */
+    struct deck_node elsewhere; /* of keys that it looks up there */
+    int partial_volumes;
     enum plane plane;
     int n_boundary, n_initial;
     struct scene_entry *boundary, *initial;
@@ -93,7 +101,8 @@ struct scene {
     double local_damping;    /* share of the force on a node */
     double mass_scaling;     /* of the inertia alone */
     double energy_tolerance; /* of the balance, relative */
-    int history;             /* records */
+    int64_t history;         /* records */
+    struct deck_node columns;
     int n_quantities;
     struct scene_quantity *quantities;
     struct scene_fields fields;
@@ -103,9 +112,11 @@ struct scene {
  * outlive the scene. */
 struct scene scene_read(struct deck *deck);
 
-/* The parts of scene_read that have files of their own. */
+/* The parts of scene_read that have files of their own; output.index may be 0. */
 void scene_read_entries(struct scene *scene, struct deck_node root);
 void scene_read_output(struct scene *scene, struct deck_node output);
+
+extern const struct section section_solver, section_boundary, section_initial, section_output;
 
 /* Finds the nodes of every selection; spacing [m] as in selection.h.  Dies where there are none, and where
  * a node is held, or set, twice along one direction. */

@@ -4,63 +4,96 @@
 
 #include <stdlib.h>
 
-/* Keys of the kinds, their units, the largest value that makes sense, and what a value may depend on. */
-static const struct {
-    const char *key, *unit;
-    double largest;
-    int allowed;
-} kinds[SCENE_KINDS] = {
-    {"velocity", "m/s", 1e5, VALUE_IN_SPACE | VALUE_IN_TIME},
-    {"displacement", "m", 1e3, VALUE_IN_SPACE | VALUE_IN_TIME},
-    {"force", "N", 1e15, VALUE_IN_TIME | VALUE_STEPPED},
-    {"body_force", "N/m3", 1e18, VALUE_IN_SPACE | VALUE_IN_TIME | VALUE_STEPPED},
+struct given {
+    struct deck_node selector[SELECTORS], value[SCENE_KINDS];
+    int direction;
+};
+#define AT(member) offsetof(struct given, member)
+#define VALUE(kind, unit, most)                                                                    \
+    KEY_NODE, AT(value) + (kind) * sizeof(struct deck_node), unit, -(most), most, .form = "VALUE"
+
+static const char *const directions[] = {"x", "y", "z", NULL};
+
+/* The last rows are the kinds, in their order; those of initial end before the forces. */
+static const struct key rows[] = {
+    SELECTION_KEYS(AT(selector)),
+    {"direction", KEY_CHOICE, AT(direction), .names = directions, .required = true,
+     .help = "across it the nodes are free"},
+    {"velocity", VALUE(SCENE_VELOCITY, "m/s", 1e5), .help = "of each node"},
+    {"displacement", VALUE(SCENE_DISPLACEMENT, "m", 1e3), .help = "of each node"},
+    {"force", VALUE(SCENE_FORCE, "N", 1e15),
+     .help = "of all nodes, spread evenly over their volume"},
+    {"body_force", VALUE(SCENE_BODY_FORCE, "N/m3", 1e18), .help = "per volume"},
+};
+enum { FIRST_KIND = SELECTORS + 1 };
+
+const struct section section_boundary = {
+    .path = "boundary",
+    .help =
+        "A list of entries with one selector, a direction and one of the four values: a number "
+        "with its unit; an expression in x, y, z (reference position) and t, in SI, of force in t "
+        "alone; {ramp: TIME, to: NUMBER}; or, of forces, {initial: NUMBER, increment: NUMBER, "
+        "every: N steps}.  Expressions know + - * / ^, comparisons, && ||, c ? a : b, sin cos tan "
+        "sqrt exp ln abs min max and their like; they are tried at all nodes before the first "
+        "step.  Loads add up; a node held twice along one direction is an error.  The grips are, "
+        "of the selections that move along x as one, the leftmost and the rightmost, where these "
+        "lie one beside the other.",
+    .keys = {FIRST_KIND + SCENE_KINDS, rows}};
+
+const struct section section_initial = {
+    .path = "initial",
+    .help =
+        "A list of entries with selector and direction as in boundary: where the nodes start, a "
+        "number or an expression in x, y, z.  It stands over 'start: affine', what boundary "
+        "holds stands over it.",
+    .keys = {FIRST_KIND + SCENE_FORCE, rows}};
+
+/* What a value may depend on. */
+static const int allowed[SCENE_KINDS] = {
+    [SCENE_VELOCITY] = VALUE_IN_SPACE | VALUE_IN_TIME,
+    [SCENE_DISPLACEMENT] = VALUE_IN_SPACE | VALUE_IN_TIME,
+    [SCENE_FORCE] = VALUE_IN_TIME | VALUE_STEPPED,
+    [SCENE_BODY_FORCE] = VALUE_IN_SPACE | VALUE_IN_TIME | VALUE_STEPPED,
 };
 
-static enum scene_kind find_kind(struct deck_node entry, int count)
+static enum scene_kind find_kind(struct deck_node entry, const struct deck_node value[],
+                                 bool initial)
 {
     int kind = -1;
-    for (int k = 0; k < count; k++) {
-        if (!deck_has(entry, kinds[k].key)) continue;
+    for (int k = 0; k < SCENE_KINDS; k++) {
+        if (value[k].index == 0) continue;
         if (kind >= 0)
-            deck_error(deck_get(entry, kinds[k].key), "'%s' beside '%s', expected one of them",
-                       kinds[k].key, kinds[kind].key);
+            deck_error(value[k], "'%s' beside '%s', expected one of them",
+                       rows[FIRST_KIND + k].name, rows[FIRST_KIND + kind].name);
         kind = k;
     }
     if (kind < 0)
         deck_error(entry, "expected one of: velocity, displacement%s",
-                   count > SCENE_FORCE ? ", force, body_force" : "");
+                   initial ? "" : ", force, body_force");
     return (enum scene_kind)kind;
 }
 
 static struct scene_entry read_entry(struct deck_node where, bool initial)
 {
-    static const char *const directions[] = {"x", "y", "z"};
-    struct scene_entry entry = {.where = where,
-                                .nodes.selection = selection_read(where),
-                                .direction =
-                                    deck_choice(deck_get(where, "direction"), directions, 3),
-                                .kind = find_kind(where, initial ? SCENE_FORCE : SCENE_KINDS)};
-    const int allowed = kinds[entry.kind].allowed & (initial ? VALUE_IN_SPACE : ~0);
-    const double largest = kinds[entry.kind].largest;
-    entry.value = value_read(deck_get(where, kinds[entry.kind].key), kinds[entry.kind].unit,
-                             -largest, largest, allowed);
-    return entry;
+    struct given given = {0};
+    keys_read(where, initial ? &section_initial : &section_boundary, 0, 0, &given, NULL);
+    const enum scene_kind kind = find_kind(where, given.value, initial);
+    const struct key *row = &rows[FIRST_KIND + kind];
+    return (struct scene_entry){.where = where,
+                                .nodes.selection = selection_read(where, given.selector),
+                                .direction = given.direction,
+                                .kind = kind,
+                                .value =
+                                    value_read(given.value[kind], row->unit, row->low, row->high,
+                                               allowed[kind] & (initial ? VALUE_IN_SPACE : ~0))};
 }
 
 static struct scene_entry *read_list(struct deck_node list, bool initial, int *count)
 {
+    if (list.index == 0) return NULL;
     *count = deck_count(list);
     struct scene_entry *entries = memory_new((size_t)*count, sizeof *entries);
-    for (int i = 0; i < *count; i++) {
-        struct deck_node entry = deck_item(list, i);
-        if (initial)
-            deck_keys(entry, (const char *const[]){SELECTION_KEYS, "direction", "velocity",
-                                                   "displacement", NULL});
-        else
-            deck_keys(entry, (const char *const[]){SELECTION_KEYS, "direction", "velocity",
-                                                   "displacement", "force", "body_force", NULL});
-        entries[i] = read_entry(entry, initial);
-    }
+    for (int i = 0; i < *count; i++) entries[i] = read_entry(deck_item(list, i), initial);
     return entries;
 }
 
@@ -77,10 +110,8 @@ static void add_ramp(struct scene *scene)
 
 void scene_read_entries(struct scene *scene, struct deck_node root)
 {
-    if (deck_has(root, "boundary"))
-        scene->boundary = read_list(deck_get(root, "boundary"), false, &scene->n_boundary);
-    if (deck_has(root, "initial"))
-        scene->initial = read_list(deck_get(root, "initial"), true, &scene->n_initial);
+    scene->boundary = read_list(deck_find(root, "boundary"), false, &scene->n_boundary);
+    scene->initial = read_list(deck_find(root, "initial"), true, &scene->n_initial);
     if (scene->start == START_RAMP) add_ramp(scene);
 }
 

@@ -1,5 +1,4 @@
 /* The deck's section output: records, columns and frames. */
-#include "fields.h"
 #include "memory.h"
 #include "node_values.h"
 #include "scene.h"
@@ -7,22 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-static void read_fields(struct scene_fields *fields, struct deck_node map)
-{
-    deck_keys(map, (const char *const[]){"frames", "every", "variables", NULL});
-    if (deck_has(map, "frames") == deck_has(map, "every"))
-        deck_error(map, "give one of frames and every");
-    if (deck_has(map, "frames"))
-        fields->frames = (int)deck_integer(deck_get(map, "frames"), 1, 1000000);
-    else
-        fields->every = value_every(deck_get(map, "every"), false);
-    struct deck_node list = deck_get(map, "variables");
-    fields->n_variables = deck_count(list);
-    if (deck_count(list) == 0) deck_error(list, "no variables; for no fields leave out 'fields'");
-    fields->variables = memory_new((size_t)deck_count(list), sizeof(int));
-    for (int i = 0; i < deck_count(list); i++)
-        fields->variables[i] = deck_choice(deck_item(list, i), field_names, field_count);
-}
+/* --- columns ---------------------------------------------------------------------------------- */
 
 /* The name becomes a column: one word that a table of text can hold. */
 static const char *read_name(struct deck_node where)
@@ -37,33 +21,62 @@ static const char *read_name(struct deck_node where)
     return name;
 }
 
+static const char *const reductions[] = {"sum", "mean", "min", "max", NULL};
+
+struct given {
+    struct scene_quantity quantity;
+    struct deck_node name, value, selector[SELECTORS];
+};
+#define OF(member) offsetof(struct given, member)
+
+static const struct key quantity_keys[] = {
+    {"name", KEY_NODE, OF(name), .form = "NAME", .required = true,
+     .help = "of the column: up to 32 letters, digits and _"},
+    {"quantity", KEY_NODE, OF(value), .form = "a value of nodes, with its component",
+     .required = true,
+     .help = "such as stress_xx, displacement_x, damage; forces are those on nodes, in N"},
+    {"reduce", KEY_CHOICE, OF(quantity.reduction), .names = reductions,
+     .otherwise = "required without nearest", .help = "of the nodes selected; mean: by volume"},
+    {"nearest", KEY_NODE, OF(quantity.place), .form = "[x, y, z]",
+     .help = "in place of reduce and selector: the node nearest to a place, in m or spacings"},
+    SELECTION_KEYS(OF(selector)),
+};
+static const struct section section_quantity = {
+    .path = "output.quantities",
+    .help = "Each entry is a column of the history: a quantity of some nodes, or of one.  The "
+            "force that a support exerts is minus the sum of force and external_force over its "
+            "nodes, as long as they are not accelerated.",
+    .keys = KEYS(quantity_keys)};
+
+/* One node has nothing to be reduced. */
+static void refuse_beside_nearest(struct deck_node where)
+{
+    for (int i = 0; i < deck_count(where); i++) {
+        const char *key = deck_key(where, i);
+        if (strcmp(key, "name") != 0 && strcmp(key, "quantity") != 0 && strcmp(key, "nearest") != 0)
+            deck_error(deck_value(where, i), "'%s' beside 'nearest', which is one node", key);
+    }
+}
+
 static struct scene_quantity read_quantity(struct deck_node where)
 {
-    static const char *const reductions[] = {"sum", "mean", "min", "max"};
-    deck_keys(where,
-              (const char *const[]){"name", "quantity", "reduce", "nearest", SELECTION_KEYS, NULL});
-    struct scene_quantity quantity = {
-        .where = where,
-        .name = read_name(deck_get(where, "name")),
-        .value = deck_choice(deck_get(where, "quantity"), node_value_names, node_value_count)};
-    if (deck_has(where, "nearest")) {
-        quantity.place = deck_get(where, "nearest");
-        for (int i = 0; i < deck_count(where); i++)
-            if (strcmp(deck_key(where, i), "name") != 0 &&
-                strcmp(deck_key(where, i), "quantity") != 0 &&
-                strcmp(deck_key(where, i), "nearest") != 0)
-                deck_error(deck_value(where, i), "'%s' beside 'nearest', which is one node",
-                           deck_key(where, i));
-        return quantity;
+    struct given given = {0};
+    keys_read(where, &section_quantity, 0, 0, &given, NULL);
+    given.quantity.where = where;
+    given.quantity.name = read_name(given.name);
+    given.quantity.value = node_component_read(given.value);
+    if (given.quantity.place.index)
+        refuse_beside_nearest(where);
+    else {
+        deck_get(where, "reduce"); /* dies */
+        given.quantity.nodes.selection = selection_read(where, given.selector);
     }
-    quantity.reduction =
-        (enum scene_reduction)deck_choice(deck_get(where, "reduce"), reductions, 4);
-    quantity.nodes.selection = selection_read(where);
-    return quantity;
+    return given.quantity;
 }
 
 static void read_quantities(struct scene *scene, struct deck_node list)
 {
+    if (list.index == 0) return;
     scene->n_quantities = deck_count(list);
     scene->quantities = memory_new((size_t)scene->n_quantities, sizeof *scene->quantities);
     for (int i = 0; i < scene->n_quantities; i++) {
@@ -75,11 +88,67 @@ static void read_quantities(struct scene *scene, struct deck_node list)
     }
 }
 
+/* --- fields, and the section ------------------------------------------------------------------ */
+
+#define AT(member) offsetof(struct scene, member)
+
+static const struct variant *value_words(int i)
+{
+    enum { MOST = 64 };
+    static struct variant words[MOST]; /* a copy of the table, which does not change */
+    const struct node_value *value = node_value(i);
+    if (!value || i >= MOST) return NULL;
+    words[i] = (struct variant){.name = value->name, .help = value->help};
+    return &words[i];
+}
+
+static const struct section section_values = {
+    .path = "output.fields.variables",
+    .help = "Values of nodes.  As a quantity a vector or tensor has its component behind: "
+            "displacement_x, stress_xx (yy, zz, xy, yz, zx).",
+    .chooser = "NAME",
+    .variant = value_words,
+    .usual = -1};
+
+static const struct key fields_keys[] = {
+    {"frames", KEY_INTEGER, AT(fields.frames), NULL, 1, 1e6, .otherwise = "by every",
+     .help = "beside the start, roughly, and the end"},
+    {"every", KEY_NODE, AT(fields.given.every), .form = "N steps", .help = "in place of frames"},
+    {"variables", KEY_NODE, AT(fields.given.variables), .form = "[NAME, ...]", .required = true,
+     .section = &section_values, .help = "values of nodes"},
+};
+static const struct section section_fields = {
+    .path = "output.fields",
+    .help = "Fields for ParaView, written where hssolve is given -o FILE.",
+    .keys = KEYS(fields_keys)};
+
+static const struct key output_keys[] = {
+    {"history", KEY_INTEGER, AT(history), NULL, 1, 1e7, .usual = 500,
+     .help = "number of records, roughly; denser at the start"},
+    {"quantities", KEY_NODE, AT(columns), .form = "list of mappings", .section = &section_quantity,
+     .help = "columns of your own"},
+    {"fields", KEY_SECTION, .section = &section_fields, .help = "pictures of the body"},
+};
+const struct section section_output = {
+    .path = "output", .help = "What is written of a run.", .keys = KEYS(output_keys)};
+
+static void finish_fields(struct scene_fields *fields, struct deck_node map)
+{
+    const struct deck_node list = fields->given.variables;
+    if ((fields->frames > 0) == (fields->given.every.index != 0))
+        deck_error(map, "give one of frames and every");
+    if (!fields->frames) fields->every = value_every(fields->given.every, false);
+    fields->n_variables = deck_count(list);
+    if (deck_count(list) == 0) deck_error(list, "no variables; for no fields leave out 'fields'");
+    fields->variables = memory_new((size_t)deck_count(list), sizeof(int));
+    for (int i = 0; i < deck_count(list); i++)
+        fields->variables[i] = node_value_read(deck_item(list, i));
+}
+
 void scene_read_output(struct scene *scene, struct deck_node output)
 {
-    deck_keys(output, (const char *const[]){"history", "quantities", "fields", NULL});
-    if (deck_has(output, "history"))
-        scene->history = (int)deck_integer(deck_get(output, "history"), 1, 10000000);
-    if (deck_has(output, "quantities")) read_quantities(scene, deck_get(output, "quantities"));
-    if (deck_has(output, "fields")) read_fields(&scene->fields, deck_get(output, "fields"));
+    keys_read(output, &section_output, 0, 0, scene, NULL);
+    read_quantities(scene, scene->columns);
+    if (scene->fields.given.variables.index)
+        finish_fields(&scene->fields, deck_get(output, "fields"));
 }

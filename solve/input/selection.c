@@ -7,12 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const keys[] = {SELECTION_KEYS};
+static const struct key keys[SELECTORS] = {SELECTION_KEYS(0)};
 static const char *const axes[] = {"x", "y", "z"};
-enum { KEYS = sizeof keys / sizeof *keys };
 
 /* Of lengths in a deck: no specimen is larger [m]. */
-static const double farthest = 1e6;
+#define FARTHEST 1e6
 /* What counts as the same place, in spacings. */
 static const double slack = 1e-6;
 
@@ -28,18 +27,18 @@ static void check_box(struct deck_node box)
         deck_error(box, "a box is two corners: [[x, y, z], [x, y, z]], or of [x, y] for any z");
 }
 
-struct selection selection_read(struct deck_node map)
+struct selection selection_read(struct deck_node map, const struct deck_node selector[SELECTORS])
 {
     struct selection selection = {0};
     int found = 0;
-    for (int k = 0; k < KEYS; k++) {
-        struct deck_node where = deck_find(map, keys[k]);
-        if (where.index == 0) continue;
+    for (int k = 0; k < SELECTORS; k++) {
+        if (selector[k].index == 0) continue;
         if (found++ > 0)
-            deck_error(where, "'%s' beside '%s', expected exactly one of: set, block, box, where",
-                       keys[k], keys[selection.kind]);
+            deck_error(selector[k],
+                       "'%s' beside '%s', expected exactly one of: set, block, box, where",
+                       keys[k].name, keys[selection.kind].name);
         selection.kind = (enum selection_kind)k;
-        selection.where = where;
+        selection.where = selector[k];
     }
     if (!found) deck_error(map, "which nodes? Expected exactly one of: set, block, box, where");
     if (selection.kind == SELECT_BOX)
@@ -60,7 +59,7 @@ void selection_free(struct selection *selection)
 char *selection_name(const struct selection *selection)
 {
     if (selection->kind == SELECT_BOX) return memory_text("box");
-    return memory_print("%s %s", keys[selection->kind], deck_string(selection->where));
+    return memory_print("%s %s", keys[selection->kind].name, deck_string(selection->where));
 }
 
 /* "x = -0.1 to 0.1 m, y = ..." of the nodes. */
@@ -99,95 +98,75 @@ static int find_phase(const struct selection *selection, const struct domain *do
     return phase;
 }
 
-static int64_t take_block(const struct selection *selection, const struct domain *domain, int phase,
-                          int64_t *nodes)
+/* Of a box, slack included; without a z of its own it has any. */
+static void find_corners(struct deck_node box, double spacing, double corner[2][3])
 {
-    int64_t count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (domain->phase[i] == phase) nodes[count++] = i;
-    if (count == 0)
-        deck_error(selection->where, "no node is in block '%s'", deck_string(selection->where));
-    return count;
-}
-
-static int64_t take_box(const struct selection *selection, const struct domain *domain,
-                        double spacing, int64_t *nodes)
-{
-    const double *const x[] = {domain->x, domain->y, domain->z};
-    const struct deck_node box = selection->where;
-    const int dimensions = deck_count(deck_item(box, 0));
-    double corner[2][3];
-    int64_t count = 0;
-    for (int a = 0; a < dimensions; a++) {
-        for (int end = 0; end < 2; end++)
-            corner[end][a] =
-                deck_length(deck_item(deck_item(box, end), a), spacing, -farthest, farthest);
+    const struct key row = {"box", KEY_LENGTH, .low = -FARTHEST, .high = FARTHEST,
+                            .size = deck_count(deck_item(box, 0))};
+    corner[0][2] = -INFINITY;
+    corner[1][2] = INFINITY;
+    for (int end = 0; end < 2; end++) keys_list(&row, deck_item(box, end), spacing, corner[end]);
+    for (int a = 0; a < row.size; a++) {
         if (corner[0][a] > corner[1][a])
             deck_error(deck_item(deck_item(box, 1), a),
                        "the second corner's %s, %g m, is below the first one's, %g m", axes[a],
                        corner[1][a], corner[0][a]);
+        corner[0][a] -= slack * spacing;
+        corner[1][a] += slack * spacing;
     }
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        bool inside = true;
-        for (int a = 0; a < dimensions; a++)
-            inside = inside && x[a][i] >= corner[0][a] - slack * spacing &&
-                     x[a][i] <= corner[1][a] + slack * spacing;
-        if (inside) nodes[count++] = i;
-    }
-    if (count == 0)
-        deck_error(box, "no node lies in this box; the nodes are at %s", extent(domain));
-    return count;
 }
 
-static int64_t take_where(const struct selection *selection, const struct domain *domain,
-                          int64_t *nodes)
+static bool lies_between(double corner[2][3], const double x[3])
 {
-    int64_t count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        const double x[] = {domain->x[i], domain->y[i], domain->z[i]};
-        if (expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0)
-            nodes[count++] = i;
-    }
-    if (count == 0)
-        deck_error(selection->where, "expression '%.200s' holds at no node; the nodes are at %s",
-                   deck_string(selection->where), extent(domain));
-    return count;
+    bool inside = true;
+    for (int a = 0; a < 3; a++) inside = inside && x[a] >= corner[0][a] && x[a] <= corner[1][a];
+    return inside;
+}
+
+static _Noreturn void refuse_empty(const struct selection *selection, const struct domain *domain)
+{
+    if (selection->kind == SELECT_BLOCK)
+        deck_error(selection->where, "no node is in block '%s'", deck_string(selection->where));
+    if (selection->kind == SELECT_BOX)
+        deck_error(selection->where, "no node lies in this box; the nodes are at %s",
+                   extent(domain));
+    deck_error(selection->where, "expression '%.200s' holds at no node; the nodes are at %s",
+               deck_string(selection->where), extent(domain));
 }
 
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
                          double spacing, int64_t *count)
 {
-    const struct node_set *set = selection->kind == SELECT_SET ? find_set(selection, domain) : NULL;
-    const int phase = selection->kind == SELECT_BLOCK ? find_phase(selection, domain) : 0;
+    const enum selection_kind kind = selection->kind;
+    const struct node_set *set = kind == SELECT_SET ? find_set(selection, domain) : NULL;
+    const int phase = kind == SELECT_BLOCK ? find_phase(selection, domain) : 0;
     int64_t *all = memory_new((size_t)domain->n_nodes, sizeof *all);
-    switch (selection->kind) {
-    case SELECT_SET:
-        *count = set->count;
-        memcpy(all, set->nodes, (size_t)set->count * sizeof *all);
-        break;
-    case SELECT_BLOCK:
-        *count = take_block(selection, domain, phase, all);
-        break;
-    case SELECT_BOX:
-        *count = take_box(selection, domain, spacing, all);
-        break;
-    case SELECT_WHERE:
-        *count = take_where(selection, domain, all);
-        break;
+    double corner[2][3];
+    if (kind == SELECT_BOX) find_corners(selection->where, spacing, corner);
+    *count = 0;
+    for (int64_t i = 0; !set && i < domain->n_nodes; i++) {
+        const double x[] = {domain->x[i], domain->y[i], domain->z[i]};
+        if (kind == SELECT_BLOCK ? domain->phase[i] == phase
+            : kind == SELECT_BOX
+                ? lies_between(corner, x)
+                : expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0)
+            all[(*count)++] = i;
     }
+    if (set) *count = set->count;
+    if (*count == 0) refuse_empty(selection, domain);
     int64_t *nodes = memory_new((size_t)*count, sizeof *nodes);
-    memcpy(nodes, all, (size_t)*count * sizeof *nodes);
+    memcpy(nodes, set ? set->nodes : all, (size_t)*count * sizeof *nodes);
     free(all);
     return nodes;
 }
 
 int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing)
 {
+    static const struct key row = {"nearest", KEY_LENGTH, .low = -FARTHEST, .high = FARTHEST,
+                                   .size = 3};
     double x[3], best = INFINITY;
     int64_t node = 0;
-    if (!deck_is_list(place) || deck_count(place) != 3) deck_error(place, "a place is [x, y, z]");
-    for (int a = 0; a < 3; a++)
-        x[a] = deck_length(deck_item(place, a), spacing, -farthest, farthest);
+    keys_list(&row, place, spacing, x);
     for (int64_t i = 0; i < domain->n_nodes; i++) {
         const double away =
             hypot(hypot(domain->x[i] - x[0], domain->y[i] - x[1]), domain->z[i] - x[2]);

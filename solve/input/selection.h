@@ -13,11 +13,26 @@
 #include "deck.h"
 #include "domain.h"
 #include "expression.h"
-
-/* For the list of keys of a mapping that holds a selection: deck_keys(map, {SELECTION_KEYS, ..., NULL}). */
-#define SELECTION_KEYS "set", "block", "box", "where"
+#include "keys.h"
 
 enum selection_kind { SELECT_SET, SELECT_BLOCK, SELECT_BOX, SELECT_WHERE };
+enum { SELECTORS = SELECT_WHERE + 1 };
+
+/* First rows of a section whose mappings hold a selection; at: where in its struct selection_read may find
+ * struct deck_node selector[SELECTORS]. */
+#define SELECTOR(at, kind, name, form_of_it, words)                                                \
+    {                                                                                              \
+        name, KEY_NODE, (at) + kind * sizeof(struct deck_node), .form = form_of_it, .help = words  \
+    }
+#define SELECTION_KEYS(at)                                                                         \
+    SELECTOR(at, SELECT_SET, "set", "NAME", "node set of the domain"),                             \
+        SELECTOR(at, SELECT_BLOCK, "block", "NAME", "phase"),                                      \
+        SELECTOR(at, SELECT_BOX, "box", "[[x, y, z], [x, y, z]]",                                  \
+                 "two corners, in m or spacings, or of [x, y] for any z; faces (within 1e-6 "      \
+                 "spacings) belong to it"),                                                        \
+        SELECTOR(at, SELECT_WHERE, "where", "EXPRESSION",                                          \
+                 "in x, y, z [m, of the unloaded body], true where it is not 0; it compares to "   \
+                 "the last bit, so put limits between nodes")
 
 struct selection {
     enum selection_kind kind;
@@ -25,9 +40,9 @@ struct selection {
     struct expression *expression; /* else NULL */
 };
 
-/* Reads it from a mapping with other keys beside.  Dies where there is none or more than one, and where an
- * expression or a box is malformed. */
-struct selection selection_read(struct deck_node map);
+/* Of the four selectors of a mapping, as its rows have found them.  Dies where there is none or more than one,
+ * and where an expression or a box is malformed. */
+struct selection selection_read(struct deck_node map, const struct deck_node selector[SELECTORS]);
 void selection_free(struct selection *selection);
 
 /* "set grip_left", "block UFG", "box", "where x > 0"; the caller frees it. */
@@ -39,8 +54,8 @@ char *selection_name(const struct selection *selection);
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
                          double spacing, int64_t *count);
 
-/* The node nearest to a place [x, y, z] of the deck (lengths as in a box), of several equally near within
- * 1e-6 spacings the first.  Dies where it is farther than 2 spacings: such a place is a mistake. */
+/* The node nearest to a place [x, y, z] of the deck (lengths as in a box), of several equally near within 1e-6
+ * spacings the first.  Dies where it is farther than 2 spacings: such a place is a mistake. */
 int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing);
 
 #endif

@@ -30,12 +30,17 @@ static int needs(const struct expression *expression)
     return needed;
 }
 
+static double read_number(const struct value *value, struct deck_node node)
+{
+    return deck_number(node, value->unit, value->low, value->high);
+}
+
 static void read_scalar(struct value *value, int allowed)
 {
     const char *text = deck_string(value->where);
     double number;
     if (!units_read(text, value->unit, &number) || looks_like_number(text)) {
-        value->number = deck_number(value->where, value->unit, value->low, value->high);
+        value->number = read_number(value, value->where);
         return;
     }
     value->kind = VALUE_EXPRESSION;
@@ -46,12 +51,43 @@ static void read_scalar(struct value *value, int allowed)
                    missing & VALUE_IN_TIME ? "t" : "x, y, z");
 }
 
+/* --- {ramp: ..., to: ...} and {initial: ..., increment: ..., every: ...} ------------------------------- */
+
+struct given {
+    double ramp;
+    struct deck_node to, initial, increment, every;
+};
+#define AT(member) offsetof(struct given, member)
+
+static const struct key ramp_keys[] = {
+    {"ramp", KEY_NUMBER, AT(ramp), "s", 1e-15, 1e6, .required = true, .help = "how long it rises"},
+    {"to", KEY_NODE, AT(to), .form = "NUMBER", .required = true, .help = "what it comes to"},
+};
+const struct section section_ramp = {
+    .path = "boundary.VALUE (ramp)",
+    .help = "From 0 to a number, smoothly: 10 s^3 - 15 s^4 + 6 s^5, s = t/ramp.",
+    .keys = KEYS(ramp_keys)};
+
+static const struct key steps_keys[] = {
+    {"initial", KEY_NODE, AT(initial), .form = "NUMBER", .required = true, .help = "at the start"},
+    {"increment", KEY_NODE, AT(increment), .form = "NUMBER", .required = true,
+     .help = "by which it is raised"},
+    {"every", KEY_NODE, AT(every), .form = "N steps, or equilibrium", .required = true,
+     .help =
+         "when; equilibrium: the kinetic energy has been below a thousandth of the internal one "
+         "while a wave crosses the body twice; of load steps, after each"},
+};
+const struct section section_steps = {.path = "boundary.VALUE (steps)",
+                                      .help = "A force or body_force that grows in steps.",
+                                      .keys = KEYS(steps_keys)};
+
 static void read_ramp(struct value *value)
 {
-    deck_keys(value->where, (const char *const[]){"ramp", "to", NULL});
+    struct given given;
+    keys_read(value->where, &section_ramp, 0, 0, &given, NULL);
     value->kind = VALUE_RAMP;
-    value->ramp = deck_number(deck_get(value->where, "ramp"), "s", 1e-15, 1e6);
-    value->number = deck_number(deck_get(value->where, "to"), value->unit, value->low, value->high);
+    value->ramp = given.ramp;
+    value->number = read_number(value, given.to);
 }
 
 int64_t value_every(struct deck_node where, bool equilibrium)
@@ -70,13 +106,13 @@ int64_t value_every(struct deck_node where, bool equilibrium)
 
 static void read_steps(struct value *value)
 {
-    deck_keys(value->where, (const char *const[]){"initial", "increment", "every", NULL});
-    value->kind = VALUE_STEPS;
-    value->number =
-        deck_number(deck_get(value->where, "initial"), value->unit, value->low, value->high);
+    struct given given;
+    keys_read(value->where, &section_steps, 0, 0, &given, NULL);
     const double most = value->high - value->low;
-    value->increment = deck_number(deck_get(value->where, "increment"), value->unit, -most, most);
-    value->every = value_every(deck_get(value->where, "every"), true);
+    value->kind = VALUE_STEPS;
+    value->number = read_number(value, given.initial);
+    value->increment = deck_number(given.increment, value->unit, -most, most);
+    value->every = value_every(given.every, true);
 }
 
 static _Noreturn void wrong_kind(const struct value *value, int allowed)

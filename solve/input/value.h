@@ -10,6 +10,7 @@
 
 #include "deck.h"
 #include "expression.h"
+#include "keys.h"
 
 #include <stdint.h>
 
@@ -36,6 +37,9 @@ struct value {
 struct value value_read(struct deck_node where, const char *unit, double low, double high,
                         int allowed);
 void value_free(struct value *value);
+
+/* Its two forms with keys of their own. */
+extern const struct section section_ramp, section_steps;
 
 /* "250 steps": how many; where equilibrium is true the word equilibrium, too, as 0. */
 int64_t value_every(struct deck_node where, bool equilibrium);

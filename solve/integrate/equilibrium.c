@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct equilibrium_method *const table[] = {&equilibrium_lbfgs, &equilibrium_newton,
-                                                         &equilibrium_relaxation};
-const char *const equilibrium_methods[] = {"lbfgs", "newton", "relaxation"};
-const int equilibrium_method_count = sizeof table / sizeof *table;
+#define ADDRESS(name) &equilibrium_##name
+#define IN_DECK(name) #name
+static const struct equilibrium_method *const table[] = {EQUILIBRIUM_METHODS(ADDRESS)};
+const char *const equilibrium_methods[] = {EQUILIBRIUM_METHODS(IN_DECK), NULL};
 
 static int most_common_phase(const struct lattice *lattice)
 {

@@ -9,7 +9,7 @@
  *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho          (equilibrium.3)
  *
  * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
- * grow.  To add a method: one file, one line in the table of equilibrium.c. */
+ * grow.  To add a method: one file, its name in the list below. */
 #ifndef HS_EQUILIBRIUM_H
 #define HS_EQUILIBRIUM_H
 
@@ -20,7 +20,6 @@
 struct equilibrium;
 
 struct equilibrium_method {
-    const char *name;
     int64_t usual_evaluations; /* at most, of one solution, where nobody says another number */
     bool preconditions;        /* else it takes equilibrium->bound */
     const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
@@ -58,9 +57,8 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials);
 void equilibrium_free(struct equilibrium *equilibrium);
-extern const char *const equilibrium_methods[];
+extern const char *const equilibrium_methods[]; /* ended by NULL */
 int64_t equilibrium_usual_evaluations(int method);
-extern const int equilibrium_method_count;
 
 /* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
  * body->u, too.  True where the residual is below the tolerance.  Collective. */
@@ -74,7 +72,9 @@ double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, do
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
-extern const struct equilibrium_method equilibrium_lbfgs, equilibrium_newton,
-    equilibrium_relaxation;
+/* All of them: equilibrium_NAME, each in a file of its own; the first is the default. */
+#define EQUILIBRIUM_METHODS(DO)  DO(lbfgs), DO(newton), DO(relaxation)
+#define EQUILIBRIUM_METHOD(name) equilibrium_##name
+extern const struct equilibrium_method EQUILIBRIUM_METHODS(EQUILIBRIUM_METHOD);
 
 #endif

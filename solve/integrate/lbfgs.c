@@ -175,7 +175,6 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
 }
 
 const struct equilibrium_method equilibrium_lbfgs = {
-    .name = "lbfgs",
     .usual_evaluations = 2000,
     .preconditions = true,
     .next = &equilibrium_newton,

@@ -115,7 +115,6 @@ static bool newton_solve(void *object, struct equilibrium *e)
 }
 
 const struct equilibrium_method equilibrium_newton = {
-    .name = "newton",
     .usual_evaluations = 2000,
     .preconditions = true,
     .start = newton_start,

@@ -120,18 +120,17 @@ static bool try_step(struct quasi_static *q, double dt)
 }
 
 /* The equilibrium becomes the state, which may be far from the last one. */
-static struct force_energy commit(struct equilibrium *e, double *axial)
+static struct force_energy commit(struct equilibrium *e)
 {
     if (e->integration->damage) damage_moved(e->integration->damage, INFINITY);
     struct force_energy energy = e->integration->zero;
-    if (axial) memset(axial, 0, (size_t)e->body->grid.n_sites * sizeof *axial);
     integration_force(e->integration, e->model, e->body,
-                      (struct force_mode){.commit = true, .energy = true, .axial = axial}, &energy);
+                      (struct force_mode){.commit = true, .energy = true, .record = true}, &energy);
     e->integration->residual = equilibrium_residual(e);
     return energy;
 }
 
-static void accept(struct quasi_static *q, double dt, double *axial)
+static void accept(struct quasi_static *q, double dt)
 {
     struct equilibrium *e = q->equilibrium;
     struct integration *integration = e->integration;
@@ -149,11 +148,11 @@ static void accept(struct quasi_static *q, double dt, double *axial)
     body_clear(e->body, e->body->v, 3);
     integration->step++;
     integration->time += dt;
-    struct force_energy energy = commit(e, axial);
+    struct force_energy energy = commit(e);
     balance_step(integration, e->body, e->boundary, &energy, &sums);
 }
 
-bool quasi_static_step(struct quasi_static *q, double *axial)
+bool quasi_static_step(struct quasi_static *q)
 {
     struct equilibrium *e = q->equilibrium;
     double dt = e->integration->dt;
@@ -172,9 +171,9 @@ bool quasi_static_step(struct quasi_static *q, double *axial)
             return false;
         }
     }
-    accept(q, dt, axial);
+    accept(q, dt);
     e->integration->dt = (double)e->evaluations <= EASY * (double)e->most_evaluations
-                             ? fmin(1.5 * dt, q->largest)
+                             ? fmin(QUASI_STATIC_GROWTH * dt, q->largest)
                              : dt;
     return true;
 }
@@ -184,7 +183,7 @@ void quasi_static_velocities(const struct quasi_static *q)
     vector_put(&q->equilibrium->unknowns, q->rate, q->equilibrium->body->v);
 }
 
-double quasi_static_settle(struct quasi_static *q, double *axial)
+double quasi_static_settle(struct quasi_static *q)
 {
     struct equilibrium *e = q->equilibrium;
     const double before = energy_internal(&e->integration->balance);
@@ -193,13 +192,13 @@ double quasi_static_settle(struct quasi_static *q, double *axial)
     for (double residual = INFINITY; !equilibrium_solve(e); residual = equilibrium_residual(e))
         if (!(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
     const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
-    struct force_energy energy = commit(e, axial);
+    struct force_energy energy = commit(e);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
     balance_step(e->integration, e->body, e->boundary, &energy, &none);
     return before - energy_internal(&e->integration->balance);
 }
 
-bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *record, double *axial)
+bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *record)
 {
     struct integration *integration = q->equilibrium->integration;
     struct damage *damage = integration->damage;
@@ -212,7 +211,7 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
             damage_choose(damage, record->most);
             damage_break(damage);
         }
-        const double lost = quasi_static_settle(q, axial);
+        const double lost = quasi_static_settle(q);
         if (!isfinite(lost)) return false;
         if (breaking) integration->balance.fracture += lost;
     }

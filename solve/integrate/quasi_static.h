@@ -7,6 +7,8 @@
 
 #include "equilibrium.h"
 
+#define QUASI_STATIC_GROWTH 1.5 /* of an easy step to the next */
+
 struct quasi_static {
     struct equilibrium *equilibrium;
     double largest, smallest; /* steps, s */
@@ -24,15 +26,15 @@ void quasi_static_free(struct quasi_static *quasi_static);
 
 /* One step of at most integration->dt, which becomes the length of the next; ends in a committed
  * equilibrium with the energies known.  False where none is found with the smallest step: then all is as it was
- * before.  axial as in struct force_mode.  Collective. */
-bool quasi_static_step(struct quasi_static *quasi_static, double *axial);
+ * before.  Collective. */
+bool quasi_static_step(struct quasi_static *quasi_static);
 
 /* The free components of the body's velocities become those of the last step. */
 void quasi_static_velocities(const struct quasi_static *quasi_static);
 
 /* The body comes to rest where it is held now: what it loses is returned, J; INFINITY where no equilibrium is
  * found.  Collective. */
-double quasi_static_settle(struct quasi_static *quasi_static, double *axial);
+double quasi_static_settle(struct quasi_static *quasi_static);
 
 /* Damage catches up with an accepted state while the held components stand still: nodes degrade, the worst `most`
  * of what has to break does so, the body comes to rest again, until nothing changes.  What it loses by
@@ -42,7 +44,6 @@ struct quasi_static_damage {
     int64_t rounds;     /* equilibria it took */
     double degradation; /* largest change of a node's integrity in the first round */
 };
-bool quasi_static_break(struct quasi_static *quasi_static, struct quasi_static_damage *damage,
-                        double *axial);
+bool quasi_static_break(struct quasi_static *quasi_static, struct quasi_static_damage *damage);
 
 #endif

@@ -73,7 +73,6 @@ static bool relaxation_solve(void *object, struct equilibrium *e)
 }
 
 const struct equilibrium_method equilibrium_relaxation = {
-    .name = "relaxation",
     .usual_evaluations = 20000,
     .start = relaxation_start,
     .solve = relaxation_solve,

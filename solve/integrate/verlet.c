@@ -4,7 +4,6 @@
 #include "damping.h"
 
 #include <math.h>
-#include <string.h>
 
 /* v += half_step f/rho at the strip's nodes. */
 HS_SIMD static void kick(int count, const double *restrict f,
@@ -83,7 +82,7 @@ static double half_step_power(const struct integration *integration, const struc
  * the middle of the step, and the energy of fracture is the difference of the energies there, dt v/2 back.
  * known: energy has been found with the force. */
 static void break_bonds(struct integration *integration, struct body *body, struct model *model,
-                        double *axial, bool known, struct force_energy *energy)
+                        bool record, bool known, struct force_energy *energy)
 {
     if (!integration->damage || !damage_find(integration->damage)) return;
     if (!known) {
@@ -92,16 +91,16 @@ static void break_bonds(struct integration *integration, struct body *body, stru
     }
     const double before = integration_held_energy(energy) + half_step_power(integration, body);
     damage_break(integration->damage);
-    if (axial) memset(axial, 0, (size_t)body->grid.n_sites * sizeof *axial);
     *energy = integration->zero;
     integration_force(integration, model, body,
-                      (struct force_mode){.commit = true, .energy = true, .axial = axial}, energy);
+                      (struct force_mode){.commit = true, .energy = true, .record = record},
+                      energy);
     integration->balance.fracture +=
         before - integration_held_energy(energy) - half_step_power(integration, body);
 }
 
 void verlet_step(struct integration *integration, struct body *body, struct boundary *boundary,
-                 struct model *model, bool energies, double *axial)
+                 struct model *model, bool energies, bool record)
 {
     struct balance_sums sums = {integration->kinetic_zero, integration->kinetic_zero};
     struct force_energy energy = integration->zero;
@@ -118,9 +117,9 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
 
     loads_set(&boundary->loads, body, integration->time);
     integration_force(integration, model, body,
-                      (struct force_mode){.commit = true, .energy = energies, .axial = axial},
+                      (struct force_mode){.commit = true, .energy = energies, .record = record},
                       &energy);
-    break_bonds(integration, body, model, axial, energies, &energy);
+    break_bonds(integration, body, model, record, energies, &energy);
     if (integration->damage) damage_grow(integration->damage);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     half_kick(integration, body);

@@ -11,8 +11,8 @@
 #include "integration.h"
 
 /* One step.  energies: the balance becomes that at its end; evaluating it costs, and changes no motion.
- * axial as in struct force_mode.  Collective. */
+ * record as in struct force_mode.  Collective. */
 void verlet_step(struct integration *integration, struct body *body, struct boundary *boundary,
-                 struct model *model, bool energies, double *axial);
+                 struct model *model, bool energies, bool record);
 
 #endif

@@ -1,6 +1,7 @@
 #include "model.h"
 
 #include "memory.h"
+#include "state.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -54,9 +55,9 @@ void model_force(struct model *model, struct body *body, struct force_mode mode,
     model->formulation->force(model->self, body, mode, energy);
 }
 
-void model_prepare(struct model *model, struct body *body, double *axial, int rows)
+void model_prepare(struct model *model, struct body *body, int rows)
 {
-    model->formulation->prepare(model->self, body, axial, rows);
+    if (model->formulation->prepare) model->formulation->prepare(model->self, body, rows);
 }
 
 const struct strips *model_strips(const struct model *model, const struct body *body)
@@ -69,6 +70,36 @@ void model_observe(struct model *model, const struct body *body, const struct st
                    struct node_state *state)
 {
     model->formulation->observe(model->self, body, strip, state);
+}
+
+static const struct state plastic_strain = STATE_PLASTIC_STRAIN;
+
+const struct state *model_known_state(int i)
+{
+    return i == 0 ? &plastic_strain : NULL;
+}
+
+int model_state_number(const char *name)
+{
+    for (int i = 0; model_known_state(i); i++)
+        if (strcmp(model_known_state(i)->name, name) == 0) return i;
+    return -1;
+}
+
+bool model_has_state(const struct model *model, int number)
+{
+    return number == 0 && model->formulation->plastic_strain;
+}
+
+const double *model_state(const struct model *model, const struct strip *strip, int number,
+                          int component, double *buffer)
+{
+    const double *kept = model_has_state(model, number)
+                             ? model->formulation->plastic_strain(model->self, strip)
+                             : NULL;
+    for (int i = 0; !kept && i < strip->count; i++)
+        buffer[i] = component < 3 ? model_known_state(number)->initial : 0;
+    return kept ? kept : buffer;
 }
 
 /* Bonds of one layer have no force across it; the strain that is held at zero there has a stress. */
@@ -102,6 +133,7 @@ void node_state_from_nominal(const struct body *body, const struct strip *strip,
             F[k] = state->H[k][i] + (k % 4 == 0);
             P[k] = body->S[k][strip->site + i];
         }
+        state->nominal[i] = P[0];
         double J = F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
                    F[2] * (F[3] * F[7] - F[4] * F[6]);
         for (int k = 0; k < 6; k++) {

@@ -14,12 +14,13 @@
 
 struct bonds;
 struct bond_strip;
+struct state;
 
 struct force_mode {
-    bool commit;   /* plastic state moves on */
-    bool frozen;   /* no yield, for the stable step */
-    bool energy;   /* sum up energies */
-    double *axial; /* where not NULL: nominal stress P_xx of each node is added here (box field) */
+    bool commit; /* plastic state moves on */
+    bool frozen; /* no yield, for the stable step */
+    bool energy; /* sum up energies */
+    bool record; /* a record follows: keep what only this force can tell of the nodes */
 };
 
 /* Sums over the whole body [J]. */
@@ -32,11 +33,18 @@ struct node_state {
     int count;
     double H[9][LANES];      /* displacement gradient, row by row */
     double cauchy[6][LANES]; /* Pa: xx yy zz xy yz zx */
-    double plastic[LANES];   /* equivalent plastic strain */
+    double nominal
+        [LANES]; /* first Piola-Kirchhoff stress xx [Pa], as of the last force with mode.record */
+    double plastic[LANES]; /* equivalent plastic strain */
 };
+
+/* Whose law gives the stress.  Of nodes: each needs a deformation gradient; the force leaves body->H as that of u, and what
+ * carries force along a bond has an integrity of its own. */
+enum stress_of { STRESS_OF_BONDS, STRESS_OF_NODES };
 
 struct formulation {
     const char *name;
+    enum stress_of stress_of;
     const char *influence;   /* the function it takes where the deck names none */
     double horizon;          /* the same, in spacings; 0: a deck names one */
     const char *const *keys; /* of the deck's solver section that only some formulations have */
@@ -51,10 +59,9 @@ struct formulation {
      * energy may be NULL where mode.energy is false.  Collective. */
     void (*force)(void *self, struct body *body, struct force_mode mode,
                   struct force_energy *energy);
-    /* Makes the nodes' states ready to be seen; axial as in struct force_mode, filled by whichever of
-     * force and prepare comes to it; rows: of the stress, 1 where only xx will be looked at, or 3.  Nothing is committed.
-     * Collective. */
-    void (*prepare)(void *self, struct body *body, double *axial, int rows);
+    /* Makes the nodes' states ready to be seen; rows: of the stress, 1 where only xx will be looked at, or 3.  Nothing is
+     * committed.  Collective.  NULL: the force has done so. */
+    void (*prepare)(void *self, struct body *body, int rows);
     void (*observe)(void *self, const struct body *body, const struct strip *strip,
                     struct node_state *state);
     /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip.  NULL: owned
@@ -91,10 +98,22 @@ int model_near(const struct model *model, const struct family *family,
 void model_start(struct model *model, const struct body *body, struct bonds *bonds);
 void model_force(struct model *model, struct body *body, struct force_mode mode,
                  struct force_energy *energy);
-void model_prepare(struct model *model, struct body *body, double *axial, int rows);
+void model_prepare(struct model *model, struct body *body, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
 void model_observe(struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
+
+/* The states of all the laws there are (state.h), each name once: number i; NULL beyond the
+ * last one.  They are known before any deck is read. */
+const struct state *model_known_state(int i);
+/* The number of the state of that name; -1: there is none. */
+int model_state_number(const char *name);
+/* Whether a material of this body has the state. */
+bool model_has_state(const struct model *model, int number);
+/* A component of the state at the nodes of one of model_strips, as last committed, [strip->count]: where it is kept, or in
+ * buffer, [LANES]; of nodes whose law has no such state what it would begin with. */
+const double *model_state(const struct model *model, const struct strip *strip, int number,
+                          int component, double *buffer);
 
 /* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S; of elastic materials in plane
  * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */

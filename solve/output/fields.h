@@ -8,14 +8,10 @@
 #include "scene.h"
 #include "spool.h"
 
-/* What a deck may ask for: displacement, velocity, force, stress, ... */
-extern const char *const field_names[];
-extern const int field_count;
-
 struct fields;
 
-/* domain: rank 0's; elsewhere NULL.  Collective. */
-struct fields *fields_open(const struct spool *output, const struct domain *domain,
+/* domain: rank 0's, whose attributes come to say the units; elsewhere NULL.  Collective. */
+struct fields *fields_open(const struct spool *output, struct domain *domain,
                            const struct scene_fields *wanted, const struct body *body,
                            const struct damage *damage);
 void fields_write(struct fields *fields, double time, struct model *model, struct body *body);

@@ -16,8 +16,15 @@ struct gauge {
     int64_t *layer;   /* [layers] nodes of the body in each layer */
 };
 
-/* What the sums over the phases count, in this order. */
-enum { STRESS, TRUE_STRESS, STRAIN, PLASTIC, QUANTITIES };
+const struct gauge_mean gauge_means[] = {
+    {"stress", "Pa", offsetof(struct node_state, nominal), 1e13,
+     "nominal axial stress (first Piola-Kirchhoff, xx)"},
+    {"true_stress", "Pa", offsetof(struct node_state, cauchy), 1e13, "axial Cauchy stress"},
+    {"strain", "1", offsetof(struct node_state, H), 1e3, "axial nominal strain F_xx - 1"},
+    {"plastic_strain", "1", offsetof(struct node_state, plastic), 1e3, "equivalent plastic strain"},
+};
+enum { MEANS = sizeof gauge_means / sizeof *gauge_means };
+const int gauge_mean_count = MEANS;
 
 static bool between(const struct gauge *gauge, const struct lattice *lattice, double x)
 {
@@ -118,8 +125,13 @@ struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct 
                                  values[1] / (double)gauge->right.n_all};
 }
 
+static const double *member(const struct node_state *node, size_t offset)
+{
+    return (const double *)((const char *)node + offset);
+}
+
 static void add_strip(const struct gauge *gauge, const struct body *body, const struct strip *strip,
-                      const struct node_state *node, const double *axial, struct exact_sum *sums,
+                      const struct node_state *node, struct exact_sum *sums,
                       struct exact_sum *sections)
 {
     for (int i = 0; i < strip->count; i++) {
@@ -130,12 +142,10 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         double section = (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
         exact_sum_add(&sections[layer(body->lattice, x[0])], section);
         if (!between(gauge, body->lattice, x[0])) continue;
-        struct exact_sum *phase = sums + body->grid.phase[site] * QUANTITIES;
+        struct exact_sum *phase = sums + body->grid.phase[site] * MEANS;
         const double volume = body_volume(body, site) / body->volume;
-        exact_sum_add(&phase[STRESS], volume * axial[site]);
-        exact_sum_add(&phase[TRUE_STRESS], volume * node->cauchy[0][i]);
-        exact_sum_add(&phase[STRAIN], volume * node->H[0][i]);
-        exact_sum_add(&phase[PLASTIC], volume * node->plastic[i]);
+        for (int k = 0; k < MEANS; k++)
+            exact_sum_add(&phase[k], volume * member(node, gauge_means[k].member)[i]);
     }
 }
 
@@ -154,14 +164,13 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
 }
 
 void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
-                   const double *axial, struct gauge_phase *phases, struct gauge_section *section)
+                   double *means, struct gauge_section *section)
 {
-    const int n_sums = gauge->n_phases * QUANTITIES, n_layers = layers(body->lattice);
+    const int n_sums = gauge->n_phases * MEANS, n_layers = layers(body->lattice);
     struct exact_sum *sums = memory_new((size_t)(n_sums + n_layers), sizeof *sums);
     const double nodes = (double)body->lattice->n_nodes;
-    /* Stresses stay below 1e13 Pa, strains and section ratios below 1e3. */
-    for (int k = 0; k < n_sums; k++)
-        sums[k] = exact_sum_new(nodes * (k % QUANTITIES <= TRUE_STRESS ? 1e13 : 1e3));
+    for (int k = 0; k < n_sums; k++) sums[k] = exact_sum_new(nodes * gauge_means[k % MEANS].most);
+    /* Ratios of sections stay below 1e3. */
     for (int k = 0; k < n_layers; k++) sums[n_sums + k] = exact_sum_new(nodes * 1e3);
 
     const struct strips *strips = model_strips(model, body);
@@ -169,15 +178,13 @@ void gauge_measure(const struct gauge *gauge, struct model *model, const struct 
         const struct strip *strip = &strips->items[s];
         struct node_state node;
         model_observe(model, body, strip, &node);
-        add_strip(gauge, body, strip, &node, axial, sums, sums + n_sums);
+        add_strip(gauge, body, strip, &node, sums, sums + n_sums);
     }
     double *values = memory_new((size_t)(n_sums + n_layers), sizeof *values);
     exact_sum_finish(sums, n_sums + n_layers, values);
-    for (int p = 0; p < gauge->n_phases; p++) {
-        const double *v = values + p * QUANTITIES;
-        double volume = gauge->volume[p] > 0 ? gauge->volume[p] : 1;
-        phases[p] = (struct gauge_phase){v[STRESS] / volume, v[TRUE_STRESS] / volume,
-                                         v[STRAIN] / volume, v[PLASTIC] / volume};
+    for (int k = 0; k < n_sums; k++) {
+        const double volume = gauge->volume[k / MEANS];
+        means[k] = values[k] / (volume > 0 ? volume : 1);
     }
     *section = smallest_section(gauge, body, values + n_sums);
     free(sums);

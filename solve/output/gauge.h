@@ -23,22 +23,23 @@ struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct 
 /* Volume fraction of a phase between the planes. */
 double gauge_fraction(const struct gauge *gauge, int phase);
 
-/* Mean values of one phase between the planes. */
-struct gauge_phase {
-    double stress;         /* nominal (first Piola-Kirchhoff) xx, Pa */
-    double true_stress;    /* Cauchy xx, Pa */
-    double strain;         /* F_xx - 1 */
-    double plastic_strain; /* equivalent */
+/* What is averaged over the nodes of each phase between the planes: one row, one column a phase. */
+struct gauge_mean {
+    const char *name, *unit;
+    size_t member; /* of struct node_state, [LANES] */
+    double most;   /* no node has more */
+    const char *help;
 };
+extern const struct gauge_mean gauge_means[];
+extern const int gauge_mean_count;
 
 /* Smallest section along x: over its initial size, and where [m]. */
 struct gauge_section {
     double ratio, x;
 };
 
-/* axial: nominal stress xx of each node (box field, from model_force).  phases[n_phases].
- * Collective. */
+/* means: gauge_means of the first phase, then of the next.  model_prepare goes before it.  Collective. */
 void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
-                   const double *axial, struct gauge_phase *phases, struct gauge_section *section);
+                   double *means, struct gauge_section *section);
 
 #endif

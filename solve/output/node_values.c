@@ -1,109 +1,208 @@
 #include "node_values.h"
 
+#include "damage.h"
 #include "memory.h"
+#include "model.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-const char *const node_value_names[NODE_VALUES] = {"displacement_x",   "displacement_y",
-                                                   "displacement_z",   "velocity_x",
-                                                   "velocity_y",       "velocity_z",
-                                                   "force_x",          "force_y",
-                                                   "force_z",          "external_force_x",
-                                                   "external_force_y", "external_force_z",
-                                                   "stress_xx",        "stress_yy",
-                                                   "stress_zz",        "stress_xy",
-                                                   "stress_yz",        "stress_zx",
-                                                   "von_mises",        "equivalent_plastic_strain",
-                                                   "damage",           "phase"};
-const int node_value_count = PHASE;
+/* --- sources ---------------------------------------------------------------------------------- */
 
-enum { STRESSES = 6 };
+static const double *displacement(const struct body *body, const struct damage *damage,
+                                  int component, double *room)
+{
+    (void)damage, (void)room;
+    return body->u[component];
+}
+
+static const double *velocity(const struct body *body, const struct damage *damage, int component,
+                              double *room)
+{
+    (void)damage, (void)room;
+    return body->v[component];
+}
+
+static const double *force(const struct body *body, const struct damage *damage, int component,
+                           double *room)
+{
+    (void)damage, (void)room;
+    return body->f[component];
+}
+
+static const double *external_force(const struct body *body, const struct damage *damage,
+                                    int component, double *room)
+{
+    (void)damage;
+    if (body->b[component]) return body->b[component];
+    body_clear(body, &room, 1);
+    return room;
+}
+
+static const double *phase(const struct body *body, const struct damage *damage, int component,
+                           double *room)
+{
+    (void)damage, (void)component;
+    for (int64_t i = 0; i < body->grid.n_sites; i++)
+        if (body->grid.flags[i] & SITE_OWNED) room[i] = body->grid.phase[i];
+    return room;
+}
+
+static const double *damage_of(const struct body *body, const struct damage *damage, int component,
+                               double *room)
+{
+    (void)body, (void)component;
+    damage_index(damage, room);
+    return room;
+}
+
+static void stress(const struct node_state *state, int component, double *values)
+{
+    memcpy(values, state->cauchy[component], (size_t)state->count * sizeof *values);
+}
+
+static void von_mises(const struct node_state *state, int component, double *values)
+{
+    const double(*s)[LANES] = state->cauchy;
+    (void)component;
+    for (int i = 0; i < state->count; i++) {
+        const double xy = s[0][i] - s[1][i], yz = s[1][i] - s[2][i], zx = s[2][i] - s[0][i],
+                     shear = s[3][i] * s[3][i] + s[4][i] * s[4][i] + s[5][i] * s[5][i];
+        values[i] = sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * shear);
+    }
+}
+
+static void plastic_strain(const struct node_state *state, int component, double *values)
+{
+    (void)component;
+    memcpy(values, state->plastic, (size_t)state->count * sizeof *values);
+}
+
+/* --- table ------------------------------------------------------------------------------------ */
+
+static const struct node_value table[] = {
+    {"displacement", "m", 3, .field = displacement, .help = "from the reference position"},
+    {"velocity", "m/s", 3, .field = velocity, .help = "0 in equilibria"},
+    {"force", "N/m3", 3, .density = true, .field = force,
+     .help = "inner force on a node, per volume"},
+    {"external_force", "N/m3", 3, .density = true, .field = external_force,
+     .help = "loads on a node, per volume"},
+    {"stress", "Pa", 6, .observe = stress, .help = "Cauchy stress"},
+    {"von_mises", "Pa", 1, .observe = von_mises, .help = "of the Cauchy stress"},
+    {"equivalent_plastic_strain", "1", 1, .observe = plastic_strain,
+     .help = "grows with plastic flow only"},
+    {"damage", "1", 1, .field = damage_of,
+     .help = "0 to 1: share of the family's volume that bonds no longer reach, or the loss of "
+             "stress by "
+             "ductile damage where that is more"},
+    {"phase", "1", 1, .label = true, .field = phase,
+     .help = "number of the material, in the order of the domain's blocks, from 0"},
+};
+enum { VALUES = sizeof table / sizeof *table };
+
+const struct node_value *node_value(int i)
+{
+    return i < VALUES ? &table[i] : NULL;
+}
+
+struct node_component node_component(int i)
+{
+    const struct node_value *value;
+    for (int k = 0; (value = node_value(k)); k++) {
+        if (value->label) continue;
+        if (i < value->components) return (struct node_component){value, i};
+        i -= value->components;
+    }
+    return (struct node_component){0};
+}
+
+/* --- names ------------------------------------------------------------------------------------ */
+
+static const char *suffix(struct node_component which)
+{
+    static const char *const axes[] = {"x", "y", "z"}, *const planes[] = {"xx", "yy", "zz",
+                                                                          "xy", "yz", "zx"};
+    const int components = which.value->components;
+    return components == 1 ? "" : components == 3 ? axes[which.component] : planes[which.component];
+}
+
+char *node_component_variable(struct node_component which)
+{
+    char *text = memory_print("_%s%s", which.value->name, suffix(which)), *end = text;
+    const size_t name = 1 + strlen(which.value->name);
+    for (const char *c = text; *c; c++)
+        if (*c == '_')
+            *end++ = (char)toupper((unsigned char)*++c);
+        else
+            *end++ = (char)(c < text + name ? *c : toupper((unsigned char)*c));
+    *end = '\0';
+    return text;
+}
+
+static int choose(struct deck_node word, char **names, int count)
+{
+    const int chosen = deck_choice(word, (const char *const *)names, count);
+    for (int i = 0; i < count; i++) free(names[i]);
+    free(names);
+    return chosen;
+}
+
+int node_value_read(struct deck_node word)
+{
+    int count = 0;
+    while (node_value(count)) count++;
+    char **names = memory_new((size_t)count, sizeof *names);
+    for (int i = 0; i < count; i++) names[i] = memory_text(node_value(i)->name);
+    return choose(word, names, count);
+}
+
+int node_component_read(struct deck_node word)
+{
+    int count = 0;
+    while (node_component(count).value) count++;
+    char **names = memory_new((size_t)count, sizeof *names);
+    for (int i = 0; i < count; i++) {
+        const struct node_component which = node_component(i);
+        names[i] = memory_print("%s%s%s", which.value->name, which.value->components > 1 ? "_" : "",
+                                suffix(which));
+    }
+    return choose(word, names, count);
+}
+
+/* --- fields ----------------------------------------------------------------------------------- */
 
 struct node_values {
     const struct damage *damage;
-    double *stress[STRESSES], *plastic,
-        *scalar; /* box fields; but for the last, NULL until the first look */
+    double *room; /* box field */
 };
 
 struct node_values *node_values_new(const struct body *body, const struct damage *damage)
 {
-    const size_t n = (size_t)body->grid.n_sites;
     struct node_values *values = memory_new(1, sizeof *values);
     values->damage = damage;
-    values->scalar = memory_new(n, sizeof(double));
+    values->room = memory_new((size_t)body->grid.n_sites, sizeof *values->room);
     return values;
 }
 
 void node_values_free(struct node_values *values)
 {
     if (!values) return;
-    for (int k = 0; k < STRESSES; k++) free(values->stress[k]);
-    free(values->plastic);
-    free(values->scalar);
+    free(values->room);
     free(values);
 }
 
-static void make_states(struct node_values *values, const struct body *body)
+const double *node_values_field(struct node_values *values, struct node_component which,
+                                struct model *model, const struct body *body)
 {
-    const size_t n = (size_t)body->grid.n_sites;
-    if (values->plastic) return;
-    for (int k = 0; k < STRESSES; k++) values->stress[k] = memory_new(n, sizeof(double));
-    values->plastic = memory_new(n, sizeof(double));
-}
-
-void node_values_find(struct node_values *values, struct model *model, struct body *body)
-{
-    make_states(values, body);
+    if (which.value->field)
+        return which.value->field(body, values->damage, which.component, values->room);
     const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
-        const struct strip *strip = &strips->items[s];
-        const size_t bytes = (size_t)strip->count * sizeof(double);
-        struct node_state node;
-        model_observe(model, body, strip, &node);
-        for (int k = 0; k < STRESSES; k++)
-            memcpy(values->stress[k] + strip->site, node.cauchy[k], bytes);
-        memcpy(values->plastic + strip->site, node.plastic, bytes);
+        struct node_state state;
+        model_observe(model, body, &strips->items[s], &state);
+        which.value->observe(&state, which.component, values->room + strips->items[s].site);
     }
-}
-
-static double von_mises(double *const stress[STRESSES], int64_t i)
-{
-    double xy = stress[0][i] - stress[1][i], yz = stress[1][i] - stress[2][i],
-           zx = stress[2][i] - stress[0][i];
-    double shear =
-        stress[3][i] * stress[3][i] + stress[4][i] * stress[4][i] + stress[5][i] * stress[5][i];
-    return sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * shear);
-}
-
-static double scalar(const struct node_values *values, int which, const struct body *body,
-                     int64_t site)
-{
-    switch (which) {
-    case VON_MISES:
-        return von_mises(values->stress, site);
-    case PHASE:
-        return body->grid.phase[site];
-    default:
-        return 0; /* a load along an axis without loads */
-    }
-}
-
-const double *node_values_field(struct node_values *values, int which, const struct body *body)
-{
-    if (which < VELOCITY_X) return body->u[which - DISPLACEMENT_X];
-    if (which < FORCE_X) return body->v[which - VELOCITY_X];
-    if (which < EXTERNAL_FORCE_X) return body->f[which - FORCE_X];
-    if (which < STRESS_XX && body->b[which - EXTERNAL_FORCE_X])
-        return body->b[which - EXTERNAL_FORCE_X];
-    if (which >= STRESS_XX && which < VON_MISES) return values->stress[which - STRESS_XX];
-    if (which == PLASTIC_STRAIN) return values->plastic;
-    if (which == DAMAGE) {
-        damage_index(values->damage, values->scalar);
-        return values->scalar;
-    }
-    for (int64_t i = 0; i < body->grid.n_sites; i++)
-        if (body->grid.flags[i] & SITE_OWNED) values->scalar[i] = scalar(values, which, body, i);
-    return values->scalar;
+    return values->room;
 }

@@ -1,42 +1,60 @@
-/* node_values.h - everything that is known of a node, as numbers: what fields and quantities are made of. */
+/* node_values.h - everything that is known of a node, as numbers: what fields and quantities are made of.
+ *
+ * A value is one row of the table in node_values.c: its name, unit and source.  The deck's words, the
+ * variables of a file for ParaView, their units in hspost and the table of docs/formats.md follow from it. */
 #ifndef HS_NODE_VALUES_H
 #define HS_NODE_VALUES_H
 
-#include "damage.h"
-#include "model.h"
+#include "deck.h"
 
-enum node_value {
-    DISPLACEMENT_X,                   /* and Y, Z; m */
-    VELOCITY_X = DISPLACEMENT_X + 3,  /* m/s */
-    FORCE_X = VELOCITY_X + 3,         /* inner force density, N/m^3 */
-    EXTERNAL_FORCE_X = FORCE_X + 3,   /* density of the loads, N/m^3 */
-    STRESS_XX = EXTERNAL_FORCE_X + 3, /* Cauchy, and YY, ZZ, XY, YZ, ZX; Pa */
-    VON_MISES = STRESS_XX + 6,        /* Pa */
-    PLASTIC_STRAIN,                   /* equivalent */
-    DAMAGE,
-    PHASE,
-    NODE_VALUES
-};
-
-/* In the deck's words: displacement_x, ..., phase.  Those but phase are quantities. */
-extern const char *const node_value_names[NODE_VALUES];
-extern const int node_value_count; /* of quantities */
-
-/* Whether it is one that node_values_find sees. */
-static inline bool node_value_is_state(int which)
-{
-    return which >= STRESS_XX && which <= PLASTIC_STRAIN;
-}
-
+struct body;
+struct damage;
+struct model;
+struct node_state;
 struct node_values;
 
+enum { NODE_COMPONENTS = 6 }; /* at most */
+
+struct node_value {
+    const char *name; /* in the deck: external_force; in a file: ExternalForceX */
+    const char *unit; /* SI, "1": a pure number */
+    int components;   /* 1; 3: x, y, z; 6: xx, yy, zz, xy, yz, zx */
+    bool density;     /* per volume: as a quantity it is that of the whole node, unit * m3 */
+    bool label;       /* no quantity: it says which, not how much */
+    const char *help; /* one line for the manual */
+    /* One of the two: where a component is as a box field, in *room where it has to be made; or its values in a
+     * state of nodes, [state->count]. */
+    const double *(*field)(const struct body *body, const struct damage *damage, int component,
+                           double *room);
+    void (*observe)(const struct node_state *state, int component, double *values);
+};
+
+/* NULL beyond the last one. */
+const struct node_value *node_value(int i);
+
+/* Which value a word of the deck means; dies where there is none, naming the nearest. */
+int node_value_read(struct deck_node word);
+
+/* One component as a word of the deck means it: stress_xx. */
+struct node_component {
+    const struct node_value *value;
+    int component;
+};
+/* Component i of all that can be quantities; its value is NULL beyond the last one. */
+struct node_component node_component(int i);
+/* Which of them a word of the deck means; dies as above. */
+int node_component_read(struct deck_node word);
+
+/* The variable's name in a file, a new text: StressXX. */
+char *node_component_variable(struct node_component which);
+
+/* Looks at the nodes. */
 struct node_values *node_values_new(const struct body *body, const struct damage *damage);
 void node_values_free(struct node_values *values);
 
-/* Sees the nodes' states, for the values that are such; model_prepare goes before it.  Collective. */
-void node_values_find(struct node_values *values, struct model *model, struct body *body);
-
-/* One of them (enum node_value) as a box field, good at owned nodes until the next call. */
-const double *node_values_field(struct node_values *values, int which, const struct body *body);
+/* A component as a box field, good at owned nodes until the next call; model_prepare goes before it where the value
+ * is observed. */
+const double *node_values_field(struct node_values *values, struct node_component which,
+                                struct model *model, const struct body *body);
 
 #endif

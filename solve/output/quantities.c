@@ -8,14 +8,15 @@
 #include <stdlib.h>
 
 struct quantity {
-    int value; /* enum node_value */
+    struct node_component which;
     enum scene_reduction reduction;
     struct members members;
+    double *values; /* [members.count] at a record */
 };
 
 struct quantities {
     int count;
-    bool states; /* some are of the nodes' states */
+    bool states; /* some are observed */
     struct quantity *items;
     struct node_values *nodes;
 };
@@ -28,11 +29,12 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
     quantities->items = memory_new((size_t)scene->n_quantities, sizeof *quantities->items);
     for (int k = 0; k < scene->n_quantities; k++) {
         const struct scene_quantity *wanted = &scene->quantities[k];
-        quantities->states |= node_value_is_state(wanted->value);
-        quantities->items[k] = (struct quantity){
-            .value = wanted->value,
-            .reduction = wanted->reduction,
-            .members = members_of_nodes(body, wanted->nodes.numbers, wanted->nodes.count)};
+        struct quantity *item = &quantities->items[k];
+        item->which = node_component(wanted->value);
+        item->reduction = wanted->reduction;
+        item->members = members_of_nodes(body, wanted->nodes.numbers, wanted->nodes.count);
+        item->values = memory_new((size_t)item->members.count, sizeof *item->values);
+        quantities->states |= item->which.value->observe != NULL;
     }
     if (quantities->count > 0) quantities->nodes = node_values_new(body, damage);
     return quantities;
@@ -41,7 +43,10 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
 void quantities_free(struct quantities *quantities)
 {
     if (!quantities) return;
-    for (int k = 0; k < quantities->count; k++) members_free(&quantities->items[k].members);
+    for (int k = 0; k < quantities->count; k++) {
+        members_free(&quantities->items[k].members);
+        free(quantities->items[k].values);
+    }
     free(quantities->items);
     node_values_free(quantities->nodes);
     free(quantities);
@@ -63,31 +68,22 @@ struct range {
 };
 enum { RANGE = sizeof(struct range) / sizeof(double) };
 
-static bool is_force(int value)
-{
-    return value >= FORCE_X && value < STRESS_XX;
-}
-
 /* Sums: of the values; means: of values times volumes. */
-static double term(const struct quantity *quantity, double value, double volume)
+static double term(const struct quantity *quantity, int64_t i, double volume)
 {
-    return quantity->reduction == REDUCE_MEAN ? value * volume : value;
+    return quantity->reduction == REDUCE_MEAN ? quantity->values[i] * volume : quantity->values[i];
 }
 
-static double value_of(const struct quantity *quantity, const struct body *body,
-                       const double *field, int64_t i)
-{
-    const int64_t site = quantity->members.sites[i];
-    return is_force(quantity->value) ? field[site] * body_volume(body, site) : field[site];
-}
-
-static struct range find_range(const struct quantity *quantity, const struct body *body,
+static struct range find_range(struct quantity *quantity, const struct body *body,
                                const double *field)
 {
     struct range range = {INFINITY, INFINITY, INFINITY, INFINITY};
     for (int64_t i = 0; i < quantity->members.count; i++) {
-        const double value = value_of(quantity, body, field, i),
-                     t = term(quantity, value, body_volume(body, quantity->members.sites[i]));
+        const int64_t site = quantity->members.sites[i];
+        const double volume = body_volume(body, site),
+                     value = field[site] * (quantity->which.value->density ? volume : 1);
+        quantity->values[i] = value;
+        const double t = term(quantity, i, volume);
         range.low = fmin(range.low, value);
         range.minus_high = fmin(range.minus_high, -value);
         range.low_term = fmin(range.low_term, t);
@@ -97,12 +93,15 @@ static struct range find_range(const struct quantity *quantity, const struct bod
 }
 
 /* Sum of the terms, and of the volumes. */
-static void add_up(const struct quantity *quantity, const struct body *body, const double *field,
-                   struct exact_sum sums[2])
+static void add_up(const struct quantity *quantity, const struct body *body,
+                   const struct range *range, struct exact_sum sums[2])
 {
+    const double largest = fmax(fabs(range->low_term), fabs(range->minus_high_term));
+    sums[0] = exact_sum_new((double)quantity->members.n_all * largest);
+    sums[1] = exact_sum_new(1.001 * body->volume * (double)body->n_nodes);
     for (int64_t i = 0; i < quantity->members.count; i++) {
         const double volume = body_volume(body, quantity->members.sites[i]);
-        exact_sum_add(&sums[0], term(quantity, value_of(quantity, body, field, i), volume));
+        exact_sum_add(&sums[0], term(quantity, i, volume));
         exact_sum_add(&sums[1], volume);
     }
 }
@@ -116,19 +115,13 @@ void quantities_measure(struct quantities *quantities, struct model *model, stru
     struct range *ranges = memory_new((size_t)count, sizeof *ranges);
     struct exact_sum *sums = memory_new(2 * (size_t)count, sizeof *sums);
     double *totals = memory_new(2 * (size_t)count, sizeof *totals);
-    if (quantities->states) node_values_find(quantities->nodes, model, body);
-    for (int k = 0; k < count; k++)
-        ranges[k] =
-            find_range(&quantities->items[k], body,
-                       node_values_field(quantities->nodes, quantities->items[k].value, body));
-    ranks_minimum((double *)ranges, RANGE * count);
     for (int k = 0; k < count; k++) {
-        const struct quantity *item = &quantities->items[k];
-        const double largest = fmax(fabs(ranges[k].low_term), fabs(ranges[k].minus_high_term));
-        sums[2 * k] = exact_sum_new((double)item->members.n_all * largest);
-        sums[2 * k + 1] = exact_sum_new(1.001 * body->volume * (double)body->n_nodes);
-        add_up(item, body, node_values_field(quantities->nodes, item->value, body), sums + 2 * k);
+        struct quantity *item = &quantities->items[k];
+        ranges[k] =
+            find_range(item, body, node_values_field(quantities->nodes, item->which, model, body));
     }
+    ranks_minimum((double *)ranges, RANGE * count);
+    for (int k = 0; k < count; k++) add_up(&quantities->items[k], body, &ranges[k], sums + 2 * k);
     exact_sum_finish(sums, 2 * count, totals);
     for (int k = 0; k < count; k++) {
         const double reduced[] = {[REDUCE_SUM] = totals[2 * k],

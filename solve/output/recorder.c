@@ -1,45 +1,10 @@
 #include "recorder.h"
 
-#include "broken.h"
 #include "damping.h"
 #include "memory.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Columns of a tension test are there where the scene has what they measure. */
-enum need { NOTHING, GRIPS, GAUGE };
-static const struct {
-    const char *name;
-    enum need need;
-} common[] = {
-    {"force_left_N", GRIPS},
-    {"force_right_N", GRIPS},
-    {"extension_m", GAUGE},
-    {"grip_extension_m", GRIPS},
-    {"kinetic_energy_J", NOTHING},
-    {"stored_energy_J", NOTHING},
-    {"plastic_energy_J", NOTHING},
-    {"stabilisation_energy_J", NOTHING},
-    {"damping_energy_J", NOTHING},
-    {"external_work_J", NOTHING},
-    {"energy_drift", NOTHING},
-    {"kinetic_to_internal", NOTHING},
-    {"minimum_section_ratio", GAUGE},
-    {"minimum_section_x_m", GAUGE},
-    {"gauge_left_displacement_m", GAUGE},
-    {"gauge_right_displacement_m", GAUGE},
-    {"unsteady_to_internal", NOTHING},
-    {"fracture_energy_J", NOTHING},
-    {"broken_bonds", NOTHING},
-    {"removed_nodes", NOTHING},
-    {"nodes_without_gradient", NOTHING},
-    {"quasi_static", NOTHING},
-    {"residual", NOTHING},
-    {"force_evaluations", NOTHING},
-};
-static const char *const per_phase[] = {"stress_Pa", "true_stress_Pa", "strain", "plastic_strain"};
-enum { COMMON = sizeof common / sizeof *common, PER_PHASE = sizeof per_phase / sizeof *per_phase };
 
 static void copy_attributes(struct attributes *to, const struct attributes *from)
 {
@@ -50,11 +15,6 @@ static void copy_attributes(struct attributes *to, const struct attributes *from
         else
             attributes_set_number(to, item->name, item->number);
     }
-}
-
-static bool has(const struct recorder *recorder, enum need need)
-{
-    return need == NOTHING || (need == GRIPS ? recorder->grips : recorder->gauge);
 }
 
 static void add_column(struct history *history, char *name)
@@ -72,17 +32,24 @@ static void add_quantity(struct history *history, const struct scene_quantity *q
 }
 
 struct recorder recorder_new(const struct domain *domain, int n_phases, char *const phase_names[],
-                             const struct scene *scene, bool grips, bool gauge)
+                             const struct scene *scene, unsigned has)
 {
-    struct recorder recorder = {.grips = grips, .gauge = gauge, .n_phases = n_phases};
+    struct recorder recorder = {.has = has, .n_phases = has & NEEDS_GAUGE ? n_phases : 0};
     struct history *history = &recorder.history;
-    const int most = COMMON + PER_PHASE * n_phases + scene->n_quantities;
+    const struct record empty = record_empty();
+    int count;
+    struct record_column *columns = record_columns(&empty, has, &count);
+    const int most = count + gauge_mean_count * recorder.n_phases + scene->n_quantities;
     history->columns = memory_new((size_t)most, sizeof *history->columns);
-    for (int i = 0; i < COMMON; i++)
-        if (has(&recorder, common[i].need)) add_column(history, memory_text(common[i].name));
-    for (int p = 0; gauge && p < n_phases; p++)
-        for (int k = 0; k < PER_PHASE; k++)
-            add_column(history, memory_print("%s_%s", phase_names[p], per_phase[k]));
+    for (int i = 0; i < count; i++)
+        add_column(history, column_title(columns[i].name, columns[i].unit));
+    free(columns);
+    for (int p = 0; p < recorder.n_phases; p++)
+        for (int k = 0; k < gauge_mean_count; k++) {
+            char *title = column_title(gauge_means[k].name, gauge_means[k].unit);
+            add_column(history, memory_print("%s_%s", phase_names[p], title));
+            free(title);
+        }
     for (int q = 0; q < scene->n_quantities; q++) add_quantity(history, &scene->quantities[q]);
     if (domain) copy_attributes(&history->attributes, &domain->attributes);
     return recorder;
@@ -98,21 +65,21 @@ static double *new_record(struct recorder *recorder, double time)
 {
     struct history *history = &recorder->history;
     const size_t columns = (size_t)history->n_columns;
-    if (history->n_records == recorder->room) {
-        recorder->room = 2 * recorder->room + 64;
-        double *times = memory_new((size_t)recorder->room, sizeof *times);
-        double *values = memory_new((size_t)recorder->room * columns, sizeof *values);
-        if (history->n_records > 0) {
-            memcpy(times, history->time, (size_t)history->n_records * sizeof *times);
-            memcpy(values, history->values, (size_t)history->n_records * columns * sizeof *values);
-        }
-        free(history->time);
-        free(history->values);
-        history->time = times;
-        history->values = values;
-    }
+    history->time = memory_grow(history->time, history->n_records, sizeof *history->time);
+    history->values = memory_grow(history->values, history->n_records, columns * sizeof(double));
     history->time[history->n_records] = time;
     return history->values + (size_t)history->n_records++ * columns;
+}
+
+/* more: what stands behind the columns of every history. */
+static void add_record(struct recorder *recorder, const struct record *record, const double *more)
+{
+    int count;
+    struct record_column *columns = record_columns(record, recorder->has, &count);
+    double *values = new_record(recorder, record->integration->time);
+    for (int i = 0; i < count; i++) values[i] = columns[i].value;
+    for (int i = count; i < recorder->history.n_columns; i++) values[i] = more[i - count];
+    free(columns);
 }
 
 void recorder_forget(struct recorder *recorder)
@@ -120,88 +87,37 @@ void recorder_forget(struct recorder *recorder)
     if (recorder->history.n_records > 0) recorder->history.n_records--;
 }
 
-/* Nodes without a deformation gradient: from the start, or since their bonds broke. */
-static double body_unsupported(const struct body *body)
+/* What the nodes say: of the gauge into the record and the means of phases, and the quantities. */
+static void measure(const struct gauge *gauge, struct quantities *quantities, bool moving,
+                    struct model *model, struct body *body, struct record *record, double *means,
+                    double *wanted)
 {
-    return (double)body->unsupported + (body->broken ? body->broken->n_lost : 0);
-}
-
-/* The columns that are there whatever the phases; those that are not measured are passed over. */
-static double *put_common(const struct recorder *recorder, const double values[COMMON],
-                          double *record)
-{
-    for (int i = 0; i < COMMON; i++)
-        if (has(recorder, common[i].need)) *record++ = values[i];
-    return record;
-}
-
-static double *put_phases(const struct recorder *recorder, const struct gauge_phase *phases,
-                          double *record)
-{
-    for (int p = 0; recorder->gauge && p < recorder->n_phases; p++) {
-        *record++ = phases[p].stress;
-        *record++ = phases[p].true_stress;
-        *record++ = phases[p].strain;
-        *record++ = phases[p].plastic_strain;
+    const bool states = quantities_need_states(quantities);
+    /* At rest the energies of bonds are tested after the record, of what is prepared here. */
+    if (gauge || states || !moving) model_prepare(model, body, states ? 3 : 1);
+    if (gauge) {
+        record->planes = gauge_displacements(gauge, body);
+        gauge_measure(gauge, model, body, means, &record->section);
     }
-    return record;
+    quantities_measure(quantities, model, body, wanted);
 }
 
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      struct quantities *quantities, const struct integration *integration,
-                     const struct boundary *boundary, struct model *model, struct body *body,
-                     double *axial)
+                     const struct boundary *boundary, struct model *model, struct body *body)
 {
-    static const struct boundary_set nothing;
-    const bool grips = boundary_has_grips(boundary);
-    const struct boundary_set *left = grips ? &boundary->sets[boundary->left] : &nothing,
-                              *right = grips ? &boundary->sets[boundary->right] : &nothing;
-    struct gauge_section section = {0};
-    struct gauge_planes planes = {0};
-    struct gauge_phase *phases = memory_new((size_t)recorder->n_phases, sizeof *phases);
-    double *wanted = memory_new((size_t)quantities_count(quantities), sizeof *wanted);
-    if (gauge) planes = gauge_displacements(gauge, body);
-    /* At rest the energies of bonds are tested after the record, of what it has prepared. */
-    const bool states = quantities_need_states(quantities);
-    if (gauge || states || !integration->moving) model_prepare(model, body, axial, states ? 3 : 1);
-    if (gauge) gauge_measure(gauge, model, body, axial, phases, &section);
-    quantities_measure(quantities, model, body, wanted);
-    const double unsteady =
-        integration->moving ? damping_unsteady_energy(integration, body, boundary) : 0;
-    const double extension = planes.right - planes.left;
-    if (body->ranks.rank == 0) {
-        const struct energy_balance *b = &integration->balance;
-        const double internal = energy_internal(b), per_internal = internal > 0 ? 1 / internal : 0;
-        const double values[COMMON] = {
-            left->total_force,
-            right->total_force,
-            extension,
-            right->moved - left->moved,
-            b->kinetic,
-            b->stored,
-            b->plastic,
-            b->stabilisation,
-            b->damping,
-            b->work,
-            energy_drift(b),
-            b->kinetic * per_internal,
-            section.ratio,
-            section.x,
-            planes.left,
-            planes.right,
-            unsteady * per_internal,
-            b->fracture,
-            integration->damage ? damage_broken_bonds(integration->damage) : 0,
-            integration->damage ? damage_removed_nodes(integration->damage) : 0,
-            body_unsupported(body),
-            integration->moving ? 0 : 1,
-            integration->residual,
-            (double)integration->evaluations};
-        double *record = put_common(recorder, values, new_record(recorder, integration->time));
-        record = put_phases(recorder, phases, record);
-        for (int q = 0; q < quantities_count(quantities); q++) *record++ = wanted[q];
+    struct record record = record_empty();
+    const int n_means = gauge_mean_count * recorder->n_phases;
+    double *means = memory_new((size_t)(n_means + quantities_count(quantities)), sizeof *means);
+    record.integration = integration;
+    record.body = body;
+    if (boundary_has_grips(boundary)) {
+        record.left = &boundary->sets[boundary->left];
+        record.right = &boundary->sets[boundary->right];
     }
-    free(phases);
-    free(wanted);
-    return gauge ? extension / gauge_length(gauge) : 0;
+    measure(gauge, quantities, integration->moving, model, body, &record, means, means + n_means);
+    if (integration->moving) record.unsteady = damping_unsteady_energy(integration, body, boundary);
+    if (body->ranks.rank == 0) add_record(recorder, &record, means);
+    free(means);
+    return gauge ? (record.planes.right - record.planes.left) / gauge_length(gauge) : 0;
 }

@@ -66,8 +66,12 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
         argv[n++] = "--history";
         argv[n++] = a->history;
     }
-    argv[n++] = "--spooled-history";
-    argv[n++] = history;
+    if (a->check) {
+        argv[n++] = "--check";
+    } else {
+        argv[n++] = "--spooled-history";
+        argv[n++] = history;
+    }
     if (a->quiet) argv[n++] = "--quiet";
     if (a->profile) argv[n++] = "--profile";
     set_environment();
@@ -84,9 +88,11 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
 int launch_ranks(const struct arguments *a)
 {
     struct arguments within = *a; /* what the ranks are told */
-    struct spool input = spool_input(a->input), history = spool_output(a->history);
+    struct spool input = spool_input(a->input), history = {.descriptor = -1};
+    if (!a->check) history = spool_output(a->history);
     struct spool deck = a->deck ? spool_input(a->deck) : (struct spool){.descriptor = -1};
-    char *input_path = seen_by_others(input.path), *history_path = seen_by_others(history.path);
+    char *input_path = seen_by_others(input.path),
+         *history_path = a->check ? NULL : seen_by_others(history.path);
     char *deck_path = a->deck ? seen_by_others(deck.path) : NULL;
     within.deck = deck_path;
     pid_t child = fork();
@@ -96,7 +102,7 @@ int launch_ranks(const struct arguments *a)
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) die_run("waitpid: %s", strerror(errno));
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_RUN;
-    if (code == 0)
+    if (code == 0 && !a->check)
         spool_finish(&history);
     else
         spool_close(&history);

@@ -143,7 +143,7 @@ static double time_step(struct kernel *k)
     const int calls = (int)k->calls;
     const double begin = now();
     for (int i = 0; i < calls; i++)
-        verlet_step(&integration, &k->small.body, &boundary, k->small.model, i % 16 == 15, NULL);
+        verlet_step(&integration, &k->small.body, &boundary, k->small.model, i % 16 == 15, false);
     const double spent = now() - begin;
     integration_free(&integration);
     boundary_free(&boundary);

@@ -237,9 +237,36 @@ s/length: 0.8 mm/length: 1.6 mm/|13:
 s/cg: CG/cg: UFG/|7:
 s/  seed: 1/  cores: x.cores/|8:
 $a post: {titel: x}|15:8: unknown key 'titel'
+$a post: {window: 2}|15:16: 2 is out of range, expected 1e-09 to 1
+s/  seed: 1/  core_diameter: 1 mm/|12:3: 'core_diameter' belongs to topology: random, not to topology: harmonic
+s/  seed: 1/  phase: CG/|12:3: 'phase' belongs to topology: homogeneous, not to topology: harmonic
+s/gauge: {/gauge: {fillet: 1 mm, /|14:11: 'fillet' belongs to specimen: dogbone, not to specimen: plate
+s/  seed: 1/  seed: 1.5/|12:9: '1.5' is not a whole number
 s/  specimen: plate/&\n  dimensions: 4/|4:
 s/specimen: plate/&\n  dimensions: 2/; s/lattice: fcc/lattice: bcc/|9:
 s/  seed: 1/  sets: [{name: none, box: [[1 m, 1 m, 1 m], [2 m, 2 m, 2 m]]}]/|12:
+END
+}
+
+@test "--check says what would be made, and makes nothing" {
+    hsgen --check plate.yaml -o checked.g -s checked.csv >out 2>said
+    [ ! -s out ]
+    for file in checked.g checked.csv; do [ ! -e "$file" ]; done
+    hsgen plate.yaml -o d.g
+    nodes=$(ncdump -h d.g | sed -n 's/.*num_nodes = \([0-9]*\).*/\1/p')
+    grep -q "harmonic: 64 x 16 x 8 sites of 2.5e-05 m, $nodes nodes, [1-9][0-9]* cores" said
+    grep -q 'set grip_left: ' said
+    grep -q 'would write checked.csv' said
+    # sets, the grips' phase, the file of cores and post are looked at, too
+    while IFS='|' read -r change message; do
+        sed "$change" plate.yaml >wrong.yaml
+        run -2 hsgen --check wrong.yaml
+        [[ "$output" == *"$message"* ]]
+    done <<'END'
+s/  seed: 1/  sets: [{name: none, box: [[1 m, 1 m, 1 m], [2 m, 2 m, 2 m]]}]/|wrong.yaml:12:28: no node lies in this box
+s/phase: [A-Za-z]*}/phase: X}/|'X' is neither 'structure' nor
+/lattice:/d; /core:/d; s/core_distance: .*/cores: none.cores/|cannot read the cores none.cores
+$a post: {modulus_range: [0.4, 0.1]}|'modulus_range' must rise
 END
 }
 

@@ -143,6 +143,23 @@ fails() {
     fails 2 'deck.yaml:2:' hspost --deck deck.yaml "$data/ni200_cg.csv"
 }
 
+@test "--check reads all and makes nothing" {
+    hspost --check -p p.csv --plot f.svg "$data/ni200_cg.csv" -o curve.csv >out 2>said
+    [ ! -s out ]
+    for file in p.csv f.svg curve.csv; do [ ! -e "$file" ]; done
+    grep -q "ni200_cg.csv: curve '.*' of $(grep -vc '^#\|^eng' "$data/ni200_cg.csv") points, [0-9]* properties" said
+    grep -q 'would write p.csv$' said
+    # Options and deck alone: no pipe is waited for.
+    printf 'post:\n  window: 2\n' > deck.yaml
+    fails 2 'deck.yaml:2:11: 2 is out of range' hspost --check --deck deck.yaml
+    fails 2 'window: 3 is out of range' hspost --check --window 3
+    fails 2 'row 99' hspost --check --modulus-rows 1:99 "$data/ni200_cg.csv"
+    fails 2 'f.jpg' hspost --check --plot f.jpg
+    hspost --check </dev/null
+    hspost --check --columns
+    fails 2 'no-such-file' hspost --check --columns no-such-file.e
+}
+
 @test "wrong tables are told by line and column" {
     printf 'engineering_strain,engineering_stress_MPa\n0,0\n0.1,1e999\n' > t.csv
     fails 2 't.csv:3:5:' hspost t.csv

@@ -105,6 +105,12 @@ wrong() {
     wrong 31:3 "give one of end_strain, end_time and end_steps" '/end_strain/d'
     wrong 31:3 "give one of end_strain, end_time and end_steps" 's/  horizon: 1/&\n  end_time: 1 us/'
     wrong 33:9 "a ramp goes with 'start: ramp'" 's/  horizon: 1/&\n  ramp: 1 us/'
+    wrong 33:3 "'safety' belongs to type: explicit or hybrid, not to type: quasi_static" \
+        's/  horizon: 1/&\n  safety: 0.5/; s/type: explicit/type: quasi_static/'
+    wrong 32:3 "'safety' belongs to type: explicit or hybrid" \
+        's/  horizon: 1/&\n  safety: 0.5/; /type: explicit/d'
+    wrong 33:3 "'static_when' belongs to type: hybrid, not to type: explicit" \
+        's/  horizon: 1/&\n  static_when: {kinetic_to_internal: 0.1, quiet: 1 us}/'
     wrong 29:34 "expected one of: x, y, z" 's/direction: x, velocity: 10/direction: w, velocity: 10/'
     wrong 29:47 "expected a velocity in m/s" 's/velocity: 10 m.s/velocity: 10 s/'
     wrong 35:1 "did you mean output?" 's/^output:/outputs:/'
@@ -394,6 +400,43 @@ wrong() {
     done
     run hssolve -q -i domain.g -H out.e
     [ -z "$output" ]
+}
+
+@test "--check says what would be done, finds what a run would find, and leaves no file" {
+    run --separate-stderr hssolve --check -i domain.g -H out.e -o fields.e
+    [ "$status" -eq 0 ]
+    [ -z "$output" ]
+    for words in 'correspondence within a horizon of 1 spacings' 'CG 61.3 %, UFG 38.7 % between' \
+        '576 nodes' 'of the critical' 'steps' ' MB' 'about 21 records of' 'about 4 frames of 9 variables in fields.e'; do
+        grep -q "$words" <<<"$stderr"
+    done
+    change 's/type: explicit/type: quasi_static/; s/end_strain: .*/end_strain: 0.02/'
+    hssolve --check -j 2 -i domain.g -d changed.yaml 2>said </dev/null
+    # 5e-6 grows by half to 0.005 within 18 steps and a strain of 0.0148; two more lead beyond 0.02.
+    grep -q '576 nodes.* 2 ranks.* 20 or more' said
+    [ -z "$(ls ./*.e ./*.failed ./*.partial-* 2>/dev/null)" ]
+    check() {
+        change "$2"
+        refused 2 "$1" --check -i domain.g -d changed.yaml -o fields.e
+    }
+    check "'phase' belongs to law" '/^boundary/i damage: [{phase: CG, law: critical_stretch, value: 1}]'
+    check "the edges of a rectangle" '/^boundary/i cracks: [{rectangle: [[0, 0, 0], [0, 1, 0], [0, 1, 1]]}]'
+    check "is infinite at t = 0" 's,velocity: 10 m/s,velocity: 1/t,; s/end_strain: .*/end_time: 1 us/'
+    check "did you mean" 's/von_mises/von_misses/'
+    check "out of range" '$a post: {fracture_share: 7}'
+    check "asks for no fields" '/fields:/,$d'
+    run hssolve --check -i domain.g -H nowhere/out.e
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"cannot write nowhere/out.e"* ]]
+}
+
+@test "--keys prints the keys of all sections of the deck that hssolve reads" {
+    hssolve --keys >keys
+    for section in damage cracks boundary initial solver solver.static_when output output.quantities output.fields; do
+        grep -qx "$section" keys
+    done
+    grep -qx '  NAME: equivalent_plastic_strain' keys
+    grep -q '^  safety \[number, 0.001 to 10; default 0.8; explicit and hybrid only\]$' keys
 }
 
 @test "a terminal sees the progress and the time left, on two ranks, too" {

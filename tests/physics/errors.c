@@ -215,7 +215,7 @@ static void all_bulk(void)
          "yield,slope");
     for (int plane = 0; plane < 3; plane++)
         for (int k = BOND_BASED; k <= MADENCI_OTERKUS; k++)
-            for (int influence = 0; influence < family_influence_count; influence++)
+            for (int influence = 0; family_influences[influence]; influence++)
                 for (int h = 0; h < 3; h++)
                     for (int partial = 0; partial < 2 && takes(k, influence); partial++)
                         bulk(k, plane, influence, horizons[h], partial);
@@ -224,7 +224,7 @@ static void all_bulk(void)
 static void all_plates(void)
 {
     for (int k = BOND_BASED; k <= MADENCI_OTERKUS; k++)
-        for (int influence = 0; influence < family_influence_count; influence++)
+        for (int influence = 0; family_influences[influence]; influence++)
             for (int h = 0; h < 3; h++)
                 for (int c = 0; c < 6 && takes(k, influence); c++) {
                     /* away from three spacings: without correction, and with that of energy */
@@ -235,7 +235,7 @@ static void all_plates(void)
         for (int h = 1; h <= 3; h++) plate(k, 0, 8, 0, h, false, NULL);
     for (int plane = 1; plane < 3; plane++)
         for (int k = BOND_BASED; k <= MADENCI_OTERKUS; k++)
-            for (int influence = 0; influence < family_influence_count; influence++)
+            for (int influence = 0; family_influences[influence]; influence++)
                 for (int c = 0; c < 6 && takes(k, influence); c++)
                     plate(k, plane, 8, influence, 3.015, c % 2, corrections[c / 2]);
     /* The section of 40 x 8 of a thesis, constant and linear influence. */

@@ -80,5 +80,5 @@ last() { hspost -q --columns "$1.e" | awk -F, -v names="${*:2}" '/^#/ { next }
     bar wrong 'type: quasi_static, end_steps: 1, mass_scaling: 2' ''
     run hssolve -i wrong.g -H wrong.e
     [ "$status" -eq 2 ]
-    [[ $output == *"unknown key 'mass_scaling'"* ]]
+    [[ $output == *"'mass_scaling' belongs to type: explicit or hybrid"* ]]
 }

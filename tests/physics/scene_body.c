@@ -63,6 +63,6 @@ void scene_body_free(struct scene_body *it)
 
 void scene_body_step(struct scene_body *it)
 {
-    verlet_step(&it->integration, &it->small.body, &it->boundary, it->small.model, true, NULL);
+    verlet_step(&it->integration, &it->small.body, &it->boundary, it->small.model, true, false);
     integration_raise_loads(&it->integration, &it->small.body, &it->boundary, false);
 }

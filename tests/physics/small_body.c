@@ -226,7 +226,7 @@ int64_t small_body_middle(const struct small_body *small)
 
 void small_body_stress(struct small_body *small, int64_t site, double P[9])
 {
-    model_prepare(small->model, &small->body, NULL, 3);
+    model_prepare(small->model, &small->body, 3);
     for (int k = 0; k < 9; k++) P[k] = small->body.S[k][site];
 }
 

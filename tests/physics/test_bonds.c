@@ -79,7 +79,7 @@ static void compare_paths(struct small_case wanted, double tolerance)
     random_free(stream);
     for (int list = 0; list < 2; list++) {
         small_body_force(&small[list], false, false);
-        model_prepare(small[list].model, &small[list].body, NULL, 3);
+        model_prepare(small[list].model, &small[list].body, 3);
     }
     const double most = small_body_largest(&small[0], small[0].body.f);
     double most_stress = 0;

@@ -123,7 +123,7 @@ static struct flight fly(const char *stabilisation, double speed, double dt, int
         integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     const double initial = total(&integration.balance);
     for (int n = 0; n < steps; n++) {
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
         double change = total(&integration.balance) - initial;
         flight.drift = fmax(flight.drift, fabs(change) / initial);
         /* the program's own measure divides by the larger side: the same to the drift's square */

@@ -253,8 +253,10 @@ static void test_errors_are_told(void **state)
         {"damage: [{pair: [A, C], law: critical_stretch, value: 1}]", "C"},
         {"damage: [{pair: [A], law: critical_stretch, value: 1}]", "a list of two phases"},
         {"damage: [{pair: [A, A], law: critical_stretch}]", "one of value and fracture_energy"},
-        {"damage: [{pair: [A, A], law: plastic_strain, value: 1}]", "no plastic strain"},
-        {"damage: [{phase: A, law: critical_stretch, value: 1}]", "a law of bonds"},
+        {"damage: [{phase: A, law: plastic_strain, value: 1}]", "no equivalent_plastic_strain"},
+        {"damage: [{phase: A, law: critical_stretch, value: 1}]",
+         "'phase' belongs to law: plastic_strain or ductile, not to law: critical_stretch"},
+        {"damage: [{pair: [A, A], law: critical_stretch, onset: 1}]", "belongs to law: ductile"},
         {"damage: [{pair: [A, A], law: critical_stretch, value: 3 MPa}]", "MPa"},
         {"damage: {pair: [A, A]}", "list"},
         {"damage: [], cracks: [{rectangle: [[0, 0, 0], [1, 0, 0], [1, 1, 0]]}]", "right angles"},
@@ -303,7 +305,7 @@ static struct flight fly(const struct bar *bar, double dt, int steps, bool test_
     /* The initial balance holds kinetic energy alone; what the noise has stored comes to it. */
     const double initial = integration.balance.kinetic + integration.balance.stored;
     for (int n = 0; n < steps; n++) {
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
         const struct energy_balance *b = &integration.balance;
         double all = b->kinetic + b->stored + b->plastic + b->stabilisation + b->fracture;
         flight.drift = fmax(flight.drift, fabs(all / initial - 1));

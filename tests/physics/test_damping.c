@@ -64,7 +64,7 @@ static struct pull pull(const char *stabilisation, double damping, double dt)
         integration_new(true, dt, damping, &small.materials, &small.body, &boundary, small.model);
     struct pull pull = {0, 0};
     while (integration.time < 1e-6) {
-        verlet_step(&integration, &small.body, &boundary, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &boundary, small.model, true, false);
         pull.drift = fmax(pull.drift, fabs(energy_drift(&integration.balance)));
     }
     pull.damped = integration.balance.damping / integration.balance.work;

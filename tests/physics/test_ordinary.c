@@ -232,7 +232,7 @@ static void fly_together(int nodes, double spacing, double displacement, double 
     struct integration integration = integration_new(true, 1e-5 * scale, 0, &small.materials,
                                                      &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++)
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
     /* The figures have thirteen digits. */
     assert_relative(small.body.u[0][first], displacement * scale, 1e-10);
     assert_relative(small.body.v[0][first], velocity, 1e-10);
@@ -274,7 +274,7 @@ static void test_bulk_modulus_is_exact(void **state)
                                                         .surface_correction = corrections[c]});
             small_body_deform(&small, (const double[]){e, 0, 0, 0, e, 0, 0, 0, e});
             flatten(&small);
-            model_prepare(small.model, &small.body, NULL, 3);
+            model_prepare(small.model, &small.body, 3);
             for (int64_t i = 0; i < small.body.grid.n_sites; i++) {
                 if (!small_body_has(&small, i)) continue;
                 double *const *S = small.body.S, mean = flat ? (S[0][i] + S[4][i]) / 2
@@ -422,7 +422,7 @@ static void test_sheets_grow_thinner(void **state)
                                                 .plane = PLANE_STRESS});
     small_body_deform(&small, (double[9]){e, 0, 0, 0, -nu * e});
     small_body_force(&small, false, false);
-    model_prepare(small.model, &small.body, NULL, 3);
+    model_prepare(small.model, &small.body, 3);
     const int64_t middle = small_body_middle(&small);
     const struct strips *strips = model_strips(small.model, &small.body);
     for (int64_t s = 0; s < strips->count; s++) {

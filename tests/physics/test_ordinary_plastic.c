@@ -286,7 +286,7 @@ static struct flight fly(double dt, int steps)
         integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     const double initial = total(&integration.balance);
     for (int n = 0; n < steps; n++) {
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
         flight.drift = fmax(flight.drift, fabs(total(&integration.balance) - initial) / initial);
     }
     flight.plastic = integration.balance.plastic / initial;

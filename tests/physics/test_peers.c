@@ -41,7 +41,7 @@ static void fly_together(int nodes, double spacing, double volume, const double 
     struct integration integration = integration_new(true, 1e-5 * scale, 0, &small.materials,
                                                      &small.body, &nothing, small.model);
     for (int n = 0; n < 5; n++) {
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
         if (force)
             assert_relative(small.body.f[0][site_at(&small, 0, 0, 0)] * scale, force[n], 1e-9);
         /* first step: dilatation -3e-5, so that the mean stress is K times it, 3e-5 K and no more */
@@ -335,7 +335,7 @@ static double speed_error(const char *materials, const char *stabilisation, cons
     double place[2];
     for (int n = 0; n < 2; n++) {
         while (integration.time < (n + 1) * way / exact)
-            verlet_step(&integration, &small.body, &nothing, small.model, false, NULL);
+            verlet_step(&integration, &small.body, &nothing, small.model, false, false);
         place[n] = centre_of(&small) - exact * integration.time;
     }
     integration_free(&integration);
@@ -466,7 +466,7 @@ static void test_torsion(void **state)
         double before = 0.2 * omega, crossing[3], least = 0;
         int crossings = 0;
         while (crossings < 3 && integration.time < 4 * 2 * pi / omega) {
-            verlet_step(&integration, &small.body, &nothing, small.model, false, NULL);
+            verlet_step(&integration, &small.body, &nothing, small.model, false, false);
             const double now = twist_rate(&small, false, 0);
             if (before * now <= 0)
                 crossing[crossings++] = integration.time - integration.dt * now / (now - before);

@@ -44,7 +44,7 @@ static double growth(const struct trial *trial, double share, int steps)
         integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     double largest = 0;
     for (int n = 0; n < steps && largest < 1e6; n++) {
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
         const struct energy_balance *b = &integration.balance;
         largest = fmax(largest, b->kinetic + b->stored + b->stabilisation);
     }

@@ -57,7 +57,7 @@ static void tear(struct small_body *small)
             if (random_uniform(stream) < 0.1)
                 broken_add(&small->body, small->bonds, &small->bonds->strips[s], k);
     random_free(stream);
-    broken_shapes(&small->body, small->model->formulation == &formulation_correspondence);
+    broken_shapes(&small->body, small->model->formulation->stress_of == STRESS_OF_NODES);
 }
 
 static void shake(struct small_body *small, long seed)

@@ -48,10 +48,10 @@ static double speed_error(const char *stabilisation, double horizon, int width)
     struct integration integration =
         integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     while (integration.time < first)
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
     const double start = integration.time, from = centre_of(&small);
     while (integration.time < second)
-        verlet_step(&integration, &small.body, &nothing, small.model, true, NULL);
+        verlet_step(&integration, &small.body, &nothing, small.model, true, false);
     double speed = (centre_of(&small) - from) / (integration.time - start);
     integration_free(&integration);
     boundary_free(&nothing);

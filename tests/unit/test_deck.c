@@ -2,6 +2,7 @@
 
 #include "deck.h"
 #include "nearest.h"
+#include "sections.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +29,7 @@ static void test_values(void **state)
     (void)state;
     struct deck *deck = parse(study);
     struct deck_node domain = deck_get(deck_root(deck), "domain");
-    deck_check_sections(deck);
+    sections_read(deck);
     assert_string_equal(deck_string(deck_get(deck_root(deck), "title")), "Nickel");
     assert_string_equal(deck_text(deck), study);
     assert_int_equal(deck_count(deck_get(domain, "size")), 3);
@@ -107,7 +108,31 @@ static void check_keys(const void *argument)
 
 static void check_sections(const void *argument)
 {
-    deck_check_sections(parse(argument));
+    sections_read(parse(argument));
+}
+
+/* What hspost would find after the run stops every tool at the start: names and values of post. */
+static void test_values_of_post(void **state)
+{
+    (void)state;
+    struct deck *deck = parse("title: A\npost: {window: 2 %}\n");
+    struct sections sections = sections_read(deck);
+    assert_string_equal(sections.title, "A");
+    assert_true(deck_is_map(sections.post));
+    assert_int_equal(sections.solver.index, 0);
+    deck_free(deck);
+    static const struct fault faults[] = {
+        {"title: [A]\n", "study.yaml:1:8: expected a single value"},
+        {"post: {windw: 1}\n", "study.yaml:1:8: unknown key 'windw' (did you mean window?"},
+        {"post: {window: 2}\n", "study.yaml:1:16: 2 is out of range, expected 1e-09 to 1"},
+        {"post: {modulus: 210 GPa, section: 2 mm}\n", "study.yaml:1:35: "},
+        {"post: {modulus_range: [0.4, 0.1]}\n",
+         "study.yaml:1:29: 'modulus_range' must rise, expected more than 0.4"},
+        {"post: {modulus_rows: 4}\n", "study.yaml:1:22: 'modulus_rows' is a list of 2 numbers"},
+        {"post: 3\n", "study.yaml:1:7: "},
+    };
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        assert_dies(EXIT_USER, faults[i].message, check_sections, faults[i].text);
 }
 
 static void test_unknown_keys(void **state)
@@ -210,9 +235,10 @@ static void test_nearest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),       cmocka_unit_test(test_decks_that_are_refused),
-        cmocka_unit_test(test_bombs),        cmocka_unit_test(test_unknown_keys),
-        cmocka_unit_test(test_wrong_values), cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_values),         cmocka_unit_test(test_decks_that_are_refused),
+        cmocka_unit_test(test_bombs),          cmocka_unit_test(test_unknown_keys),
+        cmocka_unit_test(test_values_of_post), cmocka_unit_test(test_wrong_values),
+        cmocka_unit_test(test_nearest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -124,7 +124,7 @@ static void what_is_wrong_is_named(void **state)
     assert_dies(EXIT_USER, "m lies on another node, 1", try_text, first);
     write_layer();
     write_deck("domain: {dimensions: 2}");
-    assert_dies(EXIT_USER, "study.yaml:1:22: size is a list of three lengths", try_text, "");
+    assert_dies(EXIT_USER, "study.yaml:1:22: a sheet needs its size", try_text, "");
     write_deck("domain: {dimensions: 2, size: [5, 2, 0.5]}");
     assert_dies(EXIT_USER, "the domain has two dimensions", try_text, "0 0 1 1 0.125");
 }

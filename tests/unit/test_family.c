@@ -158,7 +158,7 @@ static void test_sums(void **state)
         field[i] = (double)(seed >> 11) * 0x1p-53 - 0.5;
     }
     const double *first = field + WIDE * SIZE * (SIZE / 2) + WIDE * (SIZE / 2) + 16;
-    for (int influence = 0; influence < family_influence_count; influence++)
+    for (int influence = 0; family_influences[influence]; influence++)
         for (double horizon = 1; horizon <= 8; horizon += 0.505) {
             struct family family = family_new(horizon, influence, influence % 2);
             for (int b = 0; b < 3; b++) {

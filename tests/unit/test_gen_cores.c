@@ -134,8 +134,8 @@ static void files_keep_the_structure_at_any_spacing(void **state)
     for (int k = 0; k < 2; k++) {
         struct recipe coarse = plate_of(kinds[k], 2e-5), fine = plate_of(kinds[k], 1e-5);
         struct cores written = coarse.topology->place(&coarse);
-        cores_write(&written, kinds[k]->name, path);
-        struct cores read = cores_read(path, kinds[k]->name);
+        cores_write(&written, kinds[k]->deck.name, path);
+        struct cores read = cores_read(path, kinds[k]->deck.name);
         assert_int_equal(read.count, written.count);
         assert_memory_equal(read.centre, written.centre, (size_t)read.count * sizeof *read.centre);
         assert_memory_equal(read.order, written.order, (size_t)read.count * sizeof *read.order);

@@ -1,7 +1,7 @@
 /* Specimens: volumes, the dog-bone's outline, grips and gauge planes. */
 #include "check.h"
 
-#include "specimen.h"
+#include "recipe.h"
 
 #include "memory.h"
 
@@ -11,11 +11,12 @@
 static struct specimen read_specimen(const char *text, struct deck **deck)
 {
     *deck = deck_parse(text, strlen(text), "test");
-    return specimen_read(deck_get(deck_root(*deck), "domain"));
+    return recipe_read(*deck).specimen;
 }
 
 static const char plate_text[] = "domain:\n"
                                  "  specimen: plate\n"
+                                 "  topology: homogeneous\n  phase: CG\n"
                                  "  size: [5 mm, 1 mm, 0.2 mm]\n"
                                  "  spacing: 25 um\n"
                                  "  grips: {length: 3 spacings, phase: structure}\n"
@@ -99,6 +100,7 @@ static void grips_and_gauge_planes_are_symmetric(void **state)
 
 static const char dogbone_text[] = "domain:\n"
                                    "  specimen: dogbone\n"
+                                   "  topology: homogeneous\n  phase: CG\n"
                                    "  size: [100 mm, 12 mm, 2.5 mm]\n"
                                    "  spacing: 0.1 mm\n"
                                    "  grips: {length: 20 mm, phase: structure}\n"

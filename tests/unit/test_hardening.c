@@ -93,6 +93,19 @@ static void test_formulas_and_slopes(void **state)
     }
 }
 
+/* A law that joins the table has to join the list above. */
+static void test_the_list_has_every_law(void **state)
+{
+    (void)state;
+    for (int i = 0; hardening_law(i); i++) {
+        char start[64];
+        snprintf(start, sizeof start, "{law: %s,", hardening_law(i)->variant.name);
+        bool found = false;
+        for (int k = 0; k < LAWS; k++) found |= strncmp(laws[k].text, start, strlen(start)) == 0;
+        if (!found) fail_msg("no test of the law %s", hardening_law(i)->variant.name);
+    }
+}
+
 static void test_kinks_and_ends(void **state)
 {
     (void)state;
@@ -208,8 +221,11 @@ static void test_what_the_deck_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_formulas_and_slopes),    cmocka_unit_test(test_kinks_and_ends),
-        cmocka_unit_test(test_tables_follow_the_laws), cmocka_unit_test(test_means_and_work),
+        cmocka_unit_test(test_the_list_has_every_law),
+        cmocka_unit_test(test_formulas_and_slopes),
+        cmocka_unit_test(test_kinks_and_ends),
+        cmocka_unit_test(test_tables_follow_the_laws),
+        cmocka_unit_test(test_means_and_work),
         cmocka_unit_test(test_what_the_deck_refuses),
     };
     return cmocka_run_group_tests_name("hardening", tests, NULL, NULL);

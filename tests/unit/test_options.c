@@ -1,5 +1,6 @@
 #include "dies.h"
 
+#include "keys.h"
 #include "memory.h"
 #include "options.h"
 
@@ -20,7 +21,10 @@ static struct chosen choose(int argc, char **argv)
         {0, "seed", "N", "seed of the random numbers", NULL, &chosen.seed},
         {'q', "quiet", NULL, "say nothing", &chosen.quiet, NULL},
     };
-    const struct option_table table = {"hstest", "[deck]", "Tests the options.", rows, 3};
+    static const struct key key = {"size", KEY_NUMBER, .unit = "m", .high = 1, .help = "Its size."};
+    static const struct section section = {.path = "test", .help = "Tests.", .keys = {1, &key}};
+    static const struct section *const sections[] = {&section, NULL};
+    const struct option_table table = {"hstest", "[deck]", "Tests the options.", rows, 3, sections};
     chosen.operand = options_read(&table, argc, argv);
     return chosen;
 }
@@ -76,6 +80,13 @@ static void test_help_and_version(void **state)
     assert_dies(0, "  -o, --output FILE           where to write\n", print_to_messages, "-h");
     assert_dies(0, "      --seed N                seed of", print_to_messages, "-h");
     assert_dies(0, "libyaml ", print_to_messages, "--version");
+    assert_dies(0, "      --keys[=FORMAT]         print", print_to_messages, "-h");
+    assert_dies(0, "test\n    Tests.\n\n  size [m, 0 to 1; default 0]", print_to_messages,
+                "--keys");
+    assert_dies(0, ".It Cm size", print_to_messages, "--keys=mdoc");
+    assert_dies(0, "| `size` |", print_to_messages, "--keys=markdown");
+    assert_dies(EXIT_USER, "--keys=html: expected text, mdoc or markdown", choose_one,
+                "--keys=html");
     assert_dies(EXIT_RUN, "cannot write to standard output", print_to_full_disk, "-V");
 }
 

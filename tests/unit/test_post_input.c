@@ -2,9 +2,11 @@
 #include "check.h"
 
 #include "analysis.h"
+#include "choices.h"
 #include "csv.h"
 #include "deck.h"
 #include "dies.h"
+#include "keys_options.h"
 #include "memory.h"
 #include "property.h"
 
@@ -29,7 +31,7 @@ static int remove_path(void **state)
     return 0;
 }
 
-enum { RECORDS = 5, COLUMNS = 11 };
+enum { RECORDS = 5, COLUMNS = 11, MOST_KEYS = 40 };
 
 static const double section = 2e-6, length = 5e-3;
 
@@ -84,7 +86,7 @@ static void history_to_curve(void **state)
     struct history history = make_history();
     struct input input = write_and_read(&history);
     assert_true(input.is_history);
-    struct choices choices = choices_default();
+    struct choices choices = choices_read(NULL);
     struct curve curve = curve_make(&input, &choices);
     assert_int_equal(curve.n, RECORDS);
     for (int i = 0; i < RECORDS; i++) {
@@ -115,24 +117,25 @@ static void sizes_by_choice(void **state)
     (void)state;
     struct history history = make_history();
     struct input input = write_and_read(&history);
-    const char *texts[CHOICE_COUNT] = {0};
-    struct option_row rows[CHOICE_COUNT];
-    choices_options(rows, texts);
-    for (int i = 0; i < CHOICE_COUNT; i++) {
+    const char *texts[MOST_KEYS] = {0};
+    struct option_row rows[MOST_KEYS];
+    assert_in_range(post_section.keys.count, 1, MOST_KEYS);
+    keys_options(&post_section.keys, rows, texts);
+    for (int i = 0; i < post_section.keys.count; i++) {
         if (strcmp(rows[i].name, "gauge-length") == 0) *rows[i].value = "10 mm";
         if (strcmp(rows[i].name, "section") == 0) *rows[i].value = "4 mm2";
         if (strcmp(rows[i].name, "fit-range") == 0) *rows[i].value = "0.01:0.2";
     }
-    struct choices choices = choices_default();
-    choices_read_options(&choices, texts);
+    struct choices choices = choices_read(NULL);
+    keys_read_options(&post_section.keys, texts, &choices);
     assert_near(choices.fit_range[0], 0.01, 0);
     assert_near(choices.fit_range[1], 0.2, 0);
     struct curve curve = curve_make(&input, &choices);
     assert_near(curve.strain[2], 0.001, 1e-15);
     assert_relative(curve.stress[2], 199.5 / 4e-6, 1e-12);
     curve_free(&curve);
-    choices_free(&choices);
     input_free(&input);
+    keys_options_free(&post_section.keys, rows);
 }
 
 static void deck_within(void **state)
@@ -142,16 +145,14 @@ static void deck_within(void **state)
                                "post: {title: HS40, modulus_range: [0.05, 0.3], toe: 0,\n"
                                "       true_modulus: 210 GPa}\n";
     struct deck *deck = deck_parse(text, strlen(text), "deck");
-    struct choices choices = choices_default();
-    choices_read_deck(&choices, deck);
-    deck_free(deck);
+    struct choices choices = choices_read(deck);
     assert_string_equal(choices.title, "HS40");
     assert_near(choices.modulus_range[0], 0.05, 0);
     assert_near(choices.modulus_range[1], 0.3, 0);
     assert_near(choices.toe, 0, 0);
     assert_near(choices.true_modulus, 210e9, 0);
     assert_true(isnan(choices.modulus));
-    choices_free(&choices);
+    deck_free(deck);
 }
 
 static void table_there_and_back(void **state)
@@ -205,26 +206,59 @@ static void read_spoilt(const void *argument)
     if (spoiling->attribute)
         attributes_set_number(&history.attributes, spoiling->attribute, spoiling->value);
     struct input input = write_and_read(&history);
-    struct choices choices = choices_default();
+    struct choices choices = choices_read(NULL);
     curve_make(&input, &choices);
 }
 
-/* Each option of a choice is, with underscores, a key of the deck's section, in any order. */
+static const struct option_row *find_option(const struct option_row rows[], const char *name)
+{
+    for (int i = 0; i < post_section.keys.count; i++)
+        if (strcmp(rows[i].name, name) == 0) return &rows[i];
+    fail_msg("no option --%s", name);
+    return NULL;
+}
+
 static void options_are_keys(void **state)
 {
     (void)state;
-    struct option_row rows[CHOICE_COUNT];
-    const char *texts[CHOICE_COUNT] = {0};
-    choices_options(rows, texts);
-    for (int i = 0; i < CHOICE_COUNT; i++) {
-        int found = 0;
-        char *key = memory_text(rows[i].name);
-        for (char *dash = strchr(key, '-'); dash; dash = strchr(dash, '-')) *dash = '_';
-        for (int k = 0; k < DECK_POST_KEYS; k++) found += strcmp(deck_post_keys[k], key) == 0;
-        if (found != 1) fail_msg("--%s: the deck knows '%s' %d times", rows[i].name, key, found);
-        free(key);
-    }
-    assert_null(deck_post_keys[DECK_POST_KEYS]);
+    const char *texts[MOST_KEYS];
+    struct option_row rows[MOST_KEYS];
+    keys_options(&post_section.keys, rows, texts);
+    const struct option_row *row = find_option(rows, "hardening-range");
+    assert_string_equal(row->argument, "A:B");
+    assert_non_null(strstr(row->help, "plastic strain for n and K, at most Ag (0.02:0.2)"));
+    assert_string_equal(find_option(rows, "gauge-length")->argument, "LENGTH");
+    assert_string_equal(find_option(rows, "section")->argument, "AREA");
+    assert_string_equal(find_option(rows, "title")->argument, "TEXT");
+    assert_non_null(strstr(find_option(rows, "window")->help, "(0.01)"));
+    assert_non_null(strstr(find_option(rows, "toe")->help, "(from the fit of the slope)"));
+    keys_options_free(&post_section.keys, rows);
+}
+
+static void take_option(const void *argument)
+{
+    const char *const *words = argument;
+    const char *texts[MOST_KEYS] = {0};
+    struct choices choices;
+    for (int i = 0; i < post_section.keys.count; i++)
+        if (strcmp(post_section.keys.rows[i].name, words[0]) == 0) texts[i] = words[1];
+    keys_read_options(&post_section.keys, texts, &choices);
+}
+
+static void wrong_options(void **state)
+{
+    (void)state;
+    const struct {
+        const char *words[2], *message;
+    } wrong[] = {
+        {{"window", "2"}, "--window: 2 is out of range, expected 1e-09 to 1\n"},
+        {{"gauge_length", "2 s"}, "--gauge-length: "},
+        {{"modulus", "0 MPa"}, "--modulus: 0 MPa is out of range, expected 1 to 1e+15 Pa"},
+        {{"fit_range", "0.1"}, "--fit-range: '0.1', expected A:B"},
+        {{"fit_range", "0.1:0.1"}, "--fit-range: '0.1:0.1', the first must be below the second"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_dies(EXIT_USER, wrong[i].message, take_option, wrong[i].words);
 }
 
 static void spoilt_histories(void **state)
@@ -252,7 +286,7 @@ int main(void)
         cmocka_unit_test(history_to_curve), cmocka_unit_test(sizes_by_choice),
         cmocka_unit_test(deck_within),      cmocka_unit_test(table_there_and_back),
         cmocka_unit_test(checksum),         cmocka_unit_test(spoilt_histories),
-        cmocka_unit_test(options_are_keys),
+        cmocka_unit_test(options_are_keys), cmocka_unit_test(wrong_options),
     };
     return cmocka_run_group_tests(tests, choose_path, remove_path);
 }

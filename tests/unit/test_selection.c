@@ -41,12 +41,20 @@ static struct deck *deck_of(const char *text)
     return deck;
 }
 
+static struct selection read_selection(struct deck_node map)
+{
+    static const struct key keys[] = {SELECTION_KEYS(0)};
+    struct deck_node selector[SELECTORS];
+    for (int k = 0; k < SELECTORS; k++) selector[k] = deck_find(map, keys[k].name);
+    return selection_read(map, selector);
+}
+
 /* The caller frees the result. */
 static int64_t *select_nodes(const char *text, int64_t *count)
 {
     struct domain domain = cube();
     struct deck *deck = deck_of(text);
-    struct selection selection = selection_read(deck_root(deck));
+    struct selection selection = read_selection(deck_root(deck));
     int64_t *nodes = selection_nodes(&selection, &domain, spacing, count);
     for (int64_t i = 1; i < *count; i++) assert_true(nodes[i] > nodes[i - 1]);
     selection_free(&selection);
@@ -94,7 +102,7 @@ static void test_names(void **state)
     (void)state;
     for (int i = 0; i < 4; i++) {
         struct deck *deck = deck_of(texts[i]);
-        struct selection selection = selection_read(deck_root(deck));
+        struct selection selection = read_selection(deck_root(deck));
         char *name = selection_name(&selection);
         assert_string_equal(name, names[i]);
         free(name);
@@ -171,8 +179,8 @@ static void test_nearest(void **state)
     assert_int_equal(nearest("[0, 0, 0]"), 21); /* of eight the first */
     assert_dies(EXIT_USER, "study.yaml:1:11: the nearest node is 0.25 m away", nearest_only,
                 "[0.4, 0.15, 0.15]");
-    assert_dies(EXIT_USER, "a place is [x, y, z]", nearest_only, "[0, 0]");
-    assert_dies(EXIT_USER, "a place is [x, y, z]", nearest_only, "here");
+    assert_dies(EXIT_USER, "'nearest' is a list of 3 lengths", nearest_only, "[0, 0]");
+    assert_dies(EXIT_USER, "'nearest' is a list of 3 lengths", nearest_only, "here");
 }
 
 int main(void)

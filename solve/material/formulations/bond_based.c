@@ -269,14 +269,13 @@ static void add_stress(const struct bond_based *model, struct body *body,
     bond_ends_add_stress(&view, &u, e, half, half, rows, body);
 }
 
-static void bond_based_prepare(void *self, struct body *body, double *axial, int rows)
+static void bond_based_prepare(void *self, struct body *body, int rows)
 {
     const struct bond_based *model = self;
     displacement_gradient(body);
     body_clear(body, body->S, 3 * rows);
     for (int64_t s = 0; s < model->bonds->count; s++)
         add_stress(model, body, &model->bonds->strips[s], rows);
-    if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
 }
 
 static void bond_based_observe(void *self, const struct body *body, const struct strip *strip,

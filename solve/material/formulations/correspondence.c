@@ -45,6 +45,8 @@ struct correspondence {
     double *state;       /* of the nodes, strip by strip */
     double *degradation; /* their records; NULL: none degrades */
     double *flow;        /* [n_sites] flow stress, where the stabilisation wants it */
+    double *
+        nominal; /* [n_sites] stress xx with the share of the bonds, as of the last force to be recorded */
 };
 
 static int compare_tasks(const void *a, const void *b)
@@ -83,7 +85,7 @@ static void list_tasks(struct correspondence *model, const struct body *body)
         append_tasks(model, &body->grid, &strips[o], o);
     }
     qsort(model->tasks, (size_t)model->n_tasks, sizeof *model->tasks, compare_tasks);
-    model->stabilisation->start(model->self, body, strips);
+    model->stabilisation->start(model->self, body, strips, model->nominal);
     for (int o = 0; o < count; o++) strips_free(&strips[o]);
     free(strips);
 }
@@ -114,6 +116,7 @@ static void correspondence_free(void *self)
     free(model->state);
     free(model->degradation);
     free(model->flow);
+    free(model->nominal);
     free(model);
 }
 
@@ -174,6 +177,7 @@ static void correspondence_start(void *self, const struct body *body, struct bon
         die_user("the stabilisation '%s' needs particles on a lattice: take 'capped'",
                  model->stabilisation->name);
     model->n_sites = body->grid.n_sites;
+    model->nominal = memory_new((size_t)model->n_sites, sizeof *model->nominal);
     model->node_share = model->stabilisation->node_share(model->self);
     model->near_nodes = model->stabilisation->add_family != NULL;
     model->nodes = model->near_nodes ? &body->near : &body->owned;
@@ -181,16 +185,10 @@ static void correspondence_start(void *self, const struct body *body, struct bon
     if (body->integrity) model->degradation = degradation_new(model->nodes);
     if (model->near_nodes) {
         model->flow = memory_new((size_t)model->n_sites, sizeof(double));
-        model->stabilisation->start(model->self, body, NULL);
+        model->stabilisation->start(model->self, body, NULL, model->nominal);
     } else {
         list_tasks(model, body);
     }
-}
-
-/* The force has filled axial, with the share of the bonds. */
-static void correspondence_prepare(void *self, struct body *body, double *axial, int rows)
-{
-    (void)self, (void)body, (void)axial, (void)rows;
 }
 
 static void correspondence_observe(void *self, const struct body *body, const struct strip *strip,
@@ -205,6 +203,7 @@ static void correspondence_observe(void *self, const struct body *body, const st
     node->count = strip->count;
     for (int k = 0; k < TENSOR; k++) memcpy(node->H[k], j2.H[k], bytes);
     memcpy(node->plastic, plastic_strain(model, strip), bytes);
+    memcpy(node->nominal, model->nominal + strip->site, bytes);
 }
 
 HS_SIMD static void write_scaled(int count, const double *restrict P, double weight,
@@ -225,7 +224,7 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     for (int k = 0; k < TENSOR; k++)
         write_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);
     for (int k = 0; k < 3; k++) memset(body->f[k] + site, 0, bytes);
-    if (mode.axial) write_scaled(strip->count, j2.P[0], model->node_share, mode.axial + site);
+    if (mode.record) memcpy(model->nominal + site, body->S[0] + site, bytes);
 
     const double *flow = model->state + J2_STATE * strip->store + J2_YIELD * strip->stride;
     for (int i = 0; model->flow && i < strip->count; i++)
@@ -400,6 +399,7 @@ static const struct strips *correspondence_strips(const void *self, const struct
 
 const struct formulation formulation_correspondence = {
     .name = "correspondence",
+    .stress_of = STRESS_OF_NODES,
     .influence = "constant",
     .horizon = 1,
     .keys = (const char *const[]){"stabilisation", NULL},
@@ -407,7 +407,6 @@ const struct formulation formulation_correspondence = {
     .near = correspondence_near,
     .start = correspondence_start,
     .force = correspondence_force,
-    .prepare = correspondence_prepare,
     .observe = correspondence_observe,
     .strips = correspondence_strips,
     .plastic_strain = correspondence_plastic,

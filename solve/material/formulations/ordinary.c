@@ -490,7 +490,7 @@ static const double *ordinary_plastic(const void *self, const struct strip *stri
     return model->plastic ? ordinary_plastic_strain(model) + strip->site : NULL;
 }
 
-static void ordinary_prepare(void *self, struct body *body, double *axial, int rows)
+static void ordinary_prepare(void *self, struct body *body, int rows)
 {
     struct ordinary *model = self;
     body_need_gradient(body);
@@ -498,7 +498,6 @@ static void ordinary_prepare(void *self, struct body *body, double *axial, int r
     displacement_gradient(body);
     body_clear(body, body->S, 3 * rows);
     for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s, rows);
-    if (axial) memcpy(axial, body->S[0], (size_t)body->grid.n_sites * sizeof(double));
 }
 
 static void ordinary_observe(void *self, const struct body *body, const struct strip *strip,

@@ -6,11 +6,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+const char *const surface_corrections[] = {"none", "volume", "energy", NULL};
+
 enum surface_correction surface_correction_read(struct deck_node solver)
 {
-    static const char *const kinds[] = {"none", "volume", "energy"};
-    if (!deck_has(solver, "surface_correction")) return SURFACE_NONE;
-    return (enum surface_correction)deck_choice(deck_get(solver, "surface_correction"), kinds, 3);
+    const struct deck_node said = deck_find(solver, "surface_correction");
+    return said.index ? (enum surface_correction)keys_choice(said, surface_corrections)
+                      : SURFACE_NONE;
 }
 
 /* w |xi|^power n_axis^4 of a bond; axis < 0: w |xi|^power. */

@@ -13,9 +13,11 @@
 #define HS_SURFACE_CORRECTION_H
 
 #include "bonds.h"
-#include "deck.h"
+#include "keys.h"
 
 enum surface_correction { SURFACE_NONE, SURFACE_VOLUME, SURFACE_ENERGY };
+
+extern const char *const surface_corrections[]; /* in the deck's words, ended by NULL */
 
 /* solver.surface_correction. */
 enum surface_correction surface_correction_read(struct deck_node solver);

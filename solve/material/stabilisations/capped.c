@@ -57,11 +57,12 @@ static int capped_bonds(const void *self, const struct family *family,
     return family->n_half;
 }
 
-static void capped_start(void *self, const struct body *body, const struct strips bonds[])
+static void capped_start(void *self, const struct body *body, const struct strips bonds[],
+                         double *nominal)
 {
     struct capped *c = self;
     const struct family *family = body->family;
-    (void)bonds;
+    (void)bonds, (void)nominal;
     for (int o = 0; o < family->n_half; o++) {
         const struct offset *offset = &family->half[o];
         if (body->lattice->dimensions == 2 && offset->step[2] != 0) continue;

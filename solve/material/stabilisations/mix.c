@@ -33,6 +33,7 @@ struct mix {
     uint8_t *divisor[3];    /* n_i c_ib of each site's bonds along each axis (box field), 0: none */
     double *state[3];       /* of the bonds along each axis, strip by strip */
     double *degradation[3]; /* their records; NULL: none degrades */
+    double *nominal;        /* of the nodes */
 };
 
 static const struct offset axes[3] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, 1}, 1}};
@@ -143,9 +144,11 @@ static void start_bonds(struct mix *mix, const struct body *body, int axis,
     }
 }
 
-static void mix_start(void *self, const struct body *body, const struct strips bonds[])
+static void mix_start(void *self, const struct body *body, const struct strips bonds[],
+                      double *nominal)
 {
     struct mix *mix = self;
+    mix->nominal = nominal;
     const size_t sites = (size_t)body->grid.n_sites;
     for (int a = 0; a < 3; a++) {
         mix->number[a] = family_number(body->family, axes[a].step);
@@ -257,9 +260,9 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
             add_both(count, j2.P[k], beta, 0.5 * a, 0.5 * a, body->S[k] + i, step);
         }
     }
-    if (mode.axial) {
-        add_one(count, j2.P[0], gi, a, mode.axial + i);
-        add_one(count, j2.P[0], gj, a, mode.axial + j);
+    if (mode.record) {
+        add_one(count, j2.P[0], gi, a, mix->nominal + i);
+        add_one(count, j2.P[0], gj, a, mix->nominal + j);
     }
     if (mode.energy) mix_energy(mix, body, &j2, beta, i, energy);
 }

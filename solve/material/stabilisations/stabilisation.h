@@ -20,8 +20,10 @@ struct stabilisation {
                   const struct materials *materials);
     /* The half offsets its bonds run along. */
     int (*bonds)(const void *self, const struct family *family, const struct offset **offsets);
-    /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o, of add. */
-    void (*start)(void *self, const struct body *body, const struct strips bonds[]);
+    /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o, of add.  nominal: to whose
+     * nodes the bonds add their nominal stress xx where mode.record, where they carry a share of it (box field). */
+    void (*start)(void *self, const struct body *body, const struct strips bonds[],
+                  double *nominal);
     double (*node_share)(const void *self); /* weight of the node's own law */
     /* One of the two.  Forces go to body->f, stresses to body->S. */
     /* Bonds of a lattice whose lower end lies in the strip, along its offset number o. */

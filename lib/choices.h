@@ -1,19 +1,15 @@
 /* choices.h - what a user may choose about the evaluation of a curve.
  *
- * Each choice is a key of the deck's section "post:" and, with dashes, an option of hspost; the
- * option wins.  To add one: a member here, a row of the table in choices.c, its key in
- * deck_post_keys (lib/deck.c). */
+ * The section "post:" of the deck; every tool reads it, so that what is wrong there stops the first of them, not
+ * hspost after the run.  Each key is, with dashes, an option of hspost, too, and the option wins.  To add one: a
+ * member here, a row of the table in choices.c. */
 #ifndef HS_CHOICES_H
 #define HS_CHOICES_H
 
-#include "options.h"
-
 struct deck;
 
-enum { CHOICE_COUNT = 13 };
-
 struct choices {
-    char *title;         /* name of the curve; NULL: the file's */
+    const char *title;   /* name of the curve, as long as the deck lives; NULL: the file's */
     double gauge_length; /* m; NAN: as the history says */
     double section;      /* m^2; NAN: as the history says */
     double modulus_range
@@ -29,17 +25,10 @@ struct choices {
     double fracture_share;     /* share of Rm below which the specimen counts as broken */
 };
 
-struct choices choices_default(void);
+extern const struct section post_section;
 
-/* Takes over what the section "post:" says; dies with file:line:column at what is wrong there. */
-void choices_read_deck(struct choices *choices, const struct deck *deck);
-
-/* Fills rows[CHOICE_COUNT] so that options_read leaves the texts in texts[CHOICE_COUNT]. */
-void choices_options(struct option_row rows[], const char *texts[]);
-
-/* Takes over the texts that are not NULL; dies (exit 2) naming the option. */
-void choices_read_options(struct choices *choices, const char *const texts[]);
-
-void choices_free(struct choices *choices);
+/* What the deck says, its title where post has none; dies with file:line:column at what is wrong there.
+ * deck = NULL: the defaults. */
+struct choices choices_read(const struct deck *deck);
 
 #endif

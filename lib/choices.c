@@ -1,0 +1,59 @@
+#include "choices.h"
+
+#include "keys.h"
+#include "sections.h"
+
+#include <math.h>
+
+#define NUMBER(member) .kind = KEY_NUMBER, .place = offsetof(struct choices, member)
+#define RANGE(member)  NUMBER(member), .unit = "1", .size = 2, .rising = true
+
+static const double usual_hardening[] = {0.02, 0.2}, usual_fit[] = {0.002, 10};
+
+static const struct key rows[] = {
+    {"title", KEY_TEXT, offsetof(struct choices, title), .otherwise = "the deck's, else the file's",
+     .help = "name of the curve"},
+    {"gauge_length", NUMBER(gauge_length), .unit = "m", .low = 1e-12, .high = 1e3, .usual = NAN,
+     .otherwise = "the history's", .help = "initial gauge length"},
+    {"section", NUMBER(section), .unit = "m2", .low = 1e-24, .high = 1e6, .usual = NAN,
+     .otherwise = "the history's", .help = "initial section"},
+    {"modulus_range", RANGE(modulus_range), .low = 0, .high = 1, .usual = NAN,
+     .otherwise = "the file's, else 0.1 and 0.4",
+     .help = "fit of the slope, between two shares of Rp0.2"},
+    {"modulus_rows", RANGE(modulus_rows), .low = 1, .high = 1e12, .usual = NAN,
+     .help = "fit of the slope over these rows instead, counted from 1"},
+    {"toe", NUMBER(toe), .unit = "1", .low = -1, .high = 1, .usual = NAN,
+     .otherwise = "from the fit of the slope", .help = "strain at zero stress"},
+    {"modulus", NUMBER(modulus), .unit = "Pa", .low = 1, .high = 1e15, .usual = NAN,
+     .otherwise = "the measured slope", .help = "Young's modulus in the plastic strain"},
+    {"true_modulus", NUMBER(true_modulus), .unit = "Pa", .low = 1, .high = 1e15, .usual = NAN,
+     .help =
+         "replaces the measured slope in all strains: removes the compliance of a testing machine"},
+    {"hardening_range", RANGE(hardening_range), .low = 0, .high = 10, .usuals = usual_hardening,
+     .help = "engineering plastic strain for n and K, at most Ag"},
+    {"fit_range", RANGE(fit_range), .low = 0, .high = 10, .usuals = usual_fit,
+     .help = "true plastic strain for the hardening laws, at most to maximum force"},
+    {"window", NUMBER(window), .unit = "1", .low = 1e-9, .high = 1, .usual = 0.01,
+     .help = "true strain over which slopes are taken"},
+    {"yield_drop", NUMBER(yield_drop), .unit = "1", .low = 0, .high = 1, .usual = 0.02,
+     .help = "fall of stress, a share, that makes an upper yield point"},
+    {"fracture_share", NUMBER(fracture_share), .unit = "1", .low = 0, .high = 1, .usual = 0.1,
+     .help = "share of Rm; the specimen counts as broken where the stress falls below"},
+};
+
+const struct section post_section = {
+    .path = "post",
+    .help = "How hspost makes a curve of a history. Each key is an option of hspost, too, and the "
+            "option "
+            "stands over it.",
+    .keys = KEYS(rows),
+};
+
+struct choices choices_read(const struct deck *deck)
+{
+    struct choices choices;
+    struct sections sections = deck ? sections_read(deck) : (struct sections){0};
+    keys_read(sections.post, &post_section, 0, 0, &choices, NULL);
+    if (!choices.title) choices.title = sections.title;
+    return choices;
+}

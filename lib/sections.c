@@ -1,0 +1,43 @@
+#include "sections.h"
+
+#include "choices.h"
+#include "keys.h"
+
+#define SECTION(name, words)                                                                       \
+    {                                                                                              \
+#name, KEY_NODE, offsetof(struct sections, name), .help = words                            \
+    }
+#define LIST(name, words)                                                                          \
+    {                                                                                              \
+#name, KEY_NODE, offsetof(struct sections, name), .form = "list of mappings",              \
+                                                          .help = words                            \
+    }
+
+static const struct key rows[] = {
+    {"title", KEY_TEXT, offsetof(struct sections, title),
+     .help = "name of the study, for all programs"},
+    SECTION(domain, "hsgen: the specimen and its structure"),
+    SECTION(materials, "hssolve: one mapping a phase, under its name"),
+    LIST(damage, "hssolve: laws by which bonds break and nodes fail"),
+    LIST(cracks, "hssolve: cracks that are there from the start"),
+    LIST(boundary, "hssolve: what holds and loads the body"),
+    LIST(initial, "hssolve: displacements and velocities at the start"),
+    SECTION(solver, "hssolve: how the run advances, and to where"),
+    SECTION(output, "hssolve: histories, quantities and fields"),
+    SECTION(post, "hspost: how a curve is evaluated"),
+};
+
+const struct section deck_section = {
+    .path = "deck",
+    .help = "The sections of a study. Each program reads those it owns and passes over the others.",
+    .keys = KEYS(rows),
+};
+
+struct sections sections_read(const struct deck *deck)
+{
+    struct sections sections;
+    struct choices choices;
+    keys_read(deck_root(deck), &deck_section, 0, 0, &sections, NULL);
+    keys_read(sections.post, &post_section, 0, 0, &choices, NULL);
+    return sections;
+}

@@ -1,0 +1,99 @@
+/* What a run is going to do, in words, before its first step. */
+#include "die.h"
+#include "memory.h"
+#include "simulation_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Evaluations of the force that a load step takes where nothing breaks: of plates of nickel 40 to 100. */
+enum { USUAL_EVALUATIONS = 70 };
+
+static double count_load_steps(const struct simulation *s)
+{
+    const double largest = simulation_load_step(s, s->scene.statics.largest_step);
+    double step = s->integration.dt, time = 0, count = 0;
+    if (s->scene.end_steps > 0) return (double)s->scene.end_steps;
+    for (; step < largest && time < s->end_time; step *= QUASI_STATIC_GROWTH, count++) time += step;
+    return count + ceil(fmax(s->end_time - time, 0) / largest);
+}
+
+/* force: time of one evaluation, s */
+static char *explicit_plan(const struct simulation *s, double memory, double force)
+{
+    char *rate =
+        boundary_has_grips(&s->boundary)
+            ? memory_print("strain rate %.3g 1/s, ", boundary_full_strain_rate(&s->boundary))
+            : memory_text("");
+    char *scaled = s->scene.mass_scaling != 1
+                       ? memory_print("inertia times %g, ", s->scene.mass_scaling)
+                       : memory_text("");
+    char *plan =
+        memory_print("step %.3g s (%.2f of the critical %.3g s), about %lld steps to %.3g s; "
+                     "%s%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
+                     s->integration.dt, s->scene.safety, s->critical_step, (long long)s->n_steps,
+                     s->end_time, rate, scaled, materials_wave_speed(&s->materials), memory * 1e-6,
+                     1.15 * force * (double)s->n_steps);
+    free(scaled);
+    free(rate);
+    return plan;
+}
+
+static char *static_plan(const struct simulation *s, double memory, double force)
+{
+    const struct scene_static *statics = &s->scene.statics;
+    const double steps = count_load_steps(s);
+    return memory_print(
+        "load steps from %g up to %g %s by %s, residual under %g, %.0f or more; %.0f MB; %.2g s "
+        "each evaluation of the force, of which a step takes some %d: about %.2g s, and what "
+        "breaks comes on top",
+        statics->first_step, statics->largest_step, s->scene.end_strain > 0 ? "of strain" : "s",
+        equilibrium_methods[statics->method], statics->tolerance, steps, memory * 1e-6, force,
+        USUAL_EVALUATIONS, steps * USUAL_EVALUATIONS * force);
+}
+
+static void tell_phases(const struct simulation *s)
+{
+    char *phases = memory_text("");
+    for (int p = 0; p < s->domain.n_phases; p++) {
+        char *longer = memory_print("%s%s%s %.1f %%", phases, p ? ", " : "",
+                                    s->domain.phase_names[p], 100 * simulation_fraction(s, p));
+        free(phases);
+        phases = longer;
+    }
+    note("%s: %s within a horizon of %g spacings; %s%s", deck_name(s->deck),
+         s->materials.formulation->name, s->scene.horizon, phases,
+         s->gauge ? " between the gauge planes" : "");
+    free(phases);
+}
+
+static void tell_outputs(const struct simulation *s)
+{
+    const struct scene_fields *fields = &s->scene.fields;
+    const double steps = s->integration.moving ? (double)s->n_steps : count_load_steps(s);
+    note("about %.0f records of %d columns",
+         1 + (s->integration.moving ? fmin(steps, (double)s->scene.history) : steps),
+         s->recorder.history.n_columns);
+    if (fields->n_variables > 0)
+        note("about %.0f frames of %d variables in %s",
+             1 + (fields->every ? ceil(steps / (double)fields->every) : (double)fields->frames),
+             fields->n_variables, s->arguments->fields ? s->arguments->fields : "no file");
+}
+
+void simulation_announce(struct simulation *s)
+{
+    double start = ranks_clock();
+    model_force(s->model, &s->body, (struct force_mode){0}, NULL);
+    double force = ranks_clock() - start;
+    double memory = ranks_memory();
+    if (s->ranks.rank != 0) return;
+    if (s->arguments->check) tell_phases(s);
+    char *plan = (s->integration.moving ? explicit_plan : static_plan)(s, memory, force);
+    note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
+         (long long)s->n_bonds, s->ranks.size, plan);
+    free(plan);
+    if (s->body.unsupported > 0 && s->materials.formulation->stress_of == STRESS_OF_NODES)
+        warn("%lld nodes have too few neighbours for a deformation gradient and carry no stress",
+             (long long)s->body.unsupported);
+    if (s->arguments->check) tell_outputs(s);
+}
