@@ -11,6 +11,8 @@
 #   make format          clang-format over the tree
 #   make first           the small study of the README
 #   make flagship study  the larger ones of pipelines/ (minutes to an hour)
+#   make studies         all studies in their small forms, each through its own check, a line each (some twenty minutes)
+#   make mutations       breaks the code in some 180 places, one at a time, and says which test notices (hours)
 #
 # Options: CC=clang, WERROR=1 (warnings are errors), SANITIZE=1 (ASan and UBSan, own build tree).
 
@@ -69,7 +71,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-format docs install uninstall clean format help \
-        first flagship study stress bench bench-tables bench-compare
+        stress mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -157,6 +159,10 @@ check: all $(TESTS) check-format
 stress: all
 	LONG=1 $(PROVE) $(sort $(wildcard tests/stress/*.bats))
 
+# Tests of the tests; no part of check.
+mutations:
+	BUILD=$(BUILD) tests/mutate
+
 check-unit: $(TESTS)
 	$(PROVE) $(filter $(BUILD)/tests/unit/%,$(TESTS))
 
@@ -192,7 +198,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,15s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,17s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,7 +1,7 @@
 # What the checks of the studies share: awk -v study=NAME [-v rows=N] -f pipelines/must.awk -f CHECK TABLE...
 #
 # Of each table, whatever the check asks: it has rows (N where given), each with as many cells as the header, and no cell is empty,
-# nan or inf; cells of the columns named in `blank` may be empty.  A comparison with what is no number would hold as often as not.
+# nan or inf; cells of the columns named in `blank` may be empty (all: any).  A comparison with what is no number would hold as often as not.
 # The check calls complete() for its own arrays, and finish() at its end.
 
 function must(holds, what) {
@@ -24,18 +24,19 @@ function complete(array, what,   key, name) {
     }
 }
 
-# To be called last in END.
+# The end of END.
 function finish() {
     must(tables == ARGC - 1, tables + 0 " tables instead of " ARGC - 1)
     if (rows != "") must(table_rows == rows, table_rows " rows instead of " rows)
     if (failed) exit 1
     print study ": " checks " checks hold" > "/dev/stderr"
+    exit 0
 }
 
 function look_at_cells(   i) {
     must(NF == width, FILENAME ": " NF " cells instead of " width " in row " FNR)
     for (i = 1; i <= NF; i++) {
-        if ($i == "" && index(" " blank " ", " " head[i] " ")) continue
+        if ($i == "" && (blank == "all" || index(" " blank " ", " " head[i] " "))) continue
         if ($i == "" || tolower($i) ~ /^[-+]?(nan|inf)/) must(0, FILENAME ": " head[i] " is '" $i "' in row " FNR)
     }
 }

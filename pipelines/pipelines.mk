@@ -19,21 +19,42 @@
 #   make solvers               evaluations and seconds of load steps, by method, nodes, length, horizon (20 minutes)
 #   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
+#   make decks                 the decks of all studies, as the targets above would run them; nothing is run
+#   make studies               every study in its small form and through its check (some twenty minutes of two cores), a line each
+#
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
+#
+# SMALL=yes: the small form of a study, in build/studies: fewer runs, or shorter ones, with what then holds of its check.  Those of the
+# horizons and the rate of the flagship have none: a plate of 64,000 particles is to be pulled far for them.
 #
 # A run is made anew when its deck is newer, not when a program is: remove its folder for that.
 
-RESULTS := $(BUILD)/results
+RESULTS := $(BUILD)/$(if $(SMALL),studies,results)
 RANKS ?= 2
-SPACINGS ?= 25um 12.5um
+SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
-.PHONY: solvers thesis-calibration spacings finite-elements rates necking fracture solver-switch errors plate-cg flagship-horizons flagship-rate r40 thesis bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing
 
-first plate-cg: %: $(RESULTS)/%/curve.csv
-errors: $(RESULTS)/errors/table.md $(RESULTS)/errors/finite.csv
+STUDIES := first plate-cg errors flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking fracture \
+           solver-switch solvers rates spacings finite-elements thesis-calibration
+.PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
+
+# A check says how many of its assertions hold, or which does not.
+must = awk -v study=$(1) $(2) -f pipelines/must.awk -f pipelines/$(1)/check.awk
+curves = awk -v study=$(1) -v blank=all -v end=$(2) -f pipelines/must.awk -f pipelines/curve.awk
+columns = awk -f pipelines/columns.awk
+
+first: $(RESULTS)/first/curve.csv
+	$(call curves,$@,0.04) $<
+plate-cg: $(RESULTS)/plate-cg/curve.csv
+	$(call must,$@,-v blank=all) $<
 flagship: $(RESULTS)/ni-hs40/curve.csv
+	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
 r40: $(RESULTS)/ni-r40/curve.csv
+	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
 thesis: $(RESULTS)/ni-hs40-thesis/curve.csv
+	$(call curves,$@,$(if $(SMALL),0.01,0.25)) $<
+errors: $(RESULTS)/errors/table.md $(if $(SMALL),,$(RESULTS)/errors/finite.csv)
+	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $(@:%=$(RESULTS)/%/elastic.csv) $(@:%=$(RESULTS)/%/plates.csv)
 flagship-horizons: $(RESULTS)/ni-hs40/horizons.csv
 flagship-rate: $(RESULTS)/ni-hs40/rate.csv
 study: $(RESULTS)/study/figure.svg $(RESULTS)/study/table.csv
@@ -42,15 +63,28 @@ $(RESULTS)/%: SHELL := /bin/bash
 $(RESULTS)/%: .SHELLFLAGS := -o pipefail -ec
 $(RESULTS)/%: export PATH := $(abspath $(BUILD)/bin):$(PATH)
 
-# From a deck to everything: a deck of pipelines/, or a variant written beside its results.
+# A variant is a deck in which every expression finds what it replaces.
+define VARY
+@mkdir -p $(@D)
+pipelines/vary $< $(1) > $@
+endef
+
+# Every run has its deck beside its results: a copy, or a variant by a rule of its own.
+PLAIN := first plate-cg ni-hs40 ni-r40 ni-hs40-thesis
+small_ni-hs40 = -e 's/end_strain: 0.30/end_strain: 0.01/'
+small_ni-r40 = $(small_ni-hs40)
+small_ni-hs40-thesis = -e 's/end_strain: 0.25/end_strain: 0.01/'
+$(PLAIN:%=$(RESULTS)/%/study.yaml): $(RESULTS)/%/study.yaml: pipelines/%/study.yaml
+	$(call VARY,$(if $(SMALL),$(small_$*)))
+DECKS := $(PLAIN:%=$(RESULTS)/%/study.yaml)
+
+# From a deck to everything.
 define RUN
 @mkdir -p $(@D)
 hsgen $< --statistics $(@D)/statistics.csv --picture $(@D)/structure.png \
 | hssolve -j $(RANKS) $(if $(FIELDS),--output $(@D)/fields.e) 2> >(tee $(@D)/hssolve.log >&2) \
 | hspost --properties $(@D)/properties.csv --plot $(@D)/curve.svg > $@
 endef
-$(RESULTS)/%/curve.csv: pipelines/%/study.yaml | all
-	$(RUN)
 $(RESULTS)/%/curve.csv: $(RESULTS)/%/study.yaml | all
 	$(RUN)
 $(patsubst %,$(RESULTS)/%/curve.csv,ni-hs40 ni-r40 ni-hs40-thesis): FIELDS := yes
@@ -60,17 +94,11 @@ $(RESULTS)/first/curve.csv: pipelines/first/study.yaml | all
 	@mkdir -p $(@D)
 	hsgen $< | hssolve -j $(RANKS) | hspost --plot $(@D)/curve.svg > $@
 
-# A variant is a deck with lines replaced; that nothing matched is an error.
-define VARY
-@mkdir -p $(@D)
-sed $(1) $< > $@
-@! cmp -s $< $@ || { echo "$@: no different from $<" >&2; exit 1; }
-endef
-
 $(RESULTS)/ni-hs40-horizon-%/study.yaml: pipelines/ni-hs40/study.yaml
 	$(call VARY,-e 's/^  horizon: 1 /  horizon: $* /' -e 's/^  title: HS40/&$(comma) horizon $*/')
 $(RESULTS)/ni-hs40-half-speed/study.yaml: pipelines/ni-hs40/study.yaml
 	$(call VARY,-e 's/10 m.s/5 m\/s/' -e 's/end_strain: 0.30/end_strain: 0.10/' -e 's/^  title: HS40/&$(comma) half the speed/')
+DECKS += $(patsubst %,$(RESULTS)/ni-hs40-%/study.yaml,horizon-2 horizon-3 half-speed)
 # Differences are those of the longer horizon against horizon 1, cost is what hssolve said at the end.
 LONGER := $(foreach h,2 3,$(RESULTS)/ni-hs40-horizon-$(h)/curve.csv)
 HORIZONS := $(RESULTS)/ni-hs40/curve.csv $(LONGER)
@@ -88,8 +116,9 @@ $(RESULTS)/ni-hs40/rate.csv: $(RATES)
 
 # The study: one deck a material; spacing and seed are all that varies.  Seeds 2, 5 and 9 are those
 # of the first twelve at which both phases percolate at either spacing; the cells are the same.
-SEEDS := 2 5 9
-STUDY = $(foreach s,$(SPACINGS),$(foreach m,cg ufg hs40 $(SEEDS:%=r40-seed%),$(RESULTS)/study/$(m)-$(s)/curve.csv))
+SEEDS := $(if $(SMALL),2,2 5 9)
+STUDY := $(foreach s,$(SPACINGS),$(foreach m,cg ufg hs40 $(SEEDS:%=r40-seed%),$(RESULTS)/study/$(m)-$(s)/curve.csv))
+DECKS += $(STUDY:curve.csv=study.yaml)
 BOUNDS = $(foreach s,$(SPACINGS),$(RESULTS)/study/voigt-$(s).csv $(RESULTS)/study/reuss-$(s).csv)
 
 study_spacing = -e 's/^  spacing: 25 um/  spacing: $(1:um= um)/' -e 's/^  title: .*/&$(comma) $(1:um= um)/'
@@ -107,23 +136,28 @@ $(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS) pipelines/study/figure.gp
 	gnuplot -c pipelines/study/figure.gp $(@D) $@ $(SPACINGS)
 $(RESULTS)/study/table.csv: $(STUDY) $(BOUNDS) pipelines/compare.awk
 	awk -f pipelines/compare.awk $(STUDY) $(BOUNDS) > $@
+	$(call curves,study,0.10) $(STUDY)
 
 # Errors of the materials: elastic ones by a program of its own, yield and hardening by plates.
 $(RESULTS)/errors/elastic.csv: $(BUILD)/tests/physics/errors
 	@mkdir -p $(@D)
 	$< > $@
 $(RESULTS)/errors/plates.csv: pipelines/errors/plate.yaml pipelines/errors/plates | all
-	pipelines/errors/plates $< $(@D)/plates > $@
+	pipelines/errors/plates $< $(@D)/plates $(if $(SMALL),small) > $@
 $(RESULTS)/errors/table.md: pipelines/errors/table.awk $(RESULTS)/errors/elastic.csv $(RESULTS)/errors/plates.csv
 	awk -F, -f $^ > $@
 $(RESULTS)/errors-finite/study.yaml: pipelines/errors/plate.yaml
 	$(call VARY,-e 's/end_strain: .*/end_strain: 0.16/' -e 's/1 m.s/4 m\/s/g')
-$(RESULTS)/errors/finite.csv: pipelines/errors/finite.awk $(RESULTS)/errors-finite/curve.csv
-	awk -F, -f $^ > $@
+$(RESULTS)/errors/finite.csv: $(RESULTS)/errors-finite/curve.csv pipelines/errors/finite.awk
+	$(columns) -F, -f pipelines/errors/finite.awk $< > $@
+DECKS += $(RESULTS)/errors-finite/study.yaml $(RESULTS)/errors/plates
+.PHONY: $(RESULTS)/errors/plates
+$(RESULTS)/errors/plates:
+	pipelines/errors/plates pipelines/errors/plate.yaml $@ decks
 
 # The bond-based sheet: a test for each plane, horizon, spacing, kind of volumes and of surface
 # correction; its folder has that name.  Plane strain differs by a factor, so one spacing and horizon do.
-BOND_HORIZONS := 2.015 3.015 4.015 5.015
+BOND_HORIZONS := $(if $(SMALL),3.015,2.015 3.015 4.015 5.015)
 BOND_KINDS := whole-none whole-energy partial-none partial-energy
 BOND_NAMES := $(foreach k,$(BOND_KINDS),$(foreach h,$(BOND_HORIZONS),$(foreach s,4mm 2mm 1mm,stress-$(h)-$(s)-$(k))) strain-3.015-2mm-$(k))
 BOND_PLATES := $(BOND_NAMES:%=$(RESULTS)/bond-plate/%)
@@ -134,14 +168,15 @@ bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(
 	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/'
 $(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
 	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
+DECKS += $(BOND_PLATES:%=%/study.yaml)
 $(BOND_PLATES:%=%/curve.csv): FIELDS := yes
 $(BOND_PLATES:%=%/row.csv): %/row.csv: %/curve.csv pipelines/bond-plate/measure.awk
 	hspost --frames $(@D)/fields.e --csv --variables DisplacementX,DisplacementY > $(@D)/displacement.csv
-	awk -v name=$(notdir $(@D)) -f pipelines/bond-plate/measure.awk $< $(@D)/displacement.csv > $@
+	$(columns) -v name=$(notdir $(@D)) -f pipelines/bond-plate/measure.awk $< $(@D)/displacement.csv > $@
 $(RESULTS)/bond-plate/table.csv: $(BOND_PLATES:%=%/row.csv) pipelines/bond-plate/check.awk
 	{ echo plane,horizon,spacing_mm,volumes,surface_correction,exact_GPa,measured_GPa,error_percent,lattice_error_percent,poissons_ratio,lattice_poissons_ratio; \
 	cat $(filter %.csv,$^); } > $@
-	awk -f pipelines/bond-plate/check.awk $@
+	$(call must,bond-plate,-v rows=$(words $(BOND_PLATES)) $(if $(SMALL),-v small=yes)) $@
 $(RESULTS)/bond-plate/figure.svg: $(RESULTS)/bond-plate/table.csv pipelines/bond-plate/figure.gp
 	gnuplot -c pipelines/bond-plate/figure.gp $< $@
 
@@ -155,8 +190,9 @@ LOADS := study strong report
 HELD := $(foreach m,madenci_oterkus ordinary,$(m)-2mm $(m)-1mm)
 load-steps: $(LOADS:%=$(RESULTS)/load-steps/%/frames.png) $(RESULTS)/load-steps/table.csv
 
+DECKS += $(LOADS:%=$(RESULTS)/load-steps/%/study.yaml) $(HELD:%=$(RESULTS)/load-steps/%/study.yaml)
 $(RESULTS)/load-steps/study/study.yaml: pipelines/load-steps/study.yaml
-	@mkdir -p $(@D) && cp $< $@
+	$(call VARY)
 $(RESULTS)/load-steps/strong/study.yaml: pipelines/load-steps/study.yaml
 	$(call VARY,-e 's/-150 N/-4500 N/g' -e 's/ 150 N/ 4500 N/g')
 # 12 times the load, time steps shorter by sqrt(1000) than the report's 0.4 us.
@@ -174,18 +210,19 @@ $(RESULTS)/load-steps/%/displacement.csv: $(RESULTS)/load-steps/%/fields.e
 	hspost --frames $< --csv --variables DisplacementX,DisplacementY > $@
 $(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/%/displacement.csv) $(LOADS:%=$(RESULTS)/load-steps/%/fields.e) $(wildcard pipelines/load-steps/*.awk)
 	{ echo model,spacing,strain,poissons_ratio,end_displacement_mm,strain_error_percent,poissons_ratio_error_percent,end_displacement_error_percent; \
-	for name in $(HELD); do awk -v name=$$name -f pipelines/load-steps/measure.awk $(@D)/$$name/displacement.csv; done; } > $@
+	for name in $(HELD); do $(columns) -v name=$$name -f pipelines/load-steps/measure.awk $(@D)/$$name/displacement.csv; done; } > $@
 	{ echo deck,frame,load_N,most_damage,damage_left,damage_right; for name in $(LOADS); do for frame in 2 3 4 5 6 7; do \
 	hspost --frames $(@D)/$$name/fields.e --frame $$frame --csv --variables ExternalForceX,Damage \
 	| awk -F, -v name=$$name,$$frame '/^[#x]/ {next} $$5 > most {most = $$5} $$1 > 0 {load += $$4*12e-9; right += $$5} $$1 < 0 {left += $$5} \
 	END {printf "%s,%.9g,%.4f,%.12g,%.12g\n", name, load, most, left, right}'; done; done; } > $(@D)/loads.csv
-	awk -f pipelines/load-steps/check.awk $@ $(@D)/loads.csv
+	$(call must,load-steps,-v rows=$(words $(HELD) $(foreach l,$(LOADS),2 3 4 5 6 7))) $@ $(@D)/loads.csv
 
 # The crack in a glass plate at two spacings: its tip through the frames, pictures.
-CRACKS := 1mm 0.5mm
+CRACKS := 1mm$(if $(SMALL),, 0.5mm)
+DECKS += $(CRACKS:%=$(RESULTS)/crack/%/study.yaml)
 crack: $(RESULTS)/crack/figure.svg $(RESULTS)/crack/table.csv $(CRACKS:%=$(RESULTS)/crack/%/pictures)
 $(RESULTS)/crack/0.5mm/study.yaml: pipelines/crack/study.yaml
-	@mkdir -p $(@D) && cp $< $@
+	$(call VARY)
 $(RESULTS)/crack/1mm/study.yaml: pipelines/crack/study.yaml
 	$(call VARY,-e 's/spacing: 0.5 mm/spacing: 1 mm/')
 $(CRACKS:%=$(RESULTS)/crack/%/fields.e): %/fields.e: %/study.yaml | all
@@ -193,9 +230,9 @@ $(CRACKS:%=$(RESULTS)/crack/%/fields.e): %/fields.e: %/study.yaml | all
 $(RESULTS)/crack/track-%.csv: $(RESULTS)/crack/%/fields.e pipelines/crack/track.awk
 	for frame in $$(hspost --frames $< | awk -F, '/^[0-9]/ {print $$1}'); do \
 	hspost --frames $< --frame $$frame --csv --variables Damage --slice z; done \
-	| awk -v spacing=$(*:mm=) -f pipelines/crack/track.awk > $@
+	| $(columns) -v spacing=$(*:mm=) -f pipelines/crack/track.awk > $@
 $(RESULTS)/crack/table.csv: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/crack/check.awk
-	awk -f pipelines/crack/check.awk $(filter %.csv,$^) > $@ || { cat $@ >&2; exit 1; }
+	$(call must,crack,-v blank="tip_mm branching_mm" $(if $(SMALL),-v small=yes)) $(filter %.csv,$^) > $@ || { cat $@ >&2; exit 1; }
 $(RESULTS)/crack/figure.svg: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/crack/figure.gp
 	gnuplot -c pipelines/crack/figure.gp $(@D) $@
 $(RESULTS)/crack/%/pictures: $(RESULTS)/crack/%/fields.e
@@ -203,7 +240,8 @@ $(RESULTS)/crack/%/pictures: $(RESULTS)/crack/%/fields.e
 	touch $@
 
 # The thesis' explicit runs at both velocities, with its plasticity and without.
-IMPACTS := plastic-450 plastic-45 elastic-450 elastic-45
+IMPACTS := $(if $(SMALL),,plastic-450 plastic-45) elastic-450 elastic-45
+DECKS += $(IMPACTS:%=$(RESULTS)/thesis-impact/%/study.yaml)
 thesis-impact: $(RESULTS)/thesis-impact/table.csv $(IMPACTS:%=$(RESULTS)/thesis-impact/%/pictures)
 impact_elastic = $(if $(filter elastic,$(1)),-e 's/ordinary_plastic/ordinary/' -e '/hardening:/d' -e 's/end_time: .*/end_time: 1.2 us/')
 impact_slow = $(if $(filter 45,$(1)),-e 's/450 m.s/45 m\/s/' -e 's/end_time: 2.277/end_time: 2.776/')
@@ -214,11 +252,11 @@ $(IMPACTS:%=$(RESULTS)/thesis-impact/%/curve.csv): FIELDS := yes
 $(RESULTS)/thesis-impact/%/frames.csv: $(RESULTS)/thesis-impact/%/curve.csv pipelines/thesis-impact/frames.awk
 	for frame in $$(hspost --frames $(@D)/fields.e | awk -F, '/^[0-9]/ {print $$1}'); do \
 	hspost --frames $(@D)/fields.e --frame $$frame --csv --variables Damage,VelocityX --slice z; done \
-	| awk -v level=$(if $(filter elastic,$(subst -, ,$*)),$(if $(filter 45,$(subst -, ,$*)),22.5,225),2) -f pipelines/thesis-impact/frames.awk > $@
+	| $(columns) -v level=$(if $(filter elastic,$(subst -, ,$*)),$(if $(filter 45,$(subst -, ,$*)),22.5,225),2) -f pipelines/thesis-impact/frames.awk > $@
 $(RESULTS)/thesis-impact/table.csv: $(IMPACTS:%=$(RESULTS)/thesis-impact/%/frames.csv) $(wildcard pipelines/thesis-impact/*.awk)
 	{ echo material,velocity_m_per_s,step_s,steps,wave_m_per_s,at_the_middle_ns,middle_broken_ns,ends_broken_ns; \
 	for name in $(IMPACTS); do awk -v name=$$name -f pipelines/thesis-impact/measure.awk $(@D)/$$name/curve.csv $(@D)/$$name/frames.csv; done; } > $@
-	awk -f pipelines/thesis-impact/check.awk $@
+	$(call must,thesis-impact,-v rows=$(words $(IMPACTS)) -v blank="middle_broken_ns ends_broken_ns" $(if $(SMALL),-v small=yes)) $@
 $(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
 	for time in 400 550 700 1100; do hspost --frames $(@D)/fields.e --time "$$time ns" --picture $(@D)/at-$$time-ns.png \
 	--variables VelocityX,Damage --slice z --deformed 1; done
@@ -226,6 +264,7 @@ $(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
 
 # The thesis' boundary conditions: one plate, four sections `boundary`.
 HOLDS := 1 2 3 4
+DECKS += $(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml)
 thesis-boundary: $(RESULTS)/thesis-boundary/table.csv $(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png)
 $(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml): $(RESULTS)/thesis-boundary/%/study.yaml: pipelines/thesis-boundary/plate.yaml pipelines/thesis-boundary/boundary-%.part
 	@mkdir -p $(@D)
@@ -238,11 +277,12 @@ $(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png): %/strain.png: %/fields.e
 	hspost --frames $< --picture $@ --variables EquivalentPlasticStrain --deformed 3 --range 0:0.08
 $(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nodes.csv) $(wildcard pipelines/thesis-boundary/*.awk)
 	{ echo variant,mean_percent,most_percent,mean_von_mises_MPa,asymmetry_x_percent,asymmetry_y_percent,asymmetry_turned_percent; \
-	for name in $(HOLDS); do awk -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
-	awk -f pipelines/thesis-boundary/check.awk $@
+	for name in $(HOLDS); do $(columns) -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
+	$(call must,thesis-boundary,-v rows=$(words $(HOLDS))) $@
 
 # Bars that part: phase, m/s of a grip, spacing in um, and whether the interval of damage is scaled by a length.
-PARTING := $(foreach m,cg ufg,$(foreach v,25 5,$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(v)-$(s)-$(k)))))
+PARTING := $(foreach m,cg$(if $(SMALL),, ufg),$(foreach v,25$(if $(SMALL),, 5),$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(v)-$(s)-$(k)))))
+DECKS += $(PARTING:%=$(RESULTS)/fracture-spacing/%/study.yaml)
 fracture-spacing: $(RESULTS)/fracture-spacing/table.csv $(RESULTS)/fracture-spacing/figure.svg
 parting_ufg = $(if $(filter ufg,$(1)),-e 's/phase: CG/phase: UFG/' -e 's/onset: 0.4$(comma) full: 0.6/onset: 0.15$(comma) full: 0.3/' -e 's/end_strain: 0.55/end_strain: 0.14/')
 parting_vary = -e 's/^title: .*/title: $*/' $(call parting_ufg,$(1)) -e 's/25 m.s/$(word 2,$(1)) m\/s/' \
@@ -253,8 +293,8 @@ $(RESULTS)/fracture-spacing/%/columns.csv: $(RESULTS)/fracture-spacing/%/study.y
 	hsgen $< | hssolve -j $(RANKS) 2> >(tee $(@D)/hssolve.log >&2) | hspost --columns > $@
 $(RESULTS)/fracture-spacing/table.csv: $(PARTING:%=$(RESULTS)/fracture-spacing/%/columns.csv) $(wildcard pipelines/fracture-spacing/*.awk)
 	{ echo phase,velocity_m_per_s,spacing_um,damage,peak_MPa,first_damage_strain,fracture_strain,opening_um,dissipated_mJ,dissipated_after_peak_mJ,damaged_um,removed_nodes,drift; \
-	for name in $(PARTING); do awk -v name=$$name -f pipelines/fracture-spacing/measure.awk $(@D)/$$name/columns.csv; done; } > $@
-	awk -f pipelines/fracture-spacing/check.awk $@
+	for name in $(PARTING); do $(columns) -v name=$$name -f pipelines/fracture-spacing/measure.awk $(@D)/$$name/columns.csv; done; } > $@
+	$(call must,fracture-spacing,-v rows=$(words $(PARTING))) $@
 $(RESULTS)/fracture-spacing/figure.svg: $(RESULTS)/fracture-spacing/table.csv pipelines/fracture-spacing/figure.gp
 	gnuplot -c pipelines/fracture-spacing/figure.gp $(@D) $@
 
@@ -265,7 +305,8 @@ hsgen -q $< | hssolve -j $(RANKS) -H $@ 2> >(tee $(@D)/hssolve.log >&2)
 endef
 
 # Bars that neck: laws, horizons, spacings, the other stabilisation.
-NECKS := cg cg-16um cg-12um cg-horizon2 cg-horizon3 cg-capped ufg linear power
+NECKS := $(if $(SMALL),cg ufg linear,cg cg-16um cg-12um cg-horizon2 cg-horizon3 cg-capped ufg linear power)
+DECKS += $(NECKS:%=$(RESULTS)/necking/%/study.yaml)
 necking: $(RESULTS)/necking/table.csv
 neck_fine = -e 's/spacing: .*/spacing: $(1)/'
 neck_law = -e 's/hardening: .*/hardening: {law: $(1)}/' -e 's/ step: .*/ step: $(2)/' -e 's/end_strain: .*/end_strain: $(3)/'
@@ -287,29 +328,30 @@ $(NECKS:%=$(RESULTS)/necking/%/study.yaml): $(RESULTS)/necking/%/study.yaml: pip
 $(NECKS:%=$(RESULTS)/necking/%/history.e): %/history.e: %/study.yaml | all
 	$(HISTORY)
 $(NECKS:%=$(RESULTS)/necking/%/row.csv): $(RESULTS)/necking/%/row.csv: $(RESULTS)/necking/%/history.e pipelines/necking/measure.awk
-	hspost -q --columns $< | awk -v name=$* -v section=0.04 $(exact_$(firstword $(subst -, ,$*))) -f pipelines/necking/measure.awk > $@
+	hspost -q --columns $< | $(columns) -v name=$* -v section=0.04 $(exact_$(firstword $(subst -, ,$*))) -f pipelines/necking/measure.awk > $@
 $(RESULTS)/necking/table.csv: $(NECKS:%=$(RESULTS)/necking/%/row.csv) pipelines/necking/check.awk
 	{ echo bar,largest_stress_MPa,strain_there,considere_MPa,considere_strain,stress_error_percent,strain_error_percent,end_strain,load_left,section_ratio,largest_plastic_strain,force_evaluations; \
 	cat $(filter %.csv,$^); } > $@
-	awk -f pipelines/necking/check.awk $@
+	$(call must,necking,-v rows=$(words $(NECKS))) $@
 
 # CG, UFG, HS40 and R40 pulled apart.
 BREAKS := cg ufg hs40 r40
+DECKS += $(BREAKS:%=$(RESULTS)/fracture/%/study.yaml)
 fracture: $(RESULTS)/fracture/table.csv $(RESULTS)/fracture/figure.svg $(BREAKS:%=$(RESULTS)/fracture/%/broken.png)
 $(BREAKS:%=$(RESULTS)/fracture/%/study.yaml): $(RESULTS)/fracture/%/study.yaml: pipelines/fracture/%.yaml
-	@mkdir -p $(@D) && cp $< $@
+	$(call VARY)
 $(BREAKS:%=$(RESULTS)/fracture/%/fields.e): %/fields.e: %/study.yaml | all
 	$(FRAMES)
 $(BREAKS:%=$(RESULTS)/fracture/%/curve.csv): %/curve.csv: %/fields.e
 	hspost $(@D)/history.e -p $(@D)/properties.csv --plot $(@D)/curve.svg > $@
 $(BREAKS:%=$(RESULTS)/fracture/%/row.csv): $(RESULTS)/fracture/%/row.csv: $(RESULTS)/fracture/%/fields.e pipelines/fracture/measure.awk pipelines/fracture/starts.awk
-	hspost -q --columns $(@D)/history.e | awk -v name=$* -f pipelines/fracture/measure.awk > $(@D)/numbers.csv
+	hspost -q --columns $(@D)/history.e | $(columns) -v name=$* -f pipelines/fracture/measure.awk > $(@D)/numbers.csv
 	for frame in $$(hspost --frames $< | awk -F, '/^[0-9]/ {print $$1}'); do hspost --frames $< --frame $$frame --csv --variables Damage,Phase; done \
-	| awk -f pipelines/fracture/starts.awk | paste -d, $(@D)/numbers.csv - > $@
+	| $(columns) -f pipelines/fracture/starts.awk | paste -d, $(@D)/numbers.csv - > $@
 $(RESULTS)/fracture/table.csv: $(BREAKS:%=$(RESULTS)/fracture/%/row.csv) pipelines/fracture/check.awk
 	{ echo bar,Rm_MPa,strain_at_Rm,strain_broken,grip_strain_broken,work_MJ_per_m3,grips_apart_until_Rm_percent,grips_apart_percent,nodes_gone,energy_drift,forces_at_rest,forces_in_motion,first_gone,first_gone_x_mm,first_gone_ufg_share,first_degraded_phase; \
 	cat $(filter %.csv,$^); } > $@
-	awk -f pipelines/fracture/check.awk $@
+	$(call must,fracture,-v rows=$(words $(BREAKS))) $@
 $(RESULTS)/fracture/figure.svg: $(BREAKS:%=$(RESULTS)/fracture/%/curve.csv) pipelines/fracture/figure.gp
 	gnuplot -c pipelines/fracture/figure.gp $(@D) $@
 $(RESULTS)/fracture/%/broken.png: $(RESULTS)/fracture/%/fields.e
@@ -317,6 +359,7 @@ $(RESULTS)/fracture/%/broken.png: $(RESULTS)/fracture/%/fields.e
 
 # The same plate by load steps, explicit steps, and both.
 SWITCHES := static-0.001 static-0.005 static-0.01 hybrid explicit-10 explicit-4 explicit-2
+DECKS += $(SWITCHES:%=$(RESULTS)/solver-switch/%/study.yaml)
 solver-switch: $(RESULTS)/solver-switch/table.csv
 switch_static = -e 's/ step: .*/ step: $(1)/'
 switch_hybrid = -e 's/type: .*/type: hybrid\n  explicit_strain: 0.05/' -e 's/2 m.s/4 m\/s/'
@@ -330,20 +373,25 @@ $(SWITCHES:%=$(RESULTS)/solver-switch/%/curve.csv): %/curve.csv: %/history.e
 	hspost -q $< > $@
 $(RESULTS)/solver-switch/table.csv: $(SWITCHES:%=$(RESULTS)/solver-switch/%/curve.csv) $(wildcard pipelines/solver-switch/*.awk)
 	{ echo run,mean_deviation_percent,largest_deviation_percent,at_half_a_percent,at_two_percent,force_evaluations,cpu_s; \
-	for name in $(SWITCHES); do awk -v name=$$name -f pipelines/solver-switch/measure.awk $(@D)/static-0.001/curve.csv $(@D)/$$name/curve.csv $(@D)/$$name/time; done; } > $@
-	awk -f pipelines/solver-switch/check.awk $@
+	for name in $(SWITCHES); do $(columns) -v name=$$name -f pipelines/solver-switch/measure.awk $(@D)/static-0.001/curve.csv $(@D)/$$name/curve.csv $(@D)/$$name/time; done; } > $@
+	$(call must,solver-switch,-v rows=$(words $(SWITCHES))) $@
 
 # What load steps cost.
 solvers: $(RESULTS)/solvers/table.md
 $(RESULTS)/solvers/runs.csv: $(addprefix pipelines/solvers/,run cg.yaml hs40.yaml) | all
 	@mkdir -p $(@D)
-	pipelines/solvers/run $(@D) > $@
+	pipelines/solvers/run $(@D) $(if $(SMALL),small) > $@
+DECKS += $(RESULTS)/solvers/decks
+.PHONY: $(RESULTS)/solvers/decks
+$(RESULTS)/solvers/decks:
+	pipelines/solvers/run $(@D) decks
 $(RESULTS)/solvers/table.md: $(RESULTS)/solvers/runs.csv $(wildcard pipelines/solvers/*.awk)
 	awk -F, -f pipelines/solvers/table.awk $< > $@
-	awk -F, -f pipelines/solvers/check.awk $<
+	$(call must,solvers,$(if $(SMALL),-v small=yes)) $<
 
 # A bar of CG by explicit steps of many kinds, against the exact curve.
 RATES_OF := static hybrid explicit-5 explicit-10 explicit-20 explicit-40 ramp-5 mass-10 mass-100 mass-1000 viscous-1e6 viscous-1e7 local-0.2 local-0.5 local-0.8
+DECKS += $(RATES_OF:%=$(RESULTS)/rates/%/study.yaml)
 rates: $(RESULTS)/rates/table.csv
 rate_static = -e 's/type: .*/type: quasi_static/' -e '/start: affine/d'
 rate_hybrid = -e 's/type: .*/type: hybrid\n  explicit_strain: 0.03/' -e '/start: affine/d'
@@ -358,16 +406,17 @@ $(RATES_OF:%=$(RESULTS)/rates/%/history.e): %/history.e: %/study.yaml | all
 	hsgen -q $< -o $(@D)/domain.g
 	{ time -p hssolve -i $(@D)/domain.g -H $@; } 2> $(@D)/log
 $(RATES_OF:%=$(RESULTS)/rates/%/row.csv): $(RESULTS)/rates/%/row.csv: $(RESULTS)/rates/%/history.e pipelines/rates/measure.awk
-	hspost -q --columns $< | awk -v name=$* -f pipelines/rates/measure.awk - $(@D)/log > $@
+	hspost -q --columns $< | $(columns) -v name=$* -f pipelines/rates/measure.awk - $(@D)/log > $@
 $(RESULTS)/rates/table.csv: $(RATES_OF:%=$(RESULTS)/rates/%/row.csv) pipelines/rates/check.awk
 	{ echo run,E_error_percent,stress_error_at_1_percent,at_2_percent,at_5_percent,at_10_percent,largest_kinetic_percent,forces,cpu_s; \
 	cat $(filter %.csv,$^); } > $@
-	awk -f pipelines/rates/check.awk $@
+	$(call must,rates,-v rows=$(words $(RATES_OF)) -v blank=E_error_percent) $@
 
 # A harmonic structure by hssolve and by CalculiX on the same voxels, split along each axis.  The curves of CalculiX
 # come from the folder; CALCULIX=yes makes them anew.
 FE := $(RESULTS)/finite-elements
-FE_SPLITS := 1 2 3 4
+FE_SPLITS := 1 2$(if $(SMALL),, 3 4)
+DECKS += $(FE_SPLITS:%=$(FE)/hstools-%.yaml)
 FE_RUNS := C3D8-1-0.04 C3D8I-1-0.04 C3D8I-2-0.04 C3D20R-1-0.08 C3D20R-2-0.08
 FE_UNIFORM := C3D8I-1-0.08 C3D20R-1-0.08
 FE_STORED := $(if $(CALCULIX),$(FE),pipelines/finite-elements)
@@ -379,11 +428,12 @@ $(FE)/voxels.txt: pipelines/finite-elements/study.yaml | all
 	@mkdir -p $(@D)
 	hsgen $< -o $(@D)/domain.g --statistics $(@D)/statistics.csv --picture $(@D)/structure.png --peridigm $(@D)/voxels
 define FE_HSTOOLS
-$(FE)/hstools-$(1).csv: $(FE)/voxels.txt pipelines/finite-elements/split.awk pipelines/finite-elements/hstools.awk
-	sed -e 's/spacing: 25 um/spacing: $(call fe_um,$(1)) um/' -e 's/25e-6/$(call fe_um,$(1))*1e-6/' pipelines/finite-elements/study.yaml > $(FE)/hstools-$(1).yaml
-	awk -v by=$(1) -v spacing=25e-6 -f pipelines/finite-elements/split.awk $$< > $(FE)/voxels-$(1).txt
-	TIMEFORMAT=%U; { time hssolve -d $(FE)/hstools-$(1).yaml -i $(FE)/voxels-$(1).txt -H $(FE)/hstools-$(1).e 2> >(tee $(FE)/hssolve-$(1).log >&2); } 2> $(FE)/hstools-$(1).cpu
-	hspost --columns $(FE)/hstools-$(1).e | awk -F, -v spacing=$(call fe_um,$(1)) -v cpu=$$$$(tail -n 1 $(FE)/hstools-$(1).cpu) -f pipelines/finite-elements/hstools.awk > $$@
+$(FE)/hstools-$(1).yaml: pipelines/finite-elements/study.yaml
+	$$(call VARY,-e 's/spacing: 25 um/spacing: $(call fe_um,$(1)) um/' -e 's/25e-6/$(call fe_um,$(1))*1e-6/')
+$(FE)/hstools-$(1).csv: $(FE)/hstools-$(1).yaml $(FE)/voxels.txt pipelines/finite-elements/split.awk pipelines/finite-elements/hstools.awk
+	awk -v by=$(1) -v spacing=25e-6 -f pipelines/finite-elements/split.awk $(FE)/voxels.txt > $(FE)/voxels-$(1).txt
+	TIMEFORMAT=%U; { time hssolve -d $$< -i $(FE)/voxels-$(1).txt -H $(FE)/hstools-$(1).e 2> >(tee $(FE)/hssolve-$(1).log >&2); } 2> $(FE)/hstools-$(1).cpu
+	hspost --columns $(FE)/hstools-$(1).e | $(columns) -F, -v spacing=$(call fe_um,$(1)) -v cpu=$$$$(tail -n 1 $(FE)/hstools-$(1).cpu) -f pipelines/finite-elements/hstools.awk > $$@
 endef
 $(foreach s,$(FE_SPLITS),$(eval $(call FE_HSTOOLS,$(s))))
 
@@ -399,21 +449,24 @@ $(FE)/calculix.csv: $(FE_RUNS:%=$(FE)/%/curve.csv) $(FE_UNIFORM:%=$(FE)/uniform-
 	'$$1 + 0 > 0 {sub(/-[1-9]-.*/, "", run); printf "%s,%s,%s,%s,%s\n", run, um, $$1, $$2, cpu}' $(FE)/$(r)/curve.csv;) } > $@
 $(FE)/table.csv: $(FE_SPLITS:%=$(FE)/hstools-%.csv) $(FE_STORED)/calculix.csv pipelines/finite-elements/table.awk pipelines/finite-elements/check.awk
 	awk -F, -f pipelines/finite-elements/table.awk $(FE_STORED)/calculix.csv $(FE_SPLITS:%=$(FE)/hstools-%.csv) > $@
-	awk -F, -v voxels=$$(cksum < $(FE)/voxels.txt | cut -d' ' -f1) -f pipelines/finite-elements/check.awk $(FE_STORED)/calculix.csv $@
+	$(call must,finite-elements,-v voxels=$$(cksum < $(FE)/voxels.txt | cut -d' ' -f1) -v blank=stress_5_MPa $(if $(SMALL),-v small=yes)) $(FE_STORED)/calculix.csv $@
 
 # One harmonic geometry at three spacings, by load steps to 10 %.
-FINER := 25um 12.5um 8.33um
+FINER := 25um 12.5um$(if $(SMALL),, 8.33um)
+DECKS += $(FINER:%=$(RESULTS)/spacings/%/study.yaml)
 spacings: $(RESULTS)/spacings/table.csv
-spacing_25um := -e 's/^title: HS40, spacings/&: 25 um/'
+spacing_25um := -e 's/^title: HS40, spacings/& at 25 um/'
 spacing_12.5um := -e 's/spacing: 25 um/spacing: 12.5 um/'
 spacing_8.33um := -e 's/spacing: 25 um/spacing: 8.333333333333333 um/'
 $(FINER:%=$(RESULTS)/spacings/%/study.yaml): $(RESULTS)/spacings/%/study.yaml: pipelines/spacings/study.yaml
 	$(call VARY,$(spacing_$*))
-$(RESULTS)/spacings/table.csv: $(FINER:%=$(RESULTS)/spacings/%/curve.csv) pipelines/spacings/table.awk
-	awk -f pipelines/spacings/table.awk $(filter %.csv,$^) > $@
+$(RESULTS)/spacings/table.csv: $(FINER:%=$(RESULTS)/spacings/%/curve.csv) $(wildcard pipelines/spacings/*.awk)
+	$(columns) -v names="$(FINER)" -f pipelines/spacings/table.awk $(filter %.csv,$^) > $@
+	$(call must,spacings) $@
 
 # The calibrations of the thesis (table 5), row by row.
 ROWS := 01 02 03 04 05 06 07 08 09 10 11 12 13 14 14-whole 15 15-whole 16 17 18 19 20
+DECKS += $(ROWS:%=$(RESULTS)/thesis-calibration/%/study.yaml)
 thesis-calibration: $(RESULTS)/thesis-calibration/table.csv
 row_stretch = -e 's/value: 0.002/value: $(1)/' -e 's/ step: 0.0005/ step: $(2)/' -e 's/first_step: 0.00002/first_step: $(3)/'
 row_harder = -e 's/modulus: 898 MPa/modulus: 2100 MPa/'
@@ -455,5 +508,20 @@ $(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e): %/history.e: %/study.yaml |
 	$(HISTORY)
 $(RESULTS)/thesis-calibration/table.csv: $(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e) $(wildcard pipelines/thesis-calibration/*.awk)
 	{ echo row,largest_stress_MPa,strain_there,broken,strain_at_the_end,broken_bonds,energy_drift; for name in $(ROWS); do \
-	hspost -q --columns $(@D)/$$name/history.e | awk -v name=$$name -f pipelines/thesis-calibration/measure.awk; done; } > $@
-	awk -f pipelines/thesis-calibration/check.awk $@
+	hspost -q --columns $(@D)/$$name/history.e | $(columns) -v name=$$name -f pipelines/thesis-calibration/measure.awk; done; } > $@
+	$(call must,thesis-calibration,-v rows=$(words $(ROWS))) $@
+
+# The decks of all studies, and of the runs of `make bench`.
+decks: $(DECKS)
+	tests/bench/runs $(RESULTS)/bench/runs decks
+	tests/bench/error $(RESULTS)/bench/error decks
+
+# A line each: the study, its verdict, seconds, and what its check said last.  One that says nothing has not been checked.
+studies: all
+	@rm -rf $(BUILD)/studies; mkdir -p $(BUILD)/studies; failed=0; for study in $(STUDIES); do \
+	start=$$(date +%s); log=$(BUILD)/studies/$$study.log; word=ok; \
+	$(MAKE) SMALL=yes RANKS=$(RANKS) $$study > $$log 2>&1 || word=FAILED; \
+	said=$$(grep "^$$study: " $$log | tail -n 1); \
+	case $$word$$said in ok*' checks hold') ;; *) word=FAILED; failed=1; said="$$said (see $$log)" ;; esac; \
+	printf '%-20s %-7s %5d s  %s\n' $$study $$word $$(($$(date +%s) - start)) "$${said#*: }"; \
+	done; exit $$failed

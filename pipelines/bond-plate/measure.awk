@@ -1,6 +1,6 @@
 # One row of the table of a bond-based sheet: its modulus at the end of the test, Poisson's ratio of
 # the displacements there, and both as a lattice without edges has them.
-#   awk -v name=stress-3.015-2mm-whole-none -f measure.awk curve.csv displacement.csv
+#   awk -f pipelines/columns.awk -v name=stress-3.015-2mm-whole-none -f measure.awk curve.csv displacement.csv
 #
 # A deformation e of the lattice stretches the bond xi by e_ij n_i n_j; the bonds of a family make
 #   C_11 = 1/2 sum c V xi_1^4/|xi|^3,  C_12 = 1/2 sum c V xi_1^2 xi_2^2/|xi|^3,

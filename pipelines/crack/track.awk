@@ -1,6 +1,6 @@
 # The crack of a plate through its frames: tables of damage (hspost --frames ... --csv) one behind the
 # other on standard input, a row for each on standard output.
-#   awk -v spacing=0.5 -f track.awk       # lengths in mm
+#   awk -f pipelines/columns.awk -v spacing=0.5 -f track.awk       # lengths in mm
 #
 # A node is cracked where more than 0.35 of its bonds are broken or were never made; beside a plane crack
 # it is about 0.4.  What happens within 5 mm of the loaded edges is left out.  tip: the foremost cracked node.
@@ -43,6 +43,7 @@ BEGIN {
     split("", lower)
     split("", damage)
 }
+/^x/ { header_ends("Damage") }
 /^[#x]/ { next }
 $4 > 0 {
     x = number($1)

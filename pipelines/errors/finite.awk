@@ -1,4 +1,4 @@
-# awk -F, -f finite.awk curve.csv: engineering stress of a plate of linear hardening over that of J2 plasticity in
+# awk -f pipelines/columns.awk -F, -f finite.awk curve.csv: engineering stress of a plate of linear hardening over that of J2 plasticity in
 # logarithmic strain, tau = 185 + 898 p = 210e3 (ln(1 + e) - p) MPa, and the section that is left.
 
 function exact(e,   l) {

@@ -1,4 +1,4 @@
-# Gauge strain and stress of hssolve's history: hspost --columns history.e | awk -F, -v spacing=25 -v cpu=1.2 -f hstools.awk
+# Gauge strain and stress of hssolve's history: hspost --columns history.e | awk -f pipelines/columns.awk -F, -v spacing=25 -v cpu=1.2 -f hstools.awk
 
 /^#/ { next }
 !header {

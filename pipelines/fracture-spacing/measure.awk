@@ -1,4 +1,4 @@
-# A row of the table from the columns of a history: awk -v name=cg-25-16.7-length -f measure.awk columns.csv
+# A row of the table from the columns of a history: awk -f pipelines/columns.awk -v name=cg-25-16.7-length -f measure.awk columns.csv
 #   peak in MPa; strain of the gauge of 0.5 mm at the first damage and where the load has fallen below a tenth of the peak;
 #   what the gauge has lengthened by between, in um; energy dissipated in all, and since the load was last above 99 % of
 #   the peak, in mJ; length of the bar (1 mm) times its mean damage at the end, in um; largest drift of the energy balance

@@ -2,7 +2,7 @@
 #   Rm in MPa, gauge strain there, gauge strain and grip strain where the load has fallen below 5 % of its largest, work per volume until
 #   there in MJ/m3, largest difference of both grips' forces until Rm and in all over Rm in per cent, nodes gone, drift of the
 #   energy balance, evaluations of the force: at rest and in motion
-#   awk -v name=cg -f measure.awk history.csv
+#   awk -f pipelines/columns.awk -v name=cg -f measure.awk history.csv
 
 BEGIN { FS = ","; section = 0.08e-6; between_grips = 1.5e-3 }
 /^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }

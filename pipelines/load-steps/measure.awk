@@ -1,4 +1,4 @@
-# The plate at rest under 10 MPa, from its displacements: awk -v name=ordinary-2mm -f measure.awk displacement.csv
+# The plate at rest under 10 MPa, from its displacements: awk -f pipelines/columns.awk -v name=ordinary-2mm -f measure.awk displacement.csv
 # Writes model, spacing, strain, Poisson's ratio, displacement at x = 43 mm, y = 0 (mm), and the errors of the
 # three against plane stress in per cent.
 
@@ -9,6 +9,7 @@ BEGIN {
     nu = 3 / 11
 }
 
+/^x/ { header_ends("DisplacementX,DisplacementY") }
 /^[#x]/ { next }
 $1 * $1 < 0.01 ^ 2 && $2 * $2 < 0.0125 ^ 2 {
     xx += $1 * $1

@@ -2,7 +2,7 @@
 #   name, largest engineering stress in MPa, gauge strain there, Considere's stress and strain, both errors in per cent, gauge strain,
 #   share of that load, section ratio and largest plastic strain at the end, evaluations of the force
 # The largest stress is that of the parabola through the highest record and its neighbours.
-#   awk -v name=cg -v section=0.04 -v law=voce -v a=182.1 -v b=513.0 -v c=5.320 -f measure.awk history.csv
+#   awk -f pipelines/columns.awk -v name=cg -v section=0.04 -v law=voce -v a=182.1 -v b=513.0 -v c=5.320 -f measure.awk history.csv
 
 function stress(p) {
     if (law == "voce") return a + b * (1 - exp(-c * p))

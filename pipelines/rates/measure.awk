@@ -1,7 +1,7 @@
 # A run beside the exact curve of its law (Voce, Kirchhoff stress over logarithmic strain): errors in per cent of E (0.02 to 0.08 % of
 # strain, at least squares through all records there) and of the engineering stress at 1, 2, 5 and 10 % of gauge strain, largest kinetic
 # energy beyond 1 % of strain over internal energy in per cent, forces evaluated, CPU seconds (log of `time -p hssolve`, second file).
-#   awk -v name=run -f measure.awk history.csv log
+#   awk -f pipelines/columns.awk -v name=run -f measure.awk history.csv log
 
 function exact(strain,   e, low, high, p, k) { # stress 182.1 + 513 (1 - exp(-5.32 p)), e = p + stress/E
     e = log(1 + strain)

@@ -1,8 +1,9 @@
-# One row of the table: awk -v name=1 -f measure.awk nodes.csv
+# One row of the table: awk -f pipelines/columns.awk -v name=1 -f measure.awk nodes.csv
 # Of the plastic strain p: mean, largest, and root mean square of p(x, y) - p(-x, y), of p(x, y) - p(x, -y) and of
 # p(x, y) - p(-x, -y) over that of p, in per cent; of the nodes outside the grips.
 
 BEGIN { FS = "," }
+/^x/ { header_ends("EquivalentPlasticStrain,VonMises") }
 /^[#x]/ { next }
 $1 * $1 < 2.35e-3 ^ 2 {
     x = sprintf("%.0f", 1e6 * $1)

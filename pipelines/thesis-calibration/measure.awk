@@ -2,7 +2,7 @@
 # strain of the last record before the load fell below 5 % of that with broken bonds ("no" and the last strain otherwise), broken bonds, drift
 # of the energy balance.  Of explicit steps, whose waves unload the grips now and then: "yes" where the mean force of the last half of the
 # time is below 5 %, and the strain at the largest load.
-#   awk -v name=01 -f measure.awk history.csv
+#   awk -f pipelines/columns.awk -v name=01 -f measure.awk history.csv
 BEGIN { FS = "," }
 /^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^# section_m2/ { split($0, word, ": "); section = word[2] }

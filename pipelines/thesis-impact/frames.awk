@@ -1,7 +1,7 @@
 # From the frames of a run (tables of damage and velocity along x, one behind the other), a row each:
 #   time in ns, nodes with more than 0.35 of their bonds broken in |x| < 0.5 mm, the same in |x| > 2.25 mm,
 #   place in mm of the wave from the left: where the mean velocity of a cross-section first falls to the level.
-#   awk -v level=22.5 -f frames.awk
+#   awk -f pipelines/columns.awk -v level=22.5 -f frames.awk
 
 function finish(   column, x, v, x_before, v_before, place) {
     if (time == "") return
@@ -24,6 +24,7 @@ BEGIN { FS = "," }
     split("", sum)
     split("", n)
 }
+/^x/ { header_ends("Damage,VelocityX") }
 /^[#x]/ { next }
 {
     column = sprintf("%.1f", $1 / 25e-6) + 0
