@@ -34,7 +34,7 @@ function finish() {
 }
 
 function look_at_cells(   i) {
-    must(NF == width, FILENAME ": " NF " cells instead of " width " in row " FNR)
+    if (NF != width) must(0, FILENAME ": " NF " cells instead of " width " in row " FNR)
     for (i = 1; i <= NF; i++) {
         if ($i == "" && (blank == "all" || index(" " blank " ", " " head[i] " "))) continue
         if ($i == "" || tolower($i) ~ /^[-+]?(nan|inf)/) must(0, FILENAME ": " head[i] " is '" $i "' in row " FNR)

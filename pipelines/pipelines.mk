@@ -283,7 +283,7 @@ $(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nod
 # Bars that part: phase, m/s of a grip, spacing in um, and whether the interval of damage is scaled by a length.
 PARTING := $(foreach m,cg$(if $(SMALL),, ufg),$(foreach v,25$(if $(SMALL),, 5),$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(v)-$(s)-$(k)))))
 DECKS += $(PARTING:%=$(RESULTS)/fracture-spacing/%/study.yaml)
-fracture-spacing: $(RESULTS)/fracture-spacing/table.csv $(RESULTS)/fracture-spacing/figure.svg
+fracture-spacing: $(RESULTS)/fracture-spacing/table.csv $(if $(SMALL),,$(RESULTS)/fracture-spacing/figure.svg)
 parting_ufg = $(if $(filter ufg,$(1)),-e 's/phase: CG/phase: UFG/' -e 's/onset: 0.4$(comma) full: 0.6/onset: 0.15$(comma) full: 0.3/' -e 's/end_strain: 0.55/end_strain: 0.14/')
 parting_vary = -e 's/^title: .*/title: $*/' $(call parting_ufg,$(1)) -e 's/25 m.s/$(word 2,$(1)) m\/s/' \
 	-e 's/spacing: 25 um/spacing: $(subst 16.7,16.6666666667,$(word 3,$(1))) um/' $(if $(filter local,$(1)),-e 's/$(comma) length: 25 um//')

@@ -3,13 +3,13 @@
 #   place in mm of the wave from the left: where the mean velocity of a cross-section first falls to the level.
 #   awk -f pipelines/columns.awk -v level=22.5 -f frames.awk
 
-function finish(   column, x, v, x_before, v_before, place) {
+function finish(   layer, x, v, x_before, v_before, place) {
     if (time == "") return
-    for (column = -99.5; column < 0; column++) {
-        x = column * 0.025
-        v = sum[column] / n[column]
+    for (layer = -99.5; layer < 0; layer++) {
+        x = layer * 0.025
+        v = sum[layer] / n[layer]
         v = v < 0 ? -v : v
-        if (place == "" && v < level && v_before >= level && column > -97) place = x_before + (x - x_before) * (v_before - level) / (v_before - v)
+        if (place == "" && v < level && v_before >= level && layer > -97) place = x_before + (x - x_before) * (v_before - level) / (v_before - v)
         x_before = x
         v_before = v
     }
@@ -27,9 +27,9 @@ BEGIN { FS = "," }
 /^x/ { header_ends("Damage,VelocityX") }
 /^[#x]/ { next }
 {
-    column = sprintf("%.1f", $1 / 25e-6) + 0
-    sum[column] += $5
-    n[column]++
+    layer = sprintf("%.1f", $1 / 25e-6) + 0
+    sum[layer] += $5
+    n[layer]++
     if ($4 <= 0.35) next
     if ($1 * $1 < 0.5e-3 ^ 2) middle++
     if ($1 * $1 > 2.25e-3 ^ 2) ends++

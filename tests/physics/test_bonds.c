@@ -214,9 +214,99 @@ static void test_own_weights_change_no_bit(void **state)
         }
 }
 
+/* What bonds hold by themselves, w_ij V_i V_j, adds up to what the body stores, also between phases: sums in another order. */
+static void test_energies_of_bonds(void **state)
+{
+    (void)state;
+    for (int list = 0; list < 2; list++) {
+        struct small_body small;
+        small_body_new(&small, &(struct small_case){{7, 6, 5},
+                                                    2.015,
+                                                    .materials = spring,
+                                                    .n_phases = 2,
+                                                    .phase = chequers,
+                                                    .surface_correction = "energy",
+                                                    .scattered = list});
+        small_body_deform(&small, (const double[9]){0.01, 0.004, 0, 0, -0.003, 0, 0, 0.002, 0});
+        small_body_shake(&small, 0.01, 3);
+        small_body_force(&small, false, false);
+        double sum = 0, energy[BOND_LANES];
+        for (int64_t s = 0; s < small.bonds->count; s++) {
+            const struct bond_view view = bonds_view(small.bonds, &small.bonds->strips[s]);
+            small.model->formulation->bond_energy(small.model->self, &small.body,
+                                                  &small.bonds->strips[s], energy);
+            for (int k = 0; k < view.count; k++)
+                sum += energy[k] * view.volume_i[k * view.geometry_step] *
+                       view.volume_j[k * view.geometry_step];
+        }
+        assert_true(sum > 0);
+        assert_relative(sum, small_body_elastic_energy(&small), 1e-11);
+        small_body_free(&small);
+    }
+}
+
+/* sum |xi| n_a^4 over the members of a node's family that there are, in spacings. */
+static void stretched_energy(const int size[3], const int at[3], double sums[3])
+{
+    for (int a = 0; a < 3; a++) sums[a] = 0;
+    for (int z = -2; z <= 2; z++)
+        for (int y = -2; y <= 2; y++)
+            for (int x = -2; x <= 2; x++) {
+                const int step[3] = {x, y, z};
+                const double length = sqrt(x * x + y * y + z * z);
+                bool there = length > 0 && length < 2.015;
+                for (int a = 0; a < 3; a++)
+                    there &= at[a] + step[a] >= 0 && at[a] + step[a] < size[a];
+                for (int a = 0; a < 3 && there; a++) sums[a] += length * pow(step[a] / length, 4);
+            }
+}
+
+/* (surface.2) of each bond of a box, anew; the full family is that of the lattice, of a list the continuum's, pi delta^4/5: the mean
+ * of n_a^4 over directions is 1/5.  Simpson's rule of the family's moments is exact for powers. */
+static void test_surface_correction_of_each_bond(void **state)
+{
+    (void)state;
+    static const int size[3] = {6, 5, 7}, wide[3] = {9, 9, 9}, centre[3] = {4, 4, 4};
+    for (int list = 0; list < 2; list++) {
+        struct small_body small;
+        double full[3];
+        small_body_new(&small, &(struct small_case){{6, 5, 7},
+                                                    2.015,
+                                                    .materials = spring,
+                                                    .surface_correction = "energy",
+                                                    .scattered = list});
+        stretched_energy(wide, centre, full);
+        if (list)
+            for (int a = 0; a < 3; a++) full[a] = M_PI * pow(2.015, 4) / 5;
+        for (int64_t s = 0; s < small.bonds->count; s++) {
+            const struct bond_view view = bonds_view(small.bonds, &small.bonds->strips[s]);
+            for (int k = 0; k < view.count; k++) {
+                double ends[2][3], x[2][3], sum = 0;
+                body_position(&small.body, bond_lower(&view, k), x[0]);
+                body_position(&small.body, bond_upper(&view, k), x[1]);
+                for (int end = 0; end < 2; end++) {
+                    int at[3];
+                    for (int a = 0; a < 3; a++) at[a] = (int)lround(x[end][a] / SMALL_SPACING);
+                    stretched_energy(size, at, ends[end]);
+                }
+                const double length = view.length[k * view.geometry_step];
+                for (int a = 0; a < 3; a++) {
+                    const double n = (x[1][a] - x[0][a]) / length,
+                                 g = 0.5 * full[a] * (1 / ends[0][a] + 1 / ends[1][a]);
+                    sum += n * n / (g * g);
+                }
+                assert_relative(view.weight[k * view.weight_step], 1 / sqrt(sum), 1e-10);
+            }
+        }
+        small_body_free(&small);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_energies_of_bonds),
+        cmocka_unit_test(test_surface_correction_of_each_bond),
         cmocka_unit_test(test_number),
         cmocka_unit_test(test_list_gives_the_force_of_the_lattice),
         cmocka_unit_test(test_list_gives_the_force_of_any_material),

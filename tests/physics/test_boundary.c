@@ -291,6 +291,84 @@ static void test_energy_of_each_kind(void **state)
     }
 }
 
+/* Velocities count in the middle of a step: one that grows evenly is integrated exactly, to rounding of the sums. */
+static void test_even_growth_of_a_velocity(void **state)
+{
+    (void)state;
+    struct scene_body it;
+    scene_body_new(&it, &bar,
+                   "boundary: [{where: 'x < 60e-6', direction: x, velocity: '1e9*t'},"
+                   " {where: 'x < 60e-6', direction: y, velocity: '2e13*x*t'}]",
+                   0, dt);
+    for (int n = 0; n < 60; n++) scene_body_step(&it);
+    const double time = 60 * dt;
+    for (int64_t site = 0; site < it.small.body.grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(&it.small, site)) continue;
+        small_body_position(&it.small, site, at);
+        if (at[0] > 2) continue;
+        assert_relative(it.small.body.u[0][site], 0.5e9 * time * time, 1e-12);
+        assert_relative(it.small.body.u[1][site], 1e13 * at[0] * SMALL_SPACING * time * time,
+                        1e-12);
+    }
+    scene_body_free(&it);
+}
+
+/* At the start the body contracts with nu times the rate; what the grips hold does not. */
+static void test_affine_start(void **state)
+{
+    (void)state;
+    struct scene_body it;
+    scene_body_new(&it, &bar,
+                   "boundary: [{where: 'x < 30e-6', direction: x, velocity: -2 m/s},"
+                   " {where: 'x > 540e-6', direction: x, velocity: 3 m/s}]",
+                   0, dt);
+    boundary_affine_start(&it.boundary, &it.small.body, 0.31, dt);
+    const double length = 21 * SMALL_SPACING, rate = 5 / length;
+    for (int64_t site = 0; site < it.small.body.grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(&it.small, site)) continue;
+        small_body_position(&it.small, site, at);
+        const bool gripped = at[0] < 1 || at[0] > 22;
+        const double along = fmin(fmax((at[0] - 1) * SMALL_SPACING, 0), length);
+        assert_near(it.small.body.v[0][site], -2 + rate * along, 1e-14);
+        for (int a = 1; a < 3; a++)
+            assert_near(it.small.body.v[a][site],
+                        gripped ? 0 : -0.31 * rate * (at[a] - 1) * SMALL_SPACING, 1e-14);
+    }
+    scene_body_free(&it);
+}
+
+/* A force on some particles of unequal volume: its density is F over their volume, not over their number, and each of them moves as
+ * F/(rho sum V) asks, since none is near another. */
+static void test_force_on_unequal_particles(void **state)
+{
+    (void)state;
+    double x[4] = {0, 1e-3, 2e-3, 3e-3}, none[4] = {0}, volume[4] = {1e-14, 2e-14, 3e-14, 6e-14};
+    uint8_t phase[4] = {0};
+    struct domain points = {
+        .n_nodes = 4, .x = x, .y = none, .z = none, .volume = volume, .phase = phase};
+    attributes_set_number(&points.attributes, "mean_spacing_m", SMALL_SPACING);
+    struct small_case apart = heap;
+    apart.points = &points;
+    struct scene_body it;
+    scene_body_new(&it, &apart, "boundary: [{where: 'x > 1.5e-3', direction: z, force: 0.2 N}]", 0,
+                   dt);
+    for (int n = 0; n < 10; n++) scene_body_step(&it);
+    double fastest = 0;
+    for (int64_t site = 0; site < it.small.body.grid.n_sites; site++) {
+        double at[3];
+        if (!small_body_has(&it.small, site)) continue;
+        body_position(&it.small.body, site, at);
+        const double expected = at[0] > 1.5e-3 ? 0.2 / (density * 9e-14) * 10 * dt : 0;
+        assert_near(it.small.body.v[2][site], expected, 1e-12 * fabs(expected));
+        fastest = fmax(fastest, it.small.body.v[2][site]);
+    }
+    assert_true(fastest > 0);
+    scene_body_free(&it);
+    attributes_free(&points.attributes);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -303,6 +381,9 @@ int main(void)
         cmocka_unit_test(test_displacement_is_kept),
         cmocka_unit_test(test_initial_displacement),
         cmocka_unit_test(test_energy_of_each_kind),
+        cmocka_unit_test(test_even_growth_of_a_velocity),
+        cmocka_unit_test(test_affine_start),
+        cmocka_unit_test(test_force_on_unequal_particles),
     };
     return cmocka_run_group_tests_name("boundary", tests, small_ranks_start, small_ranks_stop);
 }

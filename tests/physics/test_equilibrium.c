@@ -306,6 +306,54 @@ static void test_methods_where_no_lattice_is_full(void **state)
     check_elastic(&scattered);
 }
 
+/* (equilibrium.1) and (equilibrium.2) of particles of unequal volume, one of which is held, the others loaded: each number anew from the
+ * body's own forces and loads. */
+static void test_residual_of_unequal_particles(void **state)
+{
+    (void)state;
+    double x[3] = {0, SMALL_SPACING, 2 * SMALL_SPACING}, none[3] = {0},
+           volume[3] = {1e-14, 2e-14, 6e-14};
+    uint8_t phase[3] = {0};
+    struct domain points = {
+        .n_nodes = 3, .x = x, .y = none, .z = none, .volume = volume, .phase = phase};
+    attributes_set_number(&points.attributes, "mean_spacing_m", SMALL_SPACING);
+    const struct small_case wanted = {.horizon = 1.5, .materials = bond_based, .points = &points};
+    struct rest rest;
+    rest_new(
+        &rest, &wanted,
+        "boundary: [{where: 'x < 1e-6', direction: x, displacement: 1e-8},"
+        " {block: A, direction: y, displacement: 0}, {block: A, direction: z, displacement: 0},"
+        " {where: '1', direction: x, body_force: 1e11}]",
+        "relaxation");
+    struct equilibrium *e = rest.equilibrium;
+    assert_true(equilibrium_solve(e));
+    vector_take(&e->unknowns, rest.it.small.body.u, 1, e->x);
+    for (int64_t i = 0; i < e->unknowns.length; i++) e->x[i] *= 1.01; /* off the equilibrium */
+    equilibrium_evaluate(e, e->x, e->g);
+    const struct body *body = &rest.it.small.body;
+    double held = 0, loads = 0, free = 0;
+    for (int64_t site = 0, node = 0; site < body->grid.n_sites; site++) {
+        if (!small_body_has(&rest.it.small, site)) continue;
+        const double share = body_volume(body, site) / 3e-14;
+        const bool is_held = rest.it.boundary.held[site] & 1;
+        const double g = (body->f[0][site] + body->b[0][site]) * share;
+        if (is_held)
+            held += g * g;
+        else
+            assert_near(e->g[node], -g, 1e-12 * fabs(g));
+        if (!is_held) {
+            free += g * g;
+            loads += pow(body->b[0][site], 2);
+        }
+        for (int a = 1; a < 3; a++) held += pow(body->f[a][site] * share, 2);
+        node++;
+    }
+    assert_true(free > 0 && loads > 0 && held > 0);
+    assert_relative(equilibrium_residual(e), sqrt(free / (held + loads)), 1e-9);
+    rest_free(&rest);
+    attributes_free(&points.attributes);
+}
+
 /* A force that is not committed leaves the state as it was: the same displacement has the same force again, to the last bit. */
 static void check_untouched(const struct small_case *wanted)
 {
@@ -427,6 +475,7 @@ int main(void)
         cmocka_unit_test(test_methods_agree_with_a_linear_solution),
         cmocka_unit_test(test_methods_in_a_layer),
         cmocka_unit_test(test_methods_where_no_lattice_is_full),
+        cmocka_unit_test(test_residual_of_unequal_particles),
         cmocka_unit_test(test_nothing_is_committed),
         cmocka_unit_test(test_a_refused_step_leaves_nothing),
     };

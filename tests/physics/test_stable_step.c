@@ -1,11 +1,15 @@
 /* The stable step really is: a free vibration at 0.99 of it stays bounded, well above it grows. */
 #include "check.h"
 
+#include "memory.h"
 #include "small_body.h"
 #include "stable_step.h"
 #include "verlet.h"
 
 #include "random.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 struct trial {
     const char *stabilisation;
@@ -103,6 +107,56 @@ static void test_of_a_stretched_body(void **state)
     small_body_free(&small);
 }
 
+/* Two particles of unlike density and a spring k: omega^2 = k/V (1/rho_1 + 1/rho_2), and 2/omega, less the bound of what
+ * Lanczos' method may still be off by, which for two nodes is round-off of differences of forces, 1e-7. */
+static void test_two_particles_of_unlike_density(void **state)
+{
+    (void)state;
+    double x[2] = {0, SMALL_SPACING}, none[2] = {0}, volume[2] = {2e-14, 2e-14};
+    uint8_t phase[2] = {0, 1};
+    struct domain points = {
+        .n_nodes = 2, .x = x, .y = none, .z = none, .volume = volume, .phase = phase};
+    attributes_set_number(&points.attributes, "mean_spacing_m", SMALL_SPACING);
+    struct small_body small;
+    small_body_new(&small,
+                   &(struct small_case){.horizon = 1.5,
+                                        .materials = "{A: {model: bond_based, density: 2000, "
+                                                     "youngs_modulus: 210 GPa}, "
+                                                     "B: {model: bond_based, density: 8000, "
+                                                     "youngs_modulus: 210 GPa}}",
+                                        .n_phases = 2,
+                                        .points = &points});
+    const double delta = 1.5 * SMALL_SPACING, c = 18 * (210e9 / 1.5) / (M_PI * pow(delta, 4)),
+                 density = c * volume[0] / SMALL_SPACING; /* of force, by the displacement */
+    const double omega = sqrt(density * (1 / 2000.0 + 1 / 8000.0));
+    assert_relative(stable_step(small.model, &small.body, &small.materials), 2 / omega, 1e-5);
+    small_body_free(&small);
+    attributes_free(&points.attributes);
+}
+
+/* Force, displacement and gradient stay what they were, to the last bit. */
+static void test_the_body_stays_as_it_is(void **state)
+{
+    (void)state;
+    for (int t = 0; t < TRIALS; t += 4) {
+        struct small_body small;
+        body_of(&small, &trials[t], 8, 7, 6);
+        small_body_deform(&small, (const double[9]){0.02, 0.01, 0, 0, -0.006, 0, 0, 0, -0.006});
+        small_body_shake(&small, 0.01, 1);
+        small_body_force(&small, true, false);
+        const size_t sites = (size_t)small.body.grid.n_sites;
+        double *force = memory_new(3 * sites, sizeof *force);
+        for (int a = 0; a < 3; a++)
+            memcpy(force + (size_t)a * sites, small.body.f[a], sites * sizeof *force);
+        stable_step(small.model, &small.body, &small.materials);
+        for (int64_t site = 0; site < small.body.grid.n_sites; site++)
+            for (int a = 0; a < 3 && small_body_has(&small, site); a++)
+                assert_true(small.body.f[a][site] == force[(size_t)a * sites + (size_t)site]);
+        free(force);
+        small_body_free(&small);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -110,6 +164,8 @@ int main(void)
         cmocka_unit_test(test_grows_above),
         cmocka_unit_test(test_values),
         cmocka_unit_test(test_of_a_stretched_body),
+        cmocka_unit_test(test_two_particles_of_unlike_density),
+        cmocka_unit_test(test_the_body_stays_as_it_is),
     };
     return cmocka_run_group_tests_name("stable step", tests, small_ranks_start, small_ranks_stop);
 }

@@ -99,11 +99,84 @@ static void test_scatter(void **state)
     small_body_free(&other);
 }
 
+#define PLAIN                                                                                      \
+    "density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, "      \
+    "modulus: 2 GPa, yield: "
+#define WEAK   PLAIN "100 MPa}}}"
+#define FLAWED PLAIN "200 MPa}, flaw: {centre: [0, 0, 0], radius: 1000 m, reduction: 0.5}}}"
+
+/* Strains up to some per cent that differ from node to node: stabilisations act, and slip. */
+static void bend(struct small_body *small, double amount)
+{
+    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(small, site)) continue;
+        small_body_position(small, site, at);
+        const double x = at[0], y = at[1], z = at[2], scale = amount * SMALL_SPACING;
+        small->body.u[0][site] = scale * (x + 0.1 * x * x - 0.1 * y * z);
+        small->body.u[1][site] = scale * (0.2 * x * y - 0.4 * y);
+        small->body.u[2][site] = scale * (0.1 * x * z + 0.3 * y * z - 0.4 * z);
+    }
+}
+
+/* Half of the yield stress everywhere by a flaw, and by the law: the same body.  Both tables of a flow curve are good to 1e-9 of
+ * it, and the flaw's edge is 1e-14 lower. */
+static void compare_weak(struct small_case wanted, const char *weak, const char *flawed)
+{
+    struct small_body small[2];
+    for (int k = 0; k < 2; k++) {
+        wanted.size[0] = 6;
+        wanted.size[1] = wanted.size[2] = 4;
+        wanted.materials = k ? flawed : weak;
+        small_body_new(&small[k], &wanted);
+    }
+    for (int step = 1; step <= 4; step++)
+        for (int k = 0; k < 2; k++) {
+            bend(&small[k], 0.004 * step);
+            small_body_force(&small[k], true, false);
+            damage_grow(small[k].damage);
+        }
+    for (int k = 0; k < 2; k++) {
+        bend(&small[k], 0.018);
+        small_body_force(&small[k], false, false);
+    }
+    double range[2];
+    const double most = small_body_largest(&small[0], small[0].body.f);
+    small_body_plastic_range(&small[0], range);
+    assert_true(range[1] > 0.01);
+    for (int64_t site = 0; site < small[0].body.grid.n_sites; site++) {
+        if (!small_body_has(&small[0], site)) continue;
+        for (int a = 0; a < 3; a++)
+            assert_near(small[1].body.f[a][site], small[0].body.f[a][site], 1e-8 * most);
+    }
+    assert_relative(small_body_potential(&small[1]), small_body_potential(&small[0]), 1e-8);
+    for (int k = 0; k < 2; k++) small_body_free(&small[k]);
+}
+
+static void test_flaw_without_an_end_is_another_yield_stress(void **state)
+{
+    (void)state;
+    static const char breaking[] = "damage: [{phase: A, law: ductile, onset: 0.002, full: 0.2}]";
+    for (int damaged = 0; damaged < 2; damaged++) {
+        const char *sections = damaged ? breaking : NULL;
+        compare_weak(
+            (struct small_case){.horizon = 1, .stabilisation = small_mix, .breaking = sections},
+            "{A: {model: correspondence, " WEAK, "{A: {model: correspondence, " FLAWED);
+        compare_weak(
+            (struct small_case){.horizon = 2, .stabilisation = small_capped, .breaking = sections},
+            "{A: {model: correspondence, " WEAK, "{A: {model: correspondence, " FLAWED);
+        compare_weak((struct small_case){.horizon = 2.015, .influence = 3, .breaking = sections},
+                     "{A: {model: ordinary_plastic, " WEAK,
+                     "{A: {model: ordinary_plastic, " FLAWED);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_flaw_in_uniaxial_strain),
         cmocka_unit_test(test_scatter),
+        cmocka_unit_test(test_flaw_without_an_end_is_another_yield_stress),
     };
     return cmocka_run_group_tests_name("yield", tests, small_ranks_start, small_ranks_stop);
 }
