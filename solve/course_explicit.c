@@ -67,6 +67,7 @@ static void explicit_advance(struct simulation *s)
     const bool recording = record_due(s) || near_end(s), framing = simulation_frame_due(s),
                looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
     verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking, recording);
+    s->looked = looking;
     if (looking) {
         s->drift = energy_drift(&s->integration.balance);
         s->failure = simulation_find_failure(s);

@@ -92,7 +92,9 @@ static void hybrid_advance(struct simulation *s)
 {
     if (s->integration.moving) {
         course_explicit.advance(s);
-        if (!s->failure && is_quiet(s)) begin_static(s);
+        /* Only where the energies are known: what the body then loses until it is at rest is a difference to them. */
+        const bool quiet = !s->failure && is_quiet(s);
+        if (quiet && s->looked) begin_static(s);
         return;
     }
     if (!simulation_load(s)) {

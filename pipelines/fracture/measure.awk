@@ -1,5 +1,5 @@
 # A row of the table from a history (hspost --columns):
-#   Rm in MPa, gauge strain there, gauge strain and grip strain where the load has fallen below 5 % of its largest, work per volume until
+#   Rm in MPa (of the mean of both grips' forces), gauge strain there, gauge strain and grip strain where the load has fallen below 5 % of its largest, work per volume until
 #   there in MJ/m3, largest difference of both grips' forces until Rm and in all over Rm in per cent, nodes gone, drift of the
 #   energy balance, evaluations of the force: at rest and in motion
 #   awk -f pipelines/columns.awk -v name=cg -f measure.awk history.csv
@@ -9,8 +9,8 @@ BEGIN { FS = ","; section = 0.08e-6; between_grips = 1.5e-3 }
 /^#/ { next }
 !n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
 {
-    f = $col("force_right_N")
-    apart = f + $col("force_left_N")
+    f = ($col("force_right_N") - $col("force_left_N")) / 2 # waves of either sign are in one grip or the other
+    apart = $col("force_right_N") + $col("force_left_N")
     apart = apart < 0 ? -apart : apart
     x = $col("extension_m") / gauge
     if (f > most) { most = f; at = x; until_most = apart > until_most ? apart : until_most }

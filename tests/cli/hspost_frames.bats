@@ -81,7 +81,8 @@ rows() { grep -v '^#' "$1" | sed 1d; }
 
 @test "a time chooses the nearest frame" {
     time=$(hspost --frames "$fields" | grep '^2,' | cut -d, -f2)
-    for shown in "$time" "$(awk -v t="$time" 'BEGIN {print 1.3 * t " s"}')"; do
+    before=$(awk -v t="$time" 'BEGIN {print 0.7 * t " s"}')
+    for shown in "$time" "$before" "$(awk -v t="$time" 'BEGIN {print 1.3 * t " s"}')"; do
         hspost --frames "$fields" --csv --time "$shown" | grep -q '^# frame: 2$'
     done
     hspost --frames "$fields" --csv --frame last | grep -q '^# frame: 4$'

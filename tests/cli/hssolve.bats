@@ -94,6 +94,8 @@ wrong() {
         's/velocity: 10/velocty: 10/'
     wrong 27:3 "key 'horizon' is missing here" \
         's/model: correspondence/model: bond_based/; /poissons/d; /hardening/d; /stabilisation/d; /horizon: 1/d'
+    change 's/model: correspondence/model: madenci_oterkus/; /stabilisation/d; /hardening/d; s/horizon: 1/horizon: 3.015\n  influence: constant/'
+    refused 2 "the influence function of madenci_oterkus is 'inverse'" -i domain.g -d changed.yaml
     wrong 31:9 "'implicit' is not known here" 's/explicit/implicit/'
     wrong 32:12 "'mm' is a length, expected a pure number" 's/horizon: 1/horizon: 1 mm/'
     wrong 32:12 "0.5 is out of range, expected 1 to 8" 's/horizon: 1/horizon: 0.5/'
