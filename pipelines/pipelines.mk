@@ -516,12 +516,5 @@ decks: $(DECKS)
 	tests/bench/runs $(RESULTS)/bench/runs decks
 	tests/bench/error $(RESULTS)/bench/error decks
 
-# A line each: the study, its verdict, seconds, and what its check said last.  One that says nothing has not been checked.
 studies: all
-	@rm -rf $(BUILD)/studies; mkdir -p $(BUILD)/studies; failed=0; for study in $(STUDIES); do \
-	start=$$(date +%s); log=$(BUILD)/studies/$$study.log; word=ok; \
-	$(MAKE) SMALL=yes RANKS=$(RANKS) $$study > $$log 2>&1 || word=FAILED; \
-	said=$$(grep "^$$study: .* checks hold$$" $$log || grep "^$$study: " $$log | tail -n 1); \
-	case $$word$$said in ok*' checks hold') ;; *) word=FAILED; failed=1; said="$$said (see $$log)" ;; esac; \
-	printf '%-20s %-7s %5d s  %s\n' $$study $$word $$(($$(date +%s) - start)) "$${said#*: }"; \
-	done; exit $$failed
+	pipelines/studies $(BUILD) $(RANKS) $(STUDIES)
