@@ -5,7 +5,7 @@
  * name: points.h stores the states, and calls the law of each point.  A law may have no update: then a formulation
  * has a law of bonds of its own, which declares keys and states the same way (ordinary_plastic.c).
  *
- * To add a law: one file after the pattern of laws/elastic.c, one line in the table of law.c, its equations in
+ * To add a law: one file after the pattern of laws/elastic.c, one line in laws.h, its equations in
  * docs/theory.md.  Its keys are in the manual then, its states in fields and quantities. */
 #ifndef HS_LAW_H
 #define HS_LAW_H
@@ -81,9 +81,12 @@ struct law {
     int flow_stress; /* component of the state that is the current flow stress [Pa]; -1: it never flows */
 };
 
-/* The laws that a deck may name, ended by NULL.  A bond between phases of different laws obeys the one that comes
- * first here, with the mean moduli and else its own phase's parameters: beside an elastic phase it is elastic. */
-extern const struct law *const laws[];
+/* Point i carries nothing: to be called before the update. */
+static inline void points_switch_off(struct points *points, int i)
+{
+    for (int k = 0; k < TENSOR; k++) points->H[k][i] = 0;
+    points->mu[i] = points->bulk[i] = 0;
+}
 
 /* Numbers that the law keeps at a point. */
 int law_components(const struct law *law);
