@@ -5,13 +5,15 @@
 #ifndef HS_TOPOLOGY_H
 #define HS_TOPOLOGY_H
 
-#include "recipe.h"
+#include "cores.h"
+#include "deck.h"
 
 /* Scores are whole numbers of SCORE_UNIT spacings, so that nodes that are equal by symmetry are
  * equal to the last bit on every machine. */
 #define SCORE_UNIT 1e-6
 
 struct findings;
+struct recipe;
 
 struct topology {
     const char *name;

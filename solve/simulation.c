@@ -1,3 +1,6 @@
+#include "simulation.h"
+
+#include "bond_search.h"
 #include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
@@ -47,7 +50,7 @@ static void read_model(struct simulation *s)
     int influence = scene->influence >= 0 ? scene->influence
                                           : family_influence(s->materials.formulation->influence);
     s->family = family_new(scene->horizon, influence, scene->partial_volumes);
-    s->model = model_new(scene->solver, &s->family, &s->materials);
+    s->model = model_new(s->materials.formulation, scene->solver, &s->family, &s->materials);
 }
 
 /* Rank 0 reads and checks everything a user can get wrong; the others follow what is known to be good,
@@ -138,7 +141,7 @@ static void build(struct simulation *s)
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
     body_profile(&s->body, s->profile);
     profile_enter(s->profile, PART_BONDS);
-    yield_start(&s->body, &s->materials);
+    materials_vary_yield(&s->materials, &s->body);
     s->bonds = bonds_new(&s->body);
     s->n_bonds = (double)bonds_total(s->bonds);
     start_damage(s);

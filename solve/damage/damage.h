@@ -10,6 +10,7 @@
 #include "bonds.h"
 #include "deck.h"
 #include "integrity.h"
+#include "material.h"
 #include "model.h"
 
 #include <stdbool.h>
@@ -68,6 +69,7 @@ struct damage;
 struct damage *damage_new(struct deck_node root, const struct model *model,
                           const struct materials *materials, struct body *body,
                           struct bonds *bonds);
+/* With the body's records of what is broken or degrades; the body is not used any more. */
 void damage_free(struct damage *damage);
 
 /* Finds what has to break at the body's u and plastic strain: whether there is anything anywhere.  It does so when

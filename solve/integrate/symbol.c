@@ -1,6 +1,7 @@
 #include "symbol.h"
 
-#include "bonds.h"
+#include "bond_search.h"
+#include "material.h"
 #include "memory.h"
 
 #include <math.h>
@@ -62,7 +63,7 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
         room *= (size_t)symbol.reach[a] + 1;
     }
     const struct offset *near;
-    struct model *model = model_new(solver, family, materials);
+    struct model *model = model_new(materials->formulation, solver, family, materials);
     const int n_near = model_near(model, family, &near);
     /* Each rank has a block of its own. */
     struct body body = body_new(&block, family, near, n_near, (struct ranks){0, 1});

@@ -178,6 +178,14 @@ void materials_free(struct materials *all)
     *all = (struct materials){0};
 }
 
+void materials_vary_yield(const struct materials *all, struct body *body)
+{
+    for (int p = 0; p < all->count; p++) {
+        const struct material *m = &all->items[p];
+        yield_vary(body, p, &m->yield, m->name, hardening_stress(&m->hardening, 0));
+    }
+}
+
 double material_bulk_modulus(const struct material *m, enum plane plane)
 {
     const double nu = m->poissons_ratio;

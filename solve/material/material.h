@@ -5,14 +5,13 @@
 #include "deck.h"
 #include "flow_curve.h"
 #include "hardening.h"
+#include "lattice.h"
 #include "yield.h"
 
 #include <stdbool.h>
 
+struct body;
 struct formulation;
-
-/* Dimension, and in two of them what is zero across the plane. */
-enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 
 struct material {
     const char *name; /* of the phase */
@@ -40,6 +39,9 @@ struct materials {
 struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[],
                                 enum plane plane);
 void materials_free(struct materials *materials);
+
+/* Yield stresses that vary within a phase (yield.h), of a body of these materials. */
+void materials_vary_yield(const struct materials *materials, struct body *body);
 
 /* K, or in a plane K_2: E/(2(1 - nu)) in plane stress, E/(2(1 + nu)(1 - 2 nu)) in plane strain [Pa]. */
 double material_bulk_modulus(const struct material *material, enum plane plane);

@@ -7,13 +7,15 @@
 #define HS_MODEL_H
 
 #include "body.h"
-#include "material.h"
+#include "deck.h"
 #include "simd.h"
 
 #include <stdbool.h>
 
 struct bonds;
 struct bond_strip;
+struct material;
+struct materials;
 
 struct force_mode {
     bool commit; /* plastic state moves on */
@@ -87,9 +89,9 @@ struct model {
     void *self;
 };
 
-/* The formulation of the materials, which dies where they have not one in common. */
-struct model *model_new(struct deck_node solver, const struct family *family,
-                        const struct materials *materials);
+/* formulation: the one that the materials have in common.  solver: the deck's section. */
+struct model *model_new(const struct formulation *formulation, struct deck_node solver,
+                        const struct family *family, const struct materials *materials);
 void model_free(struct model *model);
 
 int model_near(const struct model *model, const struct family *family,
@@ -101,10 +103,5 @@ void model_prepare(struct model *model, struct body *body, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
 void model_observe(struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
-
-/* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S; of elastic materials in plane
- * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */
-void node_state_from_nominal(const struct body *body, const struct strip *strip,
-                             const struct materials *materials, struct node_state *state);
 
 #endif

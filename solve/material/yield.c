@@ -1,7 +1,6 @@
 #include "yield.h"
 
 #include "body.h"
-#include "material.h"
 #include "memory.h"
 #include "random.h"
 
@@ -58,29 +57,27 @@ static double normal(const struct yield_variation *yield, const char *phase, uin
     }
 }
 
-static double factor(const struct material *material, const double x[3], uint64_t node)
+static double factor(const struct yield_variation *yield, const char *phase, const double x[3],
+                     uint64_t node)
 {
-    const struct yield_variation *yield = &material->yield;
     double k = 1, square = 0;
     for (int a = 0; a < 3; a++) square += (x[a] - yield->centre[a]) * (x[a] - yield->centre[a]);
     if (yield->flawed) k *= 1 - yield->reduction * exp(-square / (yield->radius * yield->radius));
-    if (yield->scattered) k *= 1 + yield->deviation * normal(yield, material->name, node);
+    if (yield->scattered) k *= 1 + yield->deviation * normal(yield, phase, node);
     return k;
 }
 
-void yield_start(struct body *body, const struct materials *materials)
+void yield_vary(struct body *body, int phase, const struct yield_variation *yield, const char *name,
+                double stress)
 {
-    bool varies = false;
-    for (int p = 0; p < materials->count; p++)
-        varies |= materials->items[p].yield.flawed || materials->items[p].yield.scattered;
-    if (!varies) return;
-    body->yield_shift = memory_new((size_t)body->grid.n_sites, sizeof *body->yield_shift);
+    if (!yield->flawed && !yield->scattered) return;
+    if (!body->yield_shift)
+        body->yield_shift = memory_new((size_t)body->grid.n_sites, sizeof *body->yield_shift);
     for (int64_t site = 0; site < body->grid.n_sites; site++) {
-        if (body->grid.phase[site] == ABSENT) continue;
-        const struct material *material = &materials->items[body->grid.phase[site]];
         double x[3];
+        if (body->grid.phase[site] != phase) continue;
         body_position(body, site, x);
-        body->yield_shift[site] = (factor(material, x, (uint64_t)body_number(body, site)) - 1) *
-                                  hardening_stress(&material->hardening, 0);
+        body->yield_shift[site] =
+            (factor(yield, name, x, (uint64_t)body_number(body, site)) - 1) * stress;
     }
 }

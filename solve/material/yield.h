@@ -13,7 +13,6 @@
 #include <stdbool.h>
 
 struct body;
-struct materials;
 
 /* What a material's deck says of it. */
 struct yield_variation {
@@ -26,8 +25,9 @@ struct yield_variation {
 /* The keys "flaw" and "yield_scatter" of a material. */
 struct yield_variation yield_read(struct deck_node material);
 
-/* Fills body->yield_shift, (k - 1) law(0) [Pa], at all sites of the box; leaves it NULL where no material
- * varies. */
-void yield_start(struct body *body, const struct materials *materials);
+/* Fills body->yield_shift, (k - 1) law(0) [Pa], at the sites of a phase of that name; stress: law(0).  Leaves it NULL where
+ * no phase varies. */
+void yield_vary(struct body *body, int phase, const struct yield_variation *yield, const char *name,
+                double stress);
 
 #endif

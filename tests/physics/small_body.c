@@ -1,5 +1,6 @@
 #include "small_body.h"
 
+#include "bond_search.h"
 #include "check.h"
 #include "cracks.h"
 
@@ -115,11 +116,11 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     small->family = family_new(wanted->horizon, wanted->influence, wanted->partial);
     small->materials = materials_read(
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
-    small->model = model_new(root, &small->family, &small->materials);
+    small->model = model_new(small->materials.formulation, root, &small->family, &small->materials);
     const struct offset *near;
     int n_near = model_near(small->model, &small->family, &near);
     small->body = body_new(&small->lattice, &small->family, near, n_near, (struct ranks){0, 1});
-    yield_start(&small->body, &small->materials);
+    materials_vary_yield(&small->materials, &small->body);
     small->bonds = bonds_new(&small->body);
     small->damage = damage_new(root, small->model, &small->materials, &small->body, small->bonds);
     struct cracks cracks =

@@ -13,6 +13,7 @@
 #include "gradient.h"
 #include "memory.h"
 #include "model.h"
+#include "nominal.h"
 #include "opening.h"
 #include "surface_correction.h"
 
@@ -251,8 +252,8 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
     body_clear(body, body->f, 3);
     struct exact_sum *stored = mode.energy ? &energy->stored : NULL;
     for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? pull_scattered_strip
-                                 : pull_lattice)(model, body, &model->bonds->strips[s], stored);
+        (lattice_is_scattered(body->lattice) ? pull_scattered_strip : pull_lattice)(
+            model, body, &model->bonds->strips[s], stored);
 }
 
 /* Half of the force of a bond belongs to either end. */

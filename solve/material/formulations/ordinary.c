@@ -5,6 +5,7 @@
 #include "gradient.h"
 #include "integrity.h"
 #include "memory.h"
+#include "nominal.h"
 #include "opening.h"
 #include "profile.h"
 
@@ -384,7 +385,8 @@ static void find_nodes(struct ordinary *model, struct body *body, double *const 
     if (model->plastic && model->moment_changes != model->bonds->changes) find_moment(model, body);
     body_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
     for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? sum_scattered_strip : sum_lattice)(model, body, s, depth);
+        (lattice_is_scattered(body->lattice) ? sum_scattered_strip : sum_lattice)(model, body, s,
+                                                                                  depth);
     if (model->plastic && !model->node[NODE_FLOW] && !mode.frozen &&
         ordinary_plastic_beyond(model, body))
         make_flow(model, body);
@@ -430,7 +432,8 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? push_scattered_strip : push_lattice)(model, body, s, flows);
+        (lattice_is_scattered(body->lattice) ? push_scattered_strip : push_lattice)(model, body, s,
+                                                                                    flows);
     if (flows) settle_flow(model, body);
 }
 

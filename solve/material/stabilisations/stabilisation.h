@@ -8,6 +8,7 @@
 #define HS_STABILISATION_H
 
 #include "bonds.h"
+#include "material.h"
 #include "model.h"
 
 #include <stdbool.h>
