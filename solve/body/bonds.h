@@ -149,6 +149,6 @@ static inline void bond_detour_end(int fields, double buffer[][BOND_LANES], int 
 int64_t bonds_total(const struct bonds *bonds);
 
 /* terms[k] becomes 0 where another rank counts the bond: the owner of its lower end. */
-void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms);
+void bonds_only_owned(const struct bonds *bonds, const struct bond_strip *strip, double *terms);
 
 #endif

@@ -1,6 +1,7 @@
 /* ordinary.c - the two passes over the bonds that all ordinary state-based materials share (ordinary.h). */
 #include "ordinary.h"
 
+#include "bond_loop.h"
 #include "box_fields.h"
 #include "gradient.h"
 #include "integrity.h"
@@ -11,11 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* |xi| where a bond's weight is not to be multiplied by it. */
-static const double ones[LANES] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-                                   1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-                                   1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
 static struct ordinary *read_any(struct deck_node solver, const struct materials *materials,
                                  const struct ordinary_law *law)
@@ -45,273 +41,95 @@ static void *madenci_oterkus_read(struct deck_node solver, const struct family *
     return read_any(solver, materials, &ordinary_madenci_oterkus);
 }
 
-/* What a kernel reads and writes of a strip: arrays of its first bond, or one number for all of it. */
-struct pass {
-    int count;
-    const double *u_lower[3], *u_upper[3];
-    const double *xi[3], *length, *weight, *volume_i, *volume_j;
-    const double *reach; /* |xi| or 1 */
-    /* First pass. */
-    double *sum_lower[SUM_COUNT], *sum_upper[SUM_COUNT];
-    /* Second pass. */
-    const double *node_lower[NODE_COUNT], *node_upper[NODE_COUNT];
-    double *f_lower[3], *f_upper[3];
-    /* e^p of the lower and the upper ends. */
-    struct slip slip;
-};
-
 /* What a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
  * its growth.  Where there is no e^p, or no growth, all give the same bits. */
 enum { ELASTIC, ENERGY, STORED, YIELDING };
 
-/* First pass over a strip, with an array each of geometry and weight where g and w. */
-HS_INLINE void sum_up(const struct pass *s, bool g, bool w, int depth)
+/* e^p of a bond's ends among the numbers of each bond. */
+enum { SLIP_LOWER, SLIP_UPPER };
+
+/* a/w: |xi| or 1 */
+HS_INLINE double reach_of(const struct bond_pass *p, struct bond b)
 {
-    const double *ux = s->u_lower[0], *uy = s->u_lower[1], *uz = s->u_lower[2];
-    const double *vx = s->u_upper[0], *vy = s->u_upper[1], *vz = s->u_upper[2];
-    const double *X = s->xi[0], *Y = s->xi[1], *Z = s->xi[2], *L = s->length, *W = s->weight;
-    const double *Vi = s->volume_i, *Vj = s->volume_j, *R = s->reach;
-    const double *pi = s->slip.end[0], *pj = s->slip.end[1];
-    double *ei = s->sum_lower[SUM_EXTENSION], *ni = s->sum_lower[SUM_SQUARE];
-    double *ej = s->sum_upper[SUM_EXTENSION], *nj = s->sum_upper[SUM_SQUARE];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
-    const int count = s->count;
-#pragma omp simd
-    for (int k = 0; k < count; k++) {
-        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
-        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
-        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
-        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
-        double e = longer / (sqrt(length * length + longer) + length);
-        double qi = e, qj = e;
-        if (depth == STORED) {
-            qi -= pi[k];
-            qj -= pj[k];
-        }
-        ei[k] += (weight * reach * volume_j) * qi;
-        ej[k] += (weight * reach * volume_i) * qj;
-        if (depth >= ENERGY) {
-            ni[k] += (weight * volume_j) * (qi * qi);
-            nj[k] += (weight * volume_i) * (qj * qj);
-        }
-    }
+    return p->number > 0 ? p->number : b.length;
+}
+
+/* First pass: a (e - e^p) V and w (e - e^p)^2 V. */
+HS_INLINE void sum_up(const struct bond_pass *p, int k, struct bond b, int depth)
+{
+    const double e = b.longer / (sqrt(b.length * b.length + b.longer) + b.length),
+                 ei = depth == STORED ? e - p->each[SLIP_LOWER][k] : e,
+                 ej = depth == STORED ? e - p->each[SLIP_UPPER][k] : e;
+    const double a = b.weight * reach_of(p, b);
+    p->sum[0][SUM_EXTENSION][k] += (a * b.volume_j) * ei;
+    p->sum[1][SUM_EXTENSION][k] += (a * b.volume_i) * ej;
+    if (depth == ELASTIC) return;
+    p->sum[0][SUM_SQUARE][k] += (b.weight * b.volume_j) * (ei * ei);
+    p->sum[1][SUM_SQUARE][k] += (b.weight * b.volume_i) * (ej * ej);
 }
 
 /* (ordinary.4), of one fraction t/|y| = (pull |xi| (|y| + |xi|) + spring (|y|^2 - |xi|^2))/((|y| + |xi|) |y|); where an
  * end yields, its e^p moves on. */
-HS_INLINE void push(const struct pass *s, bool g, bool w, int depth)
+HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth)
 {
-    const double *ux = s->u_lower[0], *uy = s->u_lower[1], *uz = s->u_lower[2];
-    const double *vx = s->u_upper[0], *vy = s->u_upper[1], *vz = s->u_upper[2];
-    const double *X = s->xi[0], *Y = s->xi[1], *Z = s->xi[2], *L = s->length, *W = s->weight;
-    const double *Vi = s->volume_i, *Vj = s->volume_j, *R = s->reach;
-    const double *Ai = s->node_lower[NODE_PULL], *Aj = s->node_upper[NODE_PULL];
-    const double *Bi = s->node_lower[NODE_SPRING], *Bj = s->node_upper[NODE_SPRING];
-    const double *Fi = s->node_lower[NODE_FLOW], *Fj = s->node_upper[NODE_FLOW];
-    const double *Ci = s->node_lower[NODE_CENTRE], *Cj = s->node_upper[NODE_CENTRE];
-    double *pi = s->slip.end[0], *pj = s->slip.end[1];
-    double *ix = s->f_lower[0], *iy = s->f_lower[1], *iz = s->f_lower[2];
-    double *jx = s->f_upper[0], *jy = s->f_upper[1], *jz = s->f_upper[2];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
-    const int count = s->count;
-#pragma omp simd
-    for (int k = 0; k < count; k++) {
-        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
-        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
-        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
-        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
-        double square = length * length + longer, now = sqrt(square), sum = now + length;
-        double pull = (Ai[k] + Aj[k]) * reach;
-        if (depth >= STORED) pull -= Bi[k] * pi[k] + Bj[k] * pj[k];
-        double force = (pull * sum + (Bi[k] + Bj[k]) * longer) / (square + length * now);
-        double i = (weight * volume_j) * force, j = (weight * volume_i) * force;
-        x += a;
-        y += b;
-        z += d;
-        ix[k] += i * x;
-        iy[k] += i * y;
-        iz[k] += i * z;
-        jx[k] -= j * x;
-        jy[k] -= j * y;
-        jz[k] -= j * z;
-        if (depth == YIELDING) {
-            double e = longer / sum;
-            pi[k] += Fi[k] * (e - pi[k] - Ci[k] * length);
-            pj[k] += Fj[k] * (e - pj[k] - Cj[k] * length);
-        }
-    }
+    double *pi = &p->each[SLIP_LOWER][k], *pj = &p->each[SLIP_UPPER][k];
+    const double spring_i = p->node[0][NODE_SPRING][k], spring_j = p->node[1][NODE_SPRING][k];
+    const double square = b.length * b.length + b.longer, now = sqrt(square), sum = now + b.length;
+    double pull = (p->node[0][NODE_PULL][k] + p->node[1][NODE_PULL][k]) * reach_of(p, b);
+    if (depth >= STORED) pull -= spring_i * *pi + spring_j * *pj;
+    const double t =
+        (pull * sum + (spring_i + spring_j) * b.longer) / (square + b.length * now);
+    bond_push(p, k, b, (b.weight * b.volume_j) * t, (b.weight * b.volume_i) * t);
+    if (depth < YIELDING) return;
+    const double e = b.longer / sum;
+    *pi += p->node[0][NODE_FLOW][k] * (e - *pi - p->node[0][NODE_CENTRE][k] * b.length);
+    *pj += p->node[1][NODE_FLOW][k] * (e - *pj - p->node[1][NODE_CENTRE][k] * b.length);
 }
 
-#define VARIANT(name, kernel, g, w, depth)                                                         \
-    HS_SIMD static void name(const struct pass *s)                                                 \
-    {                                                                                              \
-        kernel(s, g, w, depth);                                                                    \
-    }
-#define VARIANTS(name, kernel, depth)                                                              \
-    VARIANT(name##_alike, kernel, false, false, depth)                                             \
-    VARIANT(name##_weighted, kernel, false, true, depth)                                           \
-    VARIANT(name##_scattered, kernel, true, true, depth)
-#define CHOICE(name)                                                                               \
-    {                                                                                              \
-        name##_alike, name##_weighted, name##_scattered                                            \
-    }
-VARIANTS(sum_elastic, sum_up, ELASTIC)
-VARIANTS(sum_energy, sum_up, ENERGY)
-VARIANTS(sum_stored, sum_up, STORED)
-VARIANTS(push_elastic, push, ELASTIC)
-VARIANTS(push_stored, push, STORED)
-VARIANTS(push_yielding, push, YIELDING)
+BOND_KERNELS(sum_elastic, sum_up(p, k, b, ELASTIC))
+BOND_KERNELS(sum_energy, sum_up(p, k, b, ENERGY))
+BOND_KERNELS(sum_stored, sum_up(p, k, b, STORED))
+BOND_KERNELS(push_elastic, push(p, k, b, ELASTIC))
+BOND_KERNELS(push_stored, push(p, k, b, STORED))
+BOND_KERNELS(push_yielding, push(p, k, b, YIELDING))
+static bond_kernel *const *const summing[] = {sum_elastic, sum_energy, sum_stored};
+static bond_kernel *const *const pushing[] = {
+    [ELASTIC] = push_elastic, [STORED] = push_stored, [YIELDING] = push_yielding};
 
-typedef void kernel(const struct pass *);
-enum { ALIKE, WEIGHTED, SCATTERED };
-/* [depth][what differs] */
-static kernel *const summing[][3] = {CHOICE(sum_elastic), CHOICE(sum_energy), CHOICE(sum_stored)};
-static kernel *const pushing[][3] = {[ELASTIC] = CHOICE(push_elastic),
-                                     [STORED] = CHOICE(push_stored),
-                                     [YIELDING] = CHOICE(push_yielding)};
-
-/* The bonds of a strip of a lattice; returns ALIKE or WEIGHTED. */
-static inline int pass_on_lattice(const struct ordinary *model, const struct body *body,
-                                  const struct bond_strip *strip, struct pass *pass)
+/* Puts e^p of a strip into the pass; returns whether there is any. */
+static bool find_slip(struct ordinary *model, int64_t number, bool make, struct bond_pass *pass)
 {
-    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
-    pass->count = strip->count;
-    pass->length = &g->length;
-    pass->reach = model->law->by_length ? &g->length : ones;
-    pass->weight = strip->weight ? strip->weight : &g->weight;
-    pass->volume_i = pass->volume_j = model->bonds->volume;
-    for (int a = 0; a < 3; a++) {
-        pass->xi[a] = &g->xi[a];
-        pass->u_lower[a] = body->u[a] + strip->i;
-        pass->u_upper[a] = body->u[a] + strip->i + g->shift;
-    }
-    return strip->weight ? WEIGHTED : ALIKE;
+    const struct slip slip =
+        (make ? ordinary_plastic_room : ordinary_plastic_slip)(model, number);
+    pass->each[SLIP_LOWER] = slip.end[0];
+    pass->each[SLIP_UPPER] = slip.end[1];
+    return slip.end[0] != NULL;
 }
 
-/* The same of any view, whose ends are gathered where they do not lie side by side. */
-static void pass_over(const struct ordinary *model, const struct body *body,
-                      const struct bond_view *view, double buffer[6][BOND_LANES], struct pass *pass)
+/* First pass over a strip. */
+static void sum_strip(struct ordinary *model, int64_t number, int depth)
 {
-    const struct bond_ends u = bond_ends_find(view, body, buffer);
-    pass->count = view->count;
-    pass->length = view->length;
-    pass->reach = model->law->by_length ? view->length : ones;
-    pass->weight = view->weight;
-    pass->volume_i = view->volume_i;
-    pass->volume_j = view->volume_j;
-    for (int a = 0; a < 3; a++) {
-        pass->xi[a] = view->xi[a];
-        pass->u_lower[a] = u.lower[a];
-        pass->u_upper[a] = u.upper[a];
-    }
+    struct bond_pass pass;
+    pass.number = model->law->by_length ? 0 : 1;
+    if (model->plastic && find_slip(model, number, false, &pass)) depth = STORED;
+    bond_run(summing[depth], model->bonds, &model->bonds->strips[number],
+             (struct bond_fields){0, depth == ELASTIC ? 1 : SUM_COUNT, NULL, model->sum}, &pass);
 }
 
-static int sum_depth(const struct ordinary *model, int64_t number, int depth, struct pass *pass)
+/* Second pass over a strip; flows: whether a node anywhere is about to. */
+static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
 {
-    if (!model->plastic) return depth;
-    pass->slip = ordinary_plastic_slip(model, number);
-    return pass->slip.end[0] ? STORED : depth;
-}
-
-static void sum_lattice(const struct ordinary *model, const struct body *body, int64_t number,
-                        int depth)
-{
-    const struct bond_strip *strip = &model->bonds->strips[number];
-    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
-    const int64_t i = strip->i, j = i + g->shift;
-    double buffer[3][BOND_LANES];
-    struct pass pass;
-    const int what = pass_on_lattice(model, body, strip, &pass);
-    depth = sum_depth(model, number, depth, &pass);
-    for (int k = 0; k < SUM_COUNT; k++) {
-        pass.sum_lower[k] = model->sum[k] + i;
-        pass.sum_upper[k] = model->sum[k] + j;
+    struct bond_pass pass;
+    int depth = ELASTIC, nodes = NODE_FLOW;
+    pass.number = model->law->by_length ? 0 : 1;
+    if (model->plastic) {
+        const bool yields = flows && ordinary_plastic_flows(model, number);
+        profile_count(body->profile, WORK_FLOW_STRIPS, yields, 1);
+        if (find_slip(model, number, yields, &pass)) depth = yields ? YIELDING : STORED;
+        if (yields) nodes = NODE_COUNT;
     }
-    if (!g->apart) bond_detour(SUM_COUNT, buffer, strip->count, pass.sum_upper);
-    summing[depth][what](&pass);
-    if (!g->apart)
-        bond_detour_end(depth == ELASTIC ? 1 : SUM_COUNT, buffer, strip->count, model->sum, j);
-}
-
-static void sum_scattered_strip(const struct ordinary *model, const struct body *body,
-                                int64_t number, int depth)
-{
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][BOND_LANES], lower[SUM_COUNT][BOND_LANES], upper[SUM_COUNT][BOND_LANES];
-    struct pass pass;
-    pass_over(model, body, &view, displacement, &pass);
-    depth = sum_depth(model, number, depth, &pass);
-    const int count = depth == ELASTIC ? 1 : SUM_COUNT;
-    for (int k = 0; k < count; k++) {
-        pass.sum_lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
-        pass.sum_upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
-    }
-    summing[depth][SCATTERED](&pass);
-    for (int k = 0; k < count; k++) {
-        bond_scatter(&view, false, model->sum[k], lower[k]);
-        bond_scatter(&view, true, model->sum[k], upper[k]);
-    }
-}
-
-static int push_depth(struct ordinary *model, int64_t number, bool flows, struct pass *pass)
-{
-    if (!model->plastic) return ELASTIC;
-    const bool yields = flows && ordinary_plastic_flows(model, number);
-    profile_count(model->bonds->body->profile, WORK_FLOW_STRIPS, yields, 1);
-    if (yields) {
-        pass->slip = ordinary_plastic_room(model, number);
-        return YIELDING;
-    }
-    pass->slip = ordinary_plastic_slip(model, number);
-    return pass->slip.end[0] ? STORED : ELASTIC;
-}
-
-static void push_lattice(struct ordinary *model, struct body *body, int64_t number, bool flows)
-{
-    const struct bond_strip *strip = &model->bonds->strips[number];
-    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
-    const int64_t i = strip->i, j = i + g->shift;
-    double buffer[3][BOND_LANES];
-    struct pass pass;
-    const int what = pass_on_lattice(model, body, strip, &pass),
-              depth = push_depth(model, number, flows, &pass);
-    for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
-        pass.node_lower[k] = model->node[k] + i;
-        pass.node_upper[k] = model->node[k] + j;
-    }
-    for (int a = 0; a < 3; a++) {
-        pass.f_lower[a] = body->f[a] + i;
-        pass.f_upper[a] = body->f[a] + j;
-    }
-    if (!g->apart) bond_detour(3, buffer, strip->count, pass.f_upper);
-    pushing[depth][what](&pass);
-    if (!g->apart) bond_detour_end(3, buffer, strip->count, body->f, j);
-}
-
-static void push_scattered_strip(struct ordinary *model, struct body *body, int64_t number,
-                                 bool flows)
-{
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][BOND_LANES], gathered[2][NODE_COUNT][BOND_LANES],
-        force[2][3][BOND_LANES];
-    struct pass pass;
-    pass_over(model, body, &view, displacement, &pass);
-    const int depth = push_depth(model, number, flows, &pass);
-    for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
-        pass.node_lower[k] = bond_gather(&view, false, model->node[k], gathered[0][k]);
-        pass.node_upper[k] = bond_gather(&view, true, model->node[k], gathered[1][k]);
-    }
-    for (int a = 0; a < 3; a++) {
-        pass.f_lower[a] = bond_target(&view, false, body->f[a], force[0][a]);
-        pass.f_upper[a] = bond_target(&view, true, body->f[a], force[1][a]);
-    }
-    pushing[depth][SCATTERED](&pass);
-    for (int a = 0; a < 3; a++) {
-        bond_scatter(&view, false, body->f[a], force[0][a]);
-        bond_scatter(&view, true, body->f[a], force[1][a]);
-    }
+    bond_run(pushing[depth], model->bonds, &model->bonds->strips[number],
+             (struct bond_fields){nodes, 3, model->node, body->f}, &pass);
 }
 
 /* pull = k D theta */
@@ -384,7 +202,7 @@ static void find_nodes(struct ordinary *model, struct body *body, double *const 
     if (model->plastic && model->moment_changes != model->bonds->changes) find_moment(model, body);
     body_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
     for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? sum_scattered_strip : sum_lattice)(model, body, s, depth);
+        sum_strip(model, s, depth);
     if (model->plastic && !model->node[NODE_FLOW] && !mode.frozen &&
         ordinary_plastic_beyond(model, body))
         make_flow(model, body);
@@ -430,7 +248,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? push_scattered_strip : push_lattice)(model, body, s, flows);
+        push_strip(model, body, s, flows);
     if (flows) settle_flow(model, body);
 }
 
