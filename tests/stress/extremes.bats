@@ -200,7 +200,7 @@ $(stretch 3e4)"
     # Mirror images are summed in another order: rounding, which flow amplifies to 1e-9 of the displacement at most.
     for model in "model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015|{pair: [M, M], law: critical_stretch, value: 0.003}" \
         "model: correspondence, $elastic, $flow|horizon: 1, stabilisation: {law: mix}|{phase: M, law: ductile, onset: 0.005, full: 0.02}" \
-        "model: ordinary_plastic, $elastic, $flow|horizon: 2.015|{phase: M, law: plastic_strain, value: 0.1}"; do
+        "model: ordinary_plastic, $elastic, $flow|horizon: 2.015|{phase: M, law: plastic_strain, value: 0.01}"; do
         IFS='|' read -r material solver law <<<"$model"
         GRIP=2 body mirror "$material" "type: explicit, safety: 0.2, end_time: 1 us, energy_tolerance: 0.05, $solver" "damage:
   - $law
