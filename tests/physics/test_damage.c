@@ -373,9 +373,55 @@ static void test_passing_over_strips_changes_no_bit(void **state)
     assert_true(skipped.bits == tested.bits);
 }
 
+/* One soft node flows more than its limit: all bonds of its family break, those that its neighbours begin, too, and no others. */
+static void test_a_removed_node_takes_all_its_bonds(void **state)
+{
+    (void)state;
+    static const char *const laws[] = {small_mix, small_capped};
+    for (int k = 0; k < 2; k++)
+        for (int horizon = 1; horizon <= 2; horizon++) {
+            struct small_body small;
+            small_body_new(
+                &small,
+                &(struct small_case){
+                    .size = {7, 7, 7},
+                    .horizon = horizon,
+                    .stabilisation = laws[k],
+                    .materials =
+                        "{A: {model: correspondence, density: 8900, youngs_modulus: 210 GPa, "
+                        "poissons_ratio: 0.31, hardening: {law: linear, yield: 400 MPa, modulus: "
+                        "1 GPa}, flaw: {centre: [75 um, 75 um, 75 um], radius: 8 um, reduction: "
+                        "0.9}}}",
+                    .breaking = "damage: [{phase: A, law: plastic_strain, value: 0.0035}]"});
+            /* q_trial = 3 mu 0.005 = 1.2 GPa: p = 0.0034 where the yield stress is 400 MPa, 0.0048 where it is 40 MPa. */
+            small_body_deform(&small, (const double[9]){0.005, 0, 0, 0, -0.0025, 0, 0, 0, -0.0025});
+            small_body_force(&small, true, false);
+            assert_true(damage_find(small.damage));
+            damage_break(small.damage);
+            const int family = 2 * small.family.n_half;
+            assert_int_equal(family, horizon == 1 ? 6 : 32);
+            assert_near(damage_removed_nodes(small.damage), 1, 0);
+            assert_near(damage_broken_bonds(small.damage), family, 0);
+            const int64_t removed = grid_site(&small.body.grid, (int[]){3, 3, 3});
+            int broken = 0;
+            for (int64_t s = 0; s < small.bonds->count; s++) {
+                const struct bond_view view = bonds_view(small.bonds, &small.bonds->strips[s]);
+                for (int i = 0; i < view.count; i++) {
+                    const bool ends =
+                        bond_lower(&view, i) == removed || bond_upper(&view, i) == removed;
+                    assert_true(ends == !(view.weight[i * view.weight_step] > 0));
+                    broken += ends;
+                }
+            }
+            assert_int_equal(broken, family);
+            small_body_free(&small);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_removed_node_takes_all_its_bonds),
         cmocka_unit_test(test_two_particles),
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
