@@ -123,32 +123,14 @@ static inline void bond_scatter(const struct bond_view *view, bool upper, double
                                 const double *buffer)
 {
     if (!view->lower && (!upper || view->apart)) return;
-    double *first = field + view->j;
-    for (int k = 0; !view->lower && k < view->count; k++) first[k] += buffer[k];
-    for (int k = 0; view->lower && k < view->count; k++)
-        field[upper ? view->upper[k] : view->lower[k]] += buffer[k];
-}
-
-/* Where the offset of a lattice strip runs along x, what a kernel adds to fields at the upper ends takes a detour:
- * through the cleared buffers, which become the targets, and then to the fields from the site j on. */
-static inline void bond_detour(int fields, double buffer[][BOND_LANES], int count, double *target[])
-{
-    for (int a = 0; a < fields; a++)
-        target[a] = memset(buffer[a], 0, (size_t)count * sizeof **target);
-}
-static inline void bond_detour_end(int fields, double buffer[][BOND_LANES], int count,
-                                   double *const field[], int64_t j)
-{
-    for (int a = 0; a < fields; a++) {
-        double *first = field[a] + j;
-        for (int k = 0; k < count; k++) first[k] += buffer[a][k];
-    }
+    for (int k = 0; k < view->count; k++)
+        field[upper ? bond_upper(view, k) : bond_lower(view, k)] += buffer[k];
 }
 
 /* Bonds of the whole body.  Collective. */
 int64_t bonds_total(const struct bonds *bonds);
 
-/* terms[k] becomes 0 where another rank counts the bond: the owner of its lower end. */
-void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms);
+/* terms[k] of bond k of a strip becomes 0 where another rank counts it: the owner of its lower end. */
+void bonds_only_owned(const struct bonds *bonds, const struct bond_strip *strip, double *terms);
 
 #endif
