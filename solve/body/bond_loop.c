@@ -5,8 +5,7 @@ void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,
                         struct bond_pass *pass)
 {
     const struct bond_view view = bonds_view(bonds, strip);
-    double u[2][3][BOND_LANES], node[2][BOND_NODE_FIELDS][BOND_LANES],
-        sum[2][BOND_SUMS][BOND_LANES];
+    double u[2][3][LANES], node[2][BOND_NODE_FIELDS][LANES], sum[2][BOND_SUMS][LANES];
     pass->count = view.count;
     pass->length = view.length;
     pass->weight = view.weight;

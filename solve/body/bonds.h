@@ -2,8 +2,8 @@
  *
  * Bonds come in strips of at most BOND_LANES, listed in an order that the whole body fixes, so that a sum over
  * the bonds of a node has the same terms in the same order on any number of ranks.  On a lattice the bonds
- * of a strip share their offset and their ends lie side by side; between scattered particles each
- * has its own.  A bond across a cut is on the list of both ranks.
+ * of a strip share their offset and their ends lie side by side; between scattered particles a strip has one
+ * lower end, and its upper ends, each another one, lie anywhere.  A bond across a cut is on the list of both ranks.
  *
  * The weight of a bond is what its material multiplies it by: influence function, partial volume and
  * surface correction; 0 once it is broken, or where a crack has cut it from the start.  It is one number for
@@ -18,7 +18,7 @@
 #include <string.h>
 
 /* Strips are cut where the global x of the lower ends is a multiple of it: long enough for most bodies' lines, which
- * a kernel then goes through at once. */
+ * a kernel then goes through at once.  Those between scattered particles have up to LANES bonds. */
 enum { BOND_LANES = 512 };
 
 struct bond_strip {
@@ -104,12 +104,12 @@ static inline const double *bond_gather(const struct bond_view *view, bool upper
 {
     const int64_t *ends = upper ? view->upper : view->lower;
     if (!ends) return field + (upper ? view->j : view->i);
-    for (int k = 0; k < view->count; k++) buffer[k] = field[ends[k]];
+    for (int k = 0; k < view->count; k++) buffer[k] = field[ends[upper ? k : 0]];
     return buffer;
 }
 
 /* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer [BOND_LANES], which
- * bond_scatter then adds.  Of a lattice strip the lower ends are always apart from each other; the upper
+ * bond_scatter then adds in the order of the bonds.  Of a lattice strip the lower ends are always apart from each other; the upper
  * ones are the lower ends of others in the strip when the offset runs along x. */
 static inline double *bond_target(const struct bond_view *view, bool upper, double *field,
                                   double *buffer)
@@ -119,12 +119,19 @@ static inline double *bond_target(const struct bond_view *view, bool upper, doub
     return buffer;
 }
 
+/* The one lower end of a scattered strip is summed up in a register: through memory each term would wait for the one
+ * before, half of the time of such a strip. */
 static inline void bond_scatter(const struct bond_view *view, bool upper, double *field,
                                 const double *buffer)
 {
     if (!view->lower && (!upper || view->apart)) return;
-    for (int k = 0; k < view->count; k++)
-        field[upper ? bond_upper(view, k) : bond_lower(view, k)] += buffer[k];
+    if (upper) {
+        for (int k = 0; k < view->count; k++) field[bond_upper(view, k)] += buffer[k];
+    } else {
+        double sum = field[view->lower[0]];
+        for (int k = 0; k < view->count; k++) sum += buffer[k];
+        field[view->lower[0]] = sum;
+    }
 }
 
 /* Bonds of the whole body.  Collective. */
