@@ -168,11 +168,13 @@ double bonds_first_weight(const struct bonds *bonds, const struct bond_strip *st
     return family_weight(body->family, bonds->length[strip->i + k] / body->lattice->spacing);
 }
 
-void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms)
+void bonds_only_owned(const struct bonds *bonds, const struct bond_strip *strip, double *terms)
 {
     const uint8_t *flags = bonds->body->grid.flags;
-    for (int k = 0; k < view->count; k++)
-        terms[k] = (flags[bond_lower(view, k)] & SITE_OWNED) ? terms[k] : 0;
+    for (int k = 0; k < strip->count; k++) {
+        const int64_t lower = bonds->lower ? bonds->lower[strip->i + k] : strip->i + k;
+        terms[k] = (flags[lower] & SITE_OWNED) ? terms[k] : 0;
+    }
 }
 
 int64_t bonds_total(const struct bonds *bonds)

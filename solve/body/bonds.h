@@ -2,8 +2,8 @@
  *
  * Bonds come in strips of at most BOND_LANES, listed in an order that the whole body fixes, so that a sum over
  * the bonds of a node has the same terms in the same order on any number of ranks.  On a lattice the bonds
- * of a strip share their offset and their ends lie side by side; between scattered particles each
- * has its own.  A bond across a cut is on the list of both ranks.
+ * of a strip share their offset and their ends lie side by side; between scattered particles a strip has one
+ * lower end, and its upper ends, each another one, lie anywhere.  A bond across a cut is on the list of both ranks.
  *
  * The weight of a bond is what its material multiplies it by: influence function, partial volume and
  * surface correction; 0 once it is broken, or where a crack has cut it from the start.  It is one number for
@@ -18,7 +18,7 @@
 #include <string.h>
 
 /* Strips are cut where the global x of the lower ends is a multiple of it: long enough for most bodies' lines, which
- * a kernel then goes through at once. */
+ * a kernel then goes through at once.  Those between scattered particles have up to LANES bonds. */
 enum { BOND_LANES = 512 };
 
 struct bond_strip {
@@ -104,12 +104,12 @@ static inline const double *bond_gather(const struct bond_view *view, bool upper
 {
     const int64_t *ends = upper ? view->upper : view->lower;
     if (!ends) return field + (upper ? view->j : view->i);
-    for (int k = 0; k < view->count; k++) buffer[k] = field[ends[k]];
+    for (int k = 0; k < view->count; k++) buffer[k] = field[ends[upper ? k : 0]];
     return buffer;
 }
 
 /* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer [BOND_LANES], which
- * bond_scatter then adds.  Of a lattice strip the lower ends are always apart from each other; the upper
+ * bond_scatter then adds in the order of the bonds.  Of a lattice strip the lower ends are always apart from each other; the upper
  * ones are the lower ends of others in the strip when the offset runs along x. */
 static inline double *bond_target(const struct bond_view *view, bool upper, double *field,
                                   double *buffer)
@@ -119,36 +119,25 @@ static inline double *bond_target(const struct bond_view *view, bool upper, doub
     return buffer;
 }
 
+/* The one lower end of a scattered strip is summed up in a register: through memory each term would wait for the one
+ * before, half of the time of such a strip. */
 static inline void bond_scatter(const struct bond_view *view, bool upper, double *field,
                                 const double *buffer)
 {
     if (!view->lower && (!upper || view->apart)) return;
-    double *first = field + view->j;
-    for (int k = 0; !view->lower && k < view->count; k++) first[k] += buffer[k];
-    for (int k = 0; view->lower && k < view->count; k++)
-        field[upper ? view->upper[k] : view->lower[k]] += buffer[k];
-}
-
-/* Where the offset of a lattice strip runs along x, what a kernel adds to fields at the upper ends takes a detour:
- * through the cleared buffers, which become the targets, and then to the fields from the site j on. */
-static inline void bond_detour(int fields, double buffer[][BOND_LANES], int count, double *target[])
-{
-    for (int a = 0; a < fields; a++)
-        target[a] = memset(buffer[a], 0, (size_t)count * sizeof **target);
-}
-static inline void bond_detour_end(int fields, double buffer[][BOND_LANES], int count,
-                                   double *const field[], int64_t j)
-{
-    for (int a = 0; a < fields; a++) {
-        double *first = field[a] + j;
-        for (int k = 0; k < count; k++) first[k] += buffer[a][k];
+    if (upper) {
+        for (int k = 0; k < view->count; k++) field[bond_upper(view, k)] += buffer[k];
+    } else {
+        double sum = field[view->lower[0]];
+        for (int k = 0; k < view->count; k++) sum += buffer[k];
+        field[view->lower[0]] = sum;
     }
 }
 
 /* Bonds of the whole body.  Collective. */
 int64_t bonds_total(const struct bonds *bonds);
 
-/* terms[k] becomes 0 where another rank counts the bond: the owner of its lower end. */
-void bonds_only_owned(const struct bonds *bonds, const struct bond_view *view, double *terms);
+/* terms[k] of bond k of a strip becomes 0 where another rank counts it: the owner of its lower end. */
+void bonds_only_owned(const struct bonds *bonds, const struct bond_strip *strip, double *terms);
 
 #endif

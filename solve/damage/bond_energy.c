@@ -3,22 +3,26 @@
  * Silling, Chen, Int. J. Multiscale Comput. Eng. 9 (2011) 675).  What an ordinary bond holds is that of the
  * force states of its ends as they are, over its elastic extension; theirs is the work done on it so far,
  * the same where the strain grows in proportion. */
-#include "bond_ends.h"
+#include "bond_loop.h"
 #include "damage.h"
 #include "opening.h"
 
-static void room(const struct damage_view *see, const struct bond_strip *strip,
-                 const struct bond_view *bond, const double *value, double *out)
+/* |xi| (1 - w/w_c) of a bond beyond w_c, else 0: what it holds does not tell how far its ends may still move. */
+HS_INLINE void find_room(const struct bond_pass *p, int k, struct bond b)
+{
+    const double allowed = p->given[0][k], held = p->given[1][k];
+    p->each[0][k] = held > allowed && b.longer > 0 ? b.length * (1 - held / allowed) : 0;
+}
+BOND_KERNELS(find_rooms, find_room(p, k, b))
+
+static void room(const struct damage_view *see, const struct bond_strip *strip, const double *value,
+                 double *room)
 {
     const struct model *model = see->model;
-    double energy[BOND_LANES], extension[BOND_LANES], displacement[6][BOND_LANES];
-    const struct bond_ends ends = bond_ends_find(bond, see->body, displacement);
+    double energy[BOND_LANES];
+    struct bond_pass pass = {.given = {value, energy}, .each = {room}};
     model->formulation->bond_energy(model->self, see->body, strip, energy);
-    bond_ends_extensions(bond, &ends, extension);
-    for (int k = 0; k < bond->count; k++)
-        out[k] = energy[k] > value[k] && extension[k] > 0
-                     ? bond->length[k * bond->geometry_step] * (1 - energy[k] / value[k])
-                     : 0;
+    bond_run(find_rooms, see->bonds, strip, (struct bond_fields){0}, &pass);
 }
 
 static double from_fracture_energy(const struct damage_view *see, int a, int b, double energy,

@@ -180,7 +180,7 @@ static void find_rooms(const struct damage *damage, const struct bond_strip *str
     for (int first = 0; first < view->count; first++) {
         const struct damage_law *one = law[first];
         if (!one) continue;
-        one->room(&damage->see, strip, view, value, some);
+        one->room(&damage->see, strip, value, some);
         for (int k = first; k < view->count; k++) {
             if (law[k] != one) continue;
             rooms[k] = some[k];

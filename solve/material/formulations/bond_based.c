@@ -8,8 +8,13 @@
  * K_2 is the bulk modulus of the plane, E/(2(1 - nu)) in plane stress and E/(2(1 + nu)(1 - 2 nu)) in plane
  * strain: with w = 1, c = 9 E/(pi h delta^3) and 48 E/(5 pi h delta^3) (Trageser, Seleson, J. Peridyn.
  * Nonlocal Model. 2 (2020) 278).  Central forces fix Poisson's ratio: 1/4, in plane stress 1/3.  A bond
- * between two phases has the mean of their c. */
-#include "bond_ends.h"
+ * between two phases has the mean of their c.
+ *
+ * A bond needs nothing of its ends but where they are: one pass, which pull is all of.  One root and one division set its
+ * pace, so s/|y| is one fraction.  Energies come with the forces where they are asked for, and c is read at both ends only
+ * where phases differ in it: four kernels, each a loop of its own in the three variants of bond_loop.h. */
+#include "bond_loop.h"
+#include "bond_stress.h"
 #include "gradient.h"
 #include "memory.h"
 #include "model.h"
@@ -73,209 +78,90 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
     free(modulus);
 }
 
-/* What a kernel reads and writes of a strip: arrays of its first bond, or one number for all of it. */
-struct pull {
-    int count;
-    const double *u_lower[3], *u_upper[3];
-    const double *xi[3], *length, *weight, *volume_i, *volume_j;
-    const double *c_lower, *c_upper;
-    double *f_lower[3], *f_upper[3];
-    double *terms; /* energy of each bond, where asked */
-};
-
-/* (bond_based.2) of the bonds of a strip, with an array each of geometry, weight and modulus where g, w and m; with
- * energy c w s^2 |xi| V_i V_j/2 of each bond.  s = (2 xi.eta + eta.eta)/((|y| + |xi|) |xi|), eta = u_j - u_i, is exact to
- * round-off for small displacements, too. */
-HS_INLINE void pull(const struct pull *p, bool g, bool w, bool m, bool energy)
+/* c of a bond, and its weight. */
+HS_INLINE double stiffness(const struct bond_pass *p, int k, struct bond b, bool phases)
 {
-    const double *ux = p->u_lower[0], *uy = p->u_lower[1], *uz = p->u_lower[2];
-    const double *vx = p->u_upper[0], *vy = p->u_upper[1], *vz = p->u_upper[2];
-    const double *X = p->xi[0], *Y = p->xi[1], *Z = p->xi[2], *L = p->length, *W = p->weight;
-    const double *Vi = p->volume_i, *Vj = p->volume_j, *Ci = p->c_lower, *Cj = p->c_upper;
-    double *ix = p->f_lower[0], *iy = p->f_lower[1], *iz = p->f_lower[2];
-    double *jx = p->f_upper[0], *jy = p->f_upper[1], *jz = p->f_upper[2], *terms = p->terms;
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, C0 = *Ci;
-    const int count = p->count;
-#pragma omp simd
-    for (int k = 0; k < count; k++) {
-        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
-        double modulus = (m ? 0.5 * (Ci[k] + Cj[k]) : C0) * (w ? W[k] : W0);
-        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
-        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
-        double square = length * length + longer, now = sqrt(square);
-        double both = length * square + (length * length) * now; /* (|y| + |xi|) |xi| |y| */
-        double share = longer / both;                            /* s/|y| */
-        double i = modulus * volume_j * share, j = modulus * volume_i * share;
-        x += a;
-        y += b;
-        z += d;
-        ix[k] += i * x;
-        iy[k] += i * y;
-        iz[k] += i * z;
-        jx[k] -= j * x;
-        jy[k] -= j * y;
-        jz[k] -= j * z;
-        if (energy) {
-            double s = share * now;
-            terms[k] = 0.5 * modulus * (s * s) * length * (volume_i * volume_j);
-        }
-    }
+    return (phases ? 0.5 * (p->node[0][0][k] + p->node[1][0][k]) : p->number) * b.weight;
 }
 
-#define VARIANT(name, g, w, m, energy)                                                             \
-    HS_SIMD static void name(const struct pull *p)                                                 \
-    {                                                                                              \
-        pull(p, g, w, m, energy);                                                                  \
-    }
-#define VARIANTS(name, g, w, m)                                                                    \
-    VARIANT(name, g, w, m, false)                                                                  \
-    VARIANT(name##_energy, g, w, m, true)
-#define CHOICE(name)                                                                               \
-    {                                                                                              \
-        name, name##_energy                                                                        \
-    }
-VARIANTS(pull_alike, false, false, false)
-VARIANTS(pull_weighted, false, true, false)
-VARIANTS(pull_phases, false, false, true)
-VARIANTS(pull_weighted_phases, false, true, true)
-VARIANTS(pull_scattered, true, true, false)
-VARIANTS(pull_scattered_phases, true, true, true)
-
-/* Of a lattice [weights][moduli][energy], of scattered particles [moduli][energy]. */
-static void (*const on_lattice[2][2][2])(const struct pull *) = {
-    {CHOICE(pull_alike), CHOICE(pull_phases)},
-    {CHOICE(pull_weighted), CHOICE(pull_weighted_phases)}};
-static void (*const scattered[2][2])(const struct pull *) = {CHOICE(pull_scattered),
-                                                             CHOICE(pull_scattered_phases)};
-
-static void add_energy(const struct bond_based *model, const struct bond_strip *strip,
-                       double *terms, struct exact_sum *stored)
+/* (bond_based.2), where asked with the energy c w s^2 |xi| V_i V_j/2 of the bond.
+ * s/|y| = (|y|^2 - |xi|^2)/((|y| + |xi|) |xi| |y|). */
+HS_INLINE void pull(const struct bond_pass *p, int k, struct bond b, bool phases, bool energy)
 {
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    bonds_only_owned(model->bonds, &view, terms);
-    exact_sum_add_strip(stored, view.count, terms, 1);
+    const double square = b.length * b.length + b.longer, now = sqrt(square);
+    const double share = b.longer / (b.length * square + (b.length * b.length) * now);
+    const double c = stiffness(p, k, b, phases), s = share * now;
+    bond_push(p, k, b, c * b.volume_j * share, c * b.volume_i * share);
+    if (energy) p->each[0][k] = 0.5 * c * (s * s) * b.length * (b.volume_i * b.volume_j);
 }
+BOND_KERNELS(pull_alone, pull(p, k, b, false, false))
+BOND_KERNELS(pull_energy, pull(p, k, b, false, true))
+BOND_KERNELS(pull_phases, pull(p, k, b, true, false))
+BOND_KERNELS(pull_phases_energy, pull(p, k, b, true, true))
+/* [phases][energy] */
+static bond_kernel *const *const pulling[2][2] = {{pull_alone, pull_energy},
+                                                  {pull_phases, pull_phases_energy}};
 
-/* stored: where not NULL, the strip's energy is added. */
-static void pull_lattice(const struct bond_based *model, struct body *body,
-                         const struct bond_strip *strip, struct exact_sum *stored)
+/* Extension, force state of either end, half of the force each, and energy density of the bond. */
+HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b)
 {
-    const struct bonds *bonds = model->bonds;
-    const struct bond_geometry *g = &bonds->geometry[strip->offset];
-    const int64_t i = strip->i, j = i + g->shift;
-    double terms[BOND_LANES], force[3][BOND_LANES];
-    struct pull p;
-    p.count = strip->count;
-    p.length = &g->length;
-    p.weight = strip->weight ? strip->weight : &g->weight;
-    p.volume_i = p.volume_j = bonds->volume;
-    p.c_lower = p.c_upper = &model->modulus;
-    if (model->of_node) {
-        p.c_lower = model->of_node + i;
-        p.c_upper = model->of_node + j;
-    }
-    p.terms = terms;
-    for (int a = 0; a < 3; a++) {
-        p.xi[a] = &g->xi[a];
-        p.u_lower[a] = body->u[a] + i;
-        p.u_upper[a] = body->u[a] + j;
-        p.f_lower[a] = body->f[a] + i;
-        p.f_upper[a] = body->f[a] + j;
-    }
-    if (!g->apart) bond_detour(3, force, strip->count, p.f_upper);
-    on_lattice[strip->weight != NULL][model->of_node != NULL][stored != NULL](&p);
-    if (!g->apart) bond_detour_end(3, force, strip->count, body->f, j);
-    if (stored) add_energy(model, strip, terms, stored);
+    const double e = bond_extension(b), c = stiffness(p, k, b, p->node[0][0] != NULL);
+    p->each[0][k] = e;
+    p->each[1][k] = 0.5 * c * e / b.length;
+    p->each[2][k] = 0.5 * c * e * e / b.length;
 }
+BOND_KERNELS(find_states, find_state(p, k, b))
 
-static void pull_scattered_strip(const struct bond_based *model, struct body *body,
-                                 const struct bond_strip *strip, struct exact_sum *stored)
+HS_INLINE void run(bond_kernel *const kernel[], const struct bond_based *model,
+                   const struct bond_strip *strip, int sums, double *const sum[],
+                   struct bond_pass *pass)
 {
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][BOND_LANES], force[6][BOND_LANES], moduli[2][BOND_LANES],
-        terms[BOND_LANES];
-    const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    struct pull p = {.count = view.count,
-                     .length = view.length,
-                     .weight = view.weight,
-                     .volume_i = view.volume_i,
-                     .volume_j = view.volume_j,
-                     .c_lower = &model->modulus,
-                     .c_upper = &model->modulus,
-                     .terms = terms};
-    if (model->of_node) {
-        p.c_lower = bond_gather(&view, false, model->of_node, moduli[0]);
-        p.c_upper = bond_gather(&view, true, model->of_node, moduli[1]);
-    }
-    for (int a = 0; a < 3; a++) {
-        p.xi[a] = view.xi[a];
-        p.u_lower[a] = u.lower[a];
-        p.u_upper[a] = u.upper[a];
-        p.f_lower[a] = bond_target(&view, false, body->f[a], force[a]);
-        p.f_upper[a] = bond_target(&view, true, body->f[a], force[3 + a]);
-    }
-    scattered[model->of_node != NULL][stored != NULL](&p);
-    for (int a = 0; a < 3; a++) {
-        bond_scatter(&view, false, body->f[a], force[a]);
-        bond_scatter(&view, true, body->f[a], force[3 + a]);
-    }
-    if (stored) add_energy(model, strip, terms, stored);
-}
-
-/* c of bond k of a view. */
-static double modulus_of(const struct bond_based *model, const struct bond_view *view, int k)
-{
-    if (!model->of_node) return model->modulus;
-    return 0.5 * (model->of_node[bond_lower(view, k)] + model->of_node[bond_upper(view, k)]);
+    pass->number = model->modulus;
+    pass->node[0][0] = NULL;
+    bond_run(kernel, model->bonds, strip,
+             (struct bond_fields){model->of_node ? 1 : 0, sums, &model->of_node, sum}, pass);
 }
 
 static void bond_based_bond_energy(const void *self, const struct body *body,
                                    const struct bond_strip *strip, double *energy)
 {
-    const struct bond_based *model = self;
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][BOND_LANES], e[BOND_LANES];
-    const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    bond_ends_extensions(&view, &u, e);
-    for (int k = 0; k < view.count; k++)
-        energy[k] = 0.5 * modulus_of(model, &view, k) * view.weight[k * view.weight_step] * e[k] *
-                    e[k] / view.length[k * view.geometry_step];
+    (void)body;
+    double extension[BOND_LANES], half[BOND_LANES];
+    struct bond_pass pass = {.each = {extension, half, energy}};
+    run(find_states, self, strip, 0, NULL, &pass);
 }
 
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
                              struct force_energy *energy)
 {
     const struct bond_based *model = self;
+    const struct bonds *bonds = model->bonds;
+    bond_kernel *const *kernel = pulling[model->of_node != NULL][mode.energy];
+    double terms[BOND_LANES];
     halo_exchange(body->displacement_halo, body->u, 3);
     body_clear(body, body->f, 3);
-    struct exact_sum *stored = mode.energy ? &energy->stored : NULL;
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? pull_scattered_strip
-                                 : pull_lattice)(model, body, &model->bonds->strips[s], stored);
-}
-
-/* Half of the force of a bond belongs to either end. */
-static void add_stress(const struct bond_based *model, struct body *body,
-                       const struct bond_strip *strip, int rows)
-{
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][BOND_LANES], e[BOND_LANES], half[BOND_LANES];
-    const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    bond_ends_extensions(&view, &u, e);
-    for (int k = 0; k < view.count; k++)
-        half[k] = 0.5 * modulus_of(model, &view, k) * view.weight[k * view.weight_step] * e[k] /
-                  view.length[k * view.geometry_step];
-    bond_ends_add_stress(&view, &u, e, half, half, rows, body);
+    for (int64_t s = 0; s < bonds->count; s++) {
+        struct bond_pass pass;
+        pass.each[0] = terms;
+        run(kernel, model, &bonds->strips[s], 3, body->f, &pass);
+        if (!mode.energy) continue;
+        bonds_only_owned(bonds, &bonds->strips[s], terms);
+        exact_sum_add_strip(&energy->stored, bonds->strips[s].count, terms, 1);
+    }
 }
 
 static void bond_based_prepare(void *self, struct body *body, int rows)
 {
     const struct bond_based *model = self;
+    const struct bonds *bonds = model->bonds;
+    double e[BOND_LANES], half[BOND_LANES], energy[BOND_LANES];
     displacement_gradient(body);
     body_clear(body, body->S, 3 * rows);
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        add_stress(model, body, &model->bonds->strips[s], rows);
+    for (int64_t s = 0; s < bonds->count; s++) {
+        struct bond_pass pass = {.each = {e, half, energy}};
+        run(find_states, model, &bonds->strips[s], 0, NULL, &pass);
+        bond_stress_add(bonds, &bonds->strips[s], e, half, half, rows, body);
+    }
 }
 
 static void bond_based_observe(void *self, const struct body *body, const struct strip *strip,

@@ -14,14 +14,15 @@
 #include <math.h>
 
 static struct ordinary_moduli moduli(const struct material *m, enum plane plane,
-                                     const struct body *body, double moment, double isotropic)
+                                     const struct body *body, double weighted_volume,
+                                     double isotropic)
 {
     const double pi = acos(-1), dx = body->lattice->spacing, h = body->lattice->thickness,
                  horizon = body->family->horizon, delta = horizon * dx, mu = m->shear_modulus;
     const double b =
         plane == SPACE ? 15 * mu / (2 * pi * pow(delta, 5)) : 6 * mu / (pi * h * pow(delta, 4));
     const double d = plane == SPACE ? 9 / (4 * pi * pow(delta, 4)) : 2 / (pi * h * pow(delta, 3));
-    if (!(moment > 0)) return (struct ordinary_moduli){0, 0, 0};
+    if (!(weighted_volume > 0)) return (struct ordinary_moduli){0, 0, 0};
     return (struct ordinary_moduli){.dilatation = d * horizon / isotropic,
                                     .volumetric = ordinary_volumetric(m, plane),
                                     .distortion = 2 * b * horizon};

@@ -1,6 +1,19 @@
-/* ordinary.c - the two passes over the bonds that all ordinary state-based materials share (ordinary.h). */
+/* ordinary.c - the two passes over the bonds that all ordinary state-based materials share (ordinary.h).
+ *
+ * The force along a bond depends on the dilatations of its ends, and so on all their bonds: it takes two passes.  The first,
+ * sum_up, gives each node its dilatation; then the law goes from node to node (elastic_nodes, or the plastic return in
+ * ordinary_plastic.c) and leaves what the second, push, reads of a node, for which ranks exchange no more than that: the
+ * pull of the dilatation alone until a node yields.  Both passes find the extension of a bond anew, so that an elastic bond
+ * has no memory of its own.  Either takes one root and one division a bond, which set its pace.
+ *
+ * The kernels come in depths, each a loop of its own (bond_loop.h makes the variants by geometry and weight): without
+ * the sum of squares, which energy and yield alone need; with e^p, which a line of bonds has once one of them has
+ * yielded, two numbers a bond; with the growth of e^p, only in strips with a node that flows.  A node before yield
+ * so costs what an elastic one does. */
 #include "ordinary.h"
 
+#include "bond_loop.h"
+#include "bond_stress.h"
 #include "box_fields.h"
 #include "gradient.h"
 #include "integrity.h"
@@ -11,11 +24,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* |xi| where a bond's weight is not to be multiplied by it. */
-static const double ones[LANES] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-                                   1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-                                   1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
 static struct ordinary *read_any(struct deck_node solver, const struct materials *materials,
                                  const struct ordinary_law *law)
@@ -45,280 +53,113 @@ static void *madenci_oterkus_read(struct deck_node solver, const struct family *
     return read_any(solver, materials, &ordinary_madenci_oterkus);
 }
 
-/* What a kernel reads and writes of a strip: arrays of its first bond, or one number for all of it. */
-struct pass {
-    int count;
-    const double *u_lower[3], *u_upper[3];
-    const double *xi[3], *length, *weight, *volume_i, *volume_j;
-    const double *reach; /* |xi| or 1 */
-    /* First pass. */
-    double *sum_lower[SUM_COUNT], *sum_upper[SUM_COUNT];
-    /* Second pass. */
-    const double *node_lower[NODE_COUNT], *node_upper[NODE_COUNT];
-    double *f_lower[3], *f_upper[3];
-    /* e^p of the lower and the upper ends. */
-    struct slip slip;
-};
-
-/* What a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
+/* How much a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
  * its growth.  Where there is no e^p, or no growth, all give the same bits. */
 enum { ELASTIC, ENERGY, STORED, YIELDING };
 
-/* First pass over a strip, with an array each of geometry and weight where g and w. */
-HS_INLINE void sum_up(const struct pass *s, bool g, bool w, int depth)
+/* Numbers of each bond: e^p of its ends, NULL where there is none, and what find_state and hold find of it. */
+enum { SLIP_LOWER, SLIP_UPPER, EXTENSION, STATE_LOWER, STATE_UPPER, HELD = EXTENSION };
+
+/* |xi| or 1 */
+HS_INLINE double a_over_w(const struct bond_pass *p, struct bond b)
 {
-    const double *ux = s->u_lower[0], *uy = s->u_lower[1], *uz = s->u_lower[2];
-    const double *vx = s->u_upper[0], *vy = s->u_upper[1], *vz = s->u_upper[2];
-    const double *X = s->xi[0], *Y = s->xi[1], *Z = s->xi[2], *L = s->length, *W = s->weight;
-    const double *Vi = s->volume_i, *Vj = s->volume_j, *R = s->reach;
-    const double *pi = s->slip.end[0], *pj = s->slip.end[1];
-    double *ei = s->sum_lower[SUM_EXTENSION], *ni = s->sum_lower[SUM_SQUARE];
-    double *ej = s->sum_upper[SUM_EXTENSION], *nj = s->sum_upper[SUM_SQUARE];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
-    const int count = s->count;
-#pragma omp simd
-    for (int k = 0; k < count; k++) {
-        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
-        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
-        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
-        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
-        double e = longer / (sqrt(length * length + longer) + length);
-        double qi = e, qj = e;
-        if (depth == STORED) {
-            qi -= pi[k];
-            qj -= pj[k];
-        }
-        ei[k] += (weight * reach * volume_j) * qi;
-        ej[k] += (weight * reach * volume_i) * qj;
-        if (depth >= ENERGY) {
-            ni[k] += (weight * volume_j) * (qi * qi);
-            nj[k] += (weight * volume_i) * (qj * qj);
-        }
-    }
+    return p->number > 0 ? p->number : b.length;
 }
 
-/* (ordinary.4), of one fraction t/|y| = (pull |xi| (|y| + |xi|) + spring (|y|^2 - |xi|^2))/((|y| + |xi|) |y|); where an
- * end yields, its e^p moves on. */
-HS_INLINE void push(const struct pass *s, bool g, bool w, int depth)
+/* (ordinary.1) but for D, and the sum of (ordinary.2). */
+HS_INLINE void sum_up(const struct bond_pass *p, int k, struct bond b, int depth)
 {
-    const double *ux = s->u_lower[0], *uy = s->u_lower[1], *uz = s->u_lower[2];
-    const double *vx = s->u_upper[0], *vy = s->u_upper[1], *vz = s->u_upper[2];
-    const double *X = s->xi[0], *Y = s->xi[1], *Z = s->xi[2], *L = s->length, *W = s->weight;
-    const double *Vi = s->volume_i, *Vj = s->volume_j, *R = s->reach;
-    const double *Ai = s->node_lower[NODE_PULL], *Aj = s->node_upper[NODE_PULL];
-    const double *Bi = s->node_lower[NODE_SPRING], *Bj = s->node_upper[NODE_SPRING];
-    const double *Fi = s->node_lower[NODE_FLOW], *Fj = s->node_upper[NODE_FLOW];
-    const double *Ci = s->node_lower[NODE_CENTRE], *Cj = s->node_upper[NODE_CENTRE];
-    double *pi = s->slip.end[0], *pj = s->slip.end[1];
-    double *ix = s->f_lower[0], *iy = s->f_lower[1], *iz = s->f_lower[2];
-    double *jx = s->f_upper[0], *jy = s->f_upper[1], *jz = s->f_upper[2];
-    const double X0 = *X, Y0 = *Y, Z0 = *Z, L0 = *L, W0 = *W, Vj0 = *Vj, R0 = *R;
-    const int count = s->count;
-#pragma omp simd
-    for (int k = 0; k < count; k++) {
-        double x = g ? X[k] : X0, y = g ? Y[k] : Y0, z = g ? Z[k] : Z0, length = g ? L[k] : L0;
-        double volume_j = g ? Vj[k] : Vj0, volume_i = g ? Vi[k] : volume_j; /* alike on a lattice */
-        double weight = w ? W[k] : W0, reach = g ? R[k] : R0;
-        double a = vx[k] - ux[k], b = vy[k] - uy[k], d = vz[k] - uz[k];
-        double longer = (2 * x + a) * a + (2 * y + b) * b + (2 * z + d) * d;
-        double square = length * length + longer, now = sqrt(square), sum = now + length;
-        double pull = (Ai[k] + Aj[k]) * reach;
-        if (depth >= STORED) pull -= Bi[k] * pi[k] + Bj[k] * pj[k];
-        double force = (pull * sum + (Bi[k] + Bj[k]) * longer) / (square + length * now);
-        double i = (weight * volume_j) * force, j = (weight * volume_i) * force;
-        x += a;
-        y += b;
-        z += d;
-        ix[k] += i * x;
-        iy[k] += i * y;
-        iz[k] += i * z;
-        jx[k] -= j * x;
-        jy[k] -= j * y;
-        jz[k] -= j * z;
-        if (depth == YIELDING) {
-            double e = longer / sum;
-            pi[k] += Fi[k] * (e - pi[k] - Ci[k] * length);
-            pj[k] += Fj[k] * (e - pj[k] - Cj[k] * length);
-        }
-    }
+    const double e = b.longer / (sqrt(b.length * b.length + b.longer) + b.length),
+                 ei = depth == STORED ? e - p->each[SLIP_LOWER][k] : e,
+                 ej = depth == STORED ? e - p->each[SLIP_UPPER][k] : e;
+    const double a = b.weight * a_over_w(p, b);
+    p->sum[0][SUM_DILATATION][k] += (a * b.volume_j) * ei;
+    p->sum[1][SUM_DILATATION][k] += (a * b.volume_i) * ej;
+    if (depth == ELASTIC) return;
+    p->sum[0][SUM_SQUARE][k] += (b.weight * b.volume_j) * (ei * ei);
+    p->sum[1][SUM_SQUARE][k] += (b.weight * b.volume_i) * (ej * ej);
 }
 
-#define VARIANT(name, kernel, g, w, depth)                                                         \
-    HS_SIMD static void name(const struct pass *s)                                                 \
-    {                                                                                              \
-        kernel(s, g, w, depth);                                                                    \
-    }
-#define VARIANTS(name, kernel, depth)                                                              \
-    VARIANT(name##_alike, kernel, false, false, depth)                                             \
-    VARIANT(name##_weighted, kernel, false, true, depth)                                           \
-    VARIANT(name##_scattered, kernel, true, true, depth)
-#define CHOICE(name)                                                                               \
-    {                                                                                              \
-        name##_alike, name##_weighted, name##_scattered                                            \
-    }
-VARIANTS(sum_elastic, sum_up, ELASTIC)
-VARIANTS(sum_energy, sum_up, ENERGY)
-VARIANTS(sum_stored, sum_up, STORED)
-VARIANTS(push_elastic, push, ELASTIC)
-VARIANTS(push_stored, push, STORED)
-VARIANTS(push_yielding, push, YIELDING)
-
-typedef void kernel(const struct pass *);
-enum { ALIKE, WEIGHTED, SCATTERED };
-/* [depth][what differs] */
-static kernel *const summing[][3] = {CHOICE(sum_elastic), CHOICE(sum_energy), CHOICE(sum_stored)};
-static kernel *const pushing[][3] = {[ELASTIC] = CHOICE(push_elastic),
-                                     [STORED] = CHOICE(push_stored),
-                                     [YIELDING] = CHOICE(push_yielding)};
-
-/* The bonds of a strip of a lattice; returns ALIKE or WEIGHTED. */
-static inline int pass_on_lattice(const struct ordinary *model, const struct body *body,
-                                  const struct bond_strip *strip, struct pass *pass)
+/* (ordinary_plastic.3): e^p of an end moves on. */
+HS_INLINE void flow(const struct bond_pass *p, int k, double e, double length, int end)
 {
-    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
-    pass->count = strip->count;
-    pass->length = &g->length;
-    pass->reach = model->law->by_length ? &g->length : ones;
-    pass->weight = strip->weight ? strip->weight : &g->weight;
-    pass->volume_i = pass->volume_j = model->bonds->volume;
-    for (int a = 0; a < 3; a++) {
-        pass->xi[a] = &g->xi[a];
-        pass->u_lower[a] = body->u[a] + strip->i;
-        pass->u_upper[a] = body->u[a] + strip->i + g->shift;
-    }
-    return strip->weight ? WEIGHTED : ALIKE;
+    double *slip = p->each[end];
+    slip[k] += p->node[end][NODE_FLOW][k] * (e - slip[k] - p->node[end][NODE_CENTRE][k] * length);
 }
 
-/* The same of any view, whose ends are gathered where they do not lie side by side. */
-static void pass_over(const struct ordinary *model, const struct body *body,
-                      const struct bond_view *view, double buffer[6][BOND_LANES], struct pass *pass)
+/* (ordinary.4), (t_ij + t_ji)/(w |y|) of one fraction: (pull |xi| (|y| + |xi|) + spring (|y|^2 - |xi|^2))/((|y| + |xi|) |y|) */
+HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth)
 {
-    const struct bond_ends u = bond_ends_find(view, body, buffer);
-    pass->count = view->count;
-    pass->length = view->length;
-    pass->reach = model->law->by_length ? view->length : ones;
-    pass->weight = view->weight;
-    pass->volume_i = view->volume_i;
-    pass->volume_j = view->volume_j;
-    for (int a = 0; a < 3; a++) {
-        pass->xi[a] = view->xi[a];
-        pass->u_lower[a] = u.lower[a];
-        pass->u_upper[a] = u.upper[a];
-    }
+    const double spring_i = p->node[0][NODE_SPRING][k], spring_j = p->node[1][NODE_SPRING][k];
+    const double square = b.length * b.length + b.longer, now = sqrt(square), sum = now + b.length;
+    double pull = (p->node[0][NODE_PULL][k] + p->node[1][NODE_PULL][k]) * a_over_w(p, b);
+    if (depth >= STORED)
+        pull -= spring_i * p->each[SLIP_LOWER][k] + spring_j * p->each[SLIP_UPPER][k];
+    const double t = (pull * sum + (spring_i + spring_j) * b.longer) / (square + b.length * now);
+    bond_push(p, k, b, (b.weight * b.volume_j) * t, (b.weight * b.volume_i) * t);
+    if (depth < YIELDING) return;
+    flow(p, k, b.longer / sum, b.length, 0);
+    flow(p, k, b.longer / sum, b.length, 1);
 }
 
-static int sum_depth(const struct ordinary *model, int64_t number, int depth, struct pass *pass)
+BOND_KERNELS(sum_elastic, sum_up(p, k, b, ELASTIC))
+BOND_KERNELS(sum_energy, sum_up(p, k, b, ENERGY))
+BOND_KERNELS(sum_stored, sum_up(p, k, b, STORED))
+BOND_KERNELS(push_elastic, push(p, k, b, ELASTIC))
+BOND_KERNELS(push_stored, push(p, k, b, STORED))
+BOND_KERNELS(push_yielding, push(p, k, b, YIELDING))
+static bond_kernel *const *const summing[] = {sum_elastic, sum_energy, sum_stored};
+static bond_kernel *const *const pushing[] = {
+    [ELASTIC] = push_elastic, [STORED] = push_stored, [YIELDING] = push_yielding};
+
+/* What a strip has of its own; returns whether that is some e^p. */
+static bool fill_pass(const struct ordinary *model, int64_t number, struct bond_pass *pass)
 {
-    if (!model->plastic) return depth;
-    pass->slip = ordinary_plastic_slip(model, number);
-    return pass->slip.end[0] ? STORED : depth;
+    struct slip slip = {{NULL, NULL}};
+    if (model->plastic) slip = ordinary_plastic_slip(model, number);
+    pass->number = model->law->by_length ? 0 : 1;
+    pass->each[SLIP_LOWER] = slip.end[0];
+    pass->each[SLIP_UPPER] = slip.end[1];
+    return slip.end[0] != NULL;
 }
 
-static void sum_lattice(const struct ordinary *model, const struct body *body, int64_t number,
-                        int depth)
+/* Numbers of fields are constants at each call, so that no loop is left of them. */
+HS_INLINE void run(bond_kernel *const kernel[], const struct ordinary *model, int64_t number,
+                   int nodes, int sums, double *const sum[], struct bond_pass *pass)
 {
-    const struct bond_strip *strip = &model->bonds->strips[number];
-    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
-    const int64_t i = strip->i, j = i + g->shift;
-    double buffer[3][BOND_LANES];
-    struct pass pass;
-    const int what = pass_on_lattice(model, body, strip, &pass);
-    depth = sum_depth(model, number, depth, &pass);
-    for (int k = 0; k < SUM_COUNT; k++) {
-        pass.sum_lower[k] = model->sum[k] + i;
-        pass.sum_upper[k] = model->sum[k] + j;
-    }
-    if (!g->apart) bond_detour(SUM_COUNT, buffer, strip->count, pass.sum_upper);
-    summing[depth][what](&pass);
-    if (!g->apart)
-        bond_detour_end(depth == ELASTIC ? 1 : SUM_COUNT, buffer, strip->count, model->sum, j);
+    bond_run(kernel, model->bonds, &model->bonds->strips[number],
+             (struct bond_fields){nodes, sums, model->node, sum}, pass);
 }
 
-static void sum_scattered_strip(const struct ordinary *model, const struct body *body,
-                                int64_t number, int depth)
+static void sum_strip(const struct ordinary *model, int64_t number, int depth)
 {
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][BOND_LANES], lower[SUM_COUNT][BOND_LANES], upper[SUM_COUNT][BOND_LANES];
-    struct pass pass;
-    pass_over(model, body, &view, displacement, &pass);
-    depth = sum_depth(model, number, depth, &pass);
-    const int count = depth == ELASTIC ? 1 : SUM_COUNT;
-    for (int k = 0; k < count; k++) {
-        pass.sum_lower[k] = bond_target(&view, false, model->sum[k], lower[k]);
-        pass.sum_upper[k] = bond_target(&view, true, model->sum[k], upper[k]);
-    }
-    summing[depth][SCATTERED](&pass);
-    for (int k = 0; k < count; k++) {
-        bond_scatter(&view, false, model->sum[k], lower[k]);
-        bond_scatter(&view, true, model->sum[k], upper[k]);
-    }
+    struct bond_pass pass;
+    if (fill_pass(model, number, &pass)) depth = STORED;
+    if (depth == ELASTIC)
+        run(summing[ELASTIC], model, number, 0, 1, model->sum, &pass);
+    else
+        run(summing[depth], model, number, 0, SUM_COUNT, model->sum, &pass);
 }
 
-static int push_depth(struct ordinary *model, int64_t number, bool flows, struct pass *pass)
+/* flows: whether a node anywhere is about to. */
+static void push_strip(struct ordinary *model, struct body *body, int64_t number, bool flows)
 {
-    if (!model->plastic) return ELASTIC;
+    struct bond_pass pass;
     const bool yields = flows && ordinary_plastic_flows(model, number);
-    profile_count(model->bonds->body->profile, WORK_FLOW_STRIPS, yields, 1);
-    if (yields) {
-        pass->slip = ordinary_plastic_room(model, number);
-        return YIELDING;
-    }
-    pass->slip = ordinary_plastic_slip(model, number);
-    return pass->slip.end[0] ? STORED : ELASTIC;
+    if (model->plastic) profile_count(body->profile, WORK_FLOW_STRIPS, yields, 1);
+    if (yields) ordinary_plastic_room(model, number);
+    const int depth = fill_pass(model, number, &pass) ? STORED : ELASTIC;
+    if (yields)
+        run(pushing[YIELDING], model, number, NODE_COUNT, 3, body->f, &pass);
+    else
+        run(pushing[depth], model, number, NODE_FLOW, 3, body->f, &pass);
 }
 
-static void push_lattice(struct ordinary *model, struct body *body, int64_t number, bool flows)
-{
-    const struct bond_strip *strip = &model->bonds->strips[number];
-    const struct bond_geometry *g = &model->bonds->geometry[strip->offset];
-    const int64_t i = strip->i, j = i + g->shift;
-    double buffer[3][BOND_LANES];
-    struct pass pass;
-    const int what = pass_on_lattice(model, body, strip, &pass),
-              depth = push_depth(model, number, flows, &pass);
-    for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
-        pass.node_lower[k] = model->node[k] + i;
-        pass.node_upper[k] = model->node[k] + j;
-    }
-    for (int a = 0; a < 3; a++) {
-        pass.f_lower[a] = body->f[a] + i;
-        pass.f_upper[a] = body->f[a] + j;
-    }
-    if (!g->apart) bond_detour(3, buffer, strip->count, pass.f_upper);
-    pushing[depth][what](&pass);
-    if (!g->apart) bond_detour_end(3, buffer, strip->count, body->f, j);
-}
-
-static void push_scattered_strip(struct ordinary *model, struct body *body, int64_t number,
-                                 bool flows)
-{
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][BOND_LANES], gathered[2][NODE_COUNT][BOND_LANES],
-        force[2][3][BOND_LANES];
-    struct pass pass;
-    pass_over(model, body, &view, displacement, &pass);
-    const int depth = push_depth(model, number, flows, &pass);
-    for (int k = 0; k < (depth == YIELDING ? NODE_COUNT : NODE_FLOW); k++) {
-        pass.node_lower[k] = bond_gather(&view, false, model->node[k], gathered[0][k]);
-        pass.node_upper[k] = bond_gather(&view, true, model->node[k], gathered[1][k]);
-    }
-    for (int a = 0; a < 3; a++) {
-        pass.f_lower[a] = bond_target(&view, false, body->f[a], force[0][a]);
-        pass.f_upper[a] = bond_target(&view, true, body->f[a], force[1][a]);
-    }
-    pushing[depth][SCATTERED](&pass);
-    for (int a = 0; a < 3; a++) {
-        bond_scatter(&view, false, body->f[a], force[0][a]);
-        bond_scatter(&view, true, body->f[a], force[1][a]);
-    }
-}
-
-/* pull = k D theta */
+/* pull = k D theta; dilatation: theta/D */
 HS_SIMD static void find_pull(int count, const double *restrict volumetric,
-                              const double *restrict extension, double *restrict pull)
+                              const double *restrict dilatation, double *restrict pull)
 {
-    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * extension[i];
+    for (int i = 0; i < count; i++) pull[i] = volumetric[i] * dilatation[i];
 }
 
 static void elastic_nodes(struct ordinary *model, const struct body *body,
@@ -328,41 +169,22 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
         const int64_t i = body->owned.items[s].site;
         const int count = body->owned.items[s].count;
         double terms[LANES];
-        find_pull(count, model->volumetric + i, model->sum[SUM_EXTENSION] + i,
+        find_pull(count, model->volumetric + i, model->sum[SUM_DILATATION] + i,
                   model->node[NODE_PULL] + i);
         if (!energy) continue;
         for (int k = 0; k < count; k++)
-            terms[k] = 0.5 * (model->node[NODE_PULL][i + k] * model->sum[SUM_EXTENSION][i + k] +
+            terms[k] = 0.5 * (model->node[NODE_PULL][i + k] * model->sum[SUM_DILATATION][i + k] +
                               model->distortion[i + k] * model->sum[SUM_SQUARE][i + k]);
         body_times_volume(body, i, count, terms);
         exact_sum_add_strip(&energy->stored, count, terms, 1);
     }
 }
 
-/* sum = sum_j w |xi|^power V_j of each node. */
-static void sum_moments(const struct ordinary *model, int power, double *sum)
+static void find_weighted_volume(struct ordinary *model, const struct body *body)
 {
-    for (int64_t s = 0; s < model->bonds->count; s++) {
-        const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[s]);
-        const int g = view.geometry_step;
-        double lower[BOND_LANES], upper[BOND_LANES], *i = bond_target(&view, false, sum, lower),
-                                                     *j = bond_target(&view, true, sum, upper);
-        for (int k = 0; k < view.count; k++) {
-            double moment = view.weight[k * view.weight_step] * view.length[k * g];
-            if (power == 2) moment *= view.length[k * g];
-            i[k] += moment * view.volume_j[k * g];
-            j[k] += moment * view.volume_i[k * g];
-        }
-        bond_scatter(&view, false, sum, lower);
-        bond_scatter(&view, true, sum, upper);
-    }
-}
-
-static void find_moment(struct ordinary *model, const struct body *body)
-{
-    body_clear(body, &model->moment, 1);
-    sum_moments(model, 2, model->moment);
-    model->moment_changes = model->bonds->changes;
+    body_clear(body, &model->weighted_volume, 1);
+    surface_add_moments(model->bonds, 2, model->weighted_volume);
+    model->weighted_changes = model->bonds->changes;
 }
 
 /* Once a node yields, what those that do need. */
@@ -381,10 +203,10 @@ static void find_nodes(struct ordinary *model, struct body *body, double *const 
     for (int k = 0; k < SUM_COUNT; k++) model->sum[k] = fields[k];
     const int depth = model->plastic || energy ? ENERGY : ELASTIC;
     halo_exchange(body->displacement_halo, body->u, 3);
-    if (model->plastic && model->moment_changes != model->bonds->changes) find_moment(model, body);
+    if (model->plastic && model->weighted_changes != model->bonds->changes)
+        find_weighted_volume(model, body);
     body_clear(body, model->sum, depth == ELASTIC ? 1 : SUM_COUNT);
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? sum_scattered_strip : sum_lattice)(model, body, s, depth);
+    for (int64_t s = 0; s < model->bonds->count; s++) sum_strip(model, s, depth);
     if (model->plastic && !model->node[NODE_FLOW] && !mode.frozen &&
         ordinary_plastic_beyond(model, body))
         make_flow(model, body);
@@ -429,59 +251,51 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     find_nodes(model, body, body->f, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++)
-        (body->lattice->point[0] ? push_scattered_strip : push_lattice)(model, body, s, flows);
+    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
     if (flows) settle_flow(model, body);
 }
 
-/* (ordinary.3) of both ends of the bonds of a strip, the extensions and their elastic parts. */
-struct states {
-    double extension[BOND_LANES], t[2][BOND_LANES], elastic[2][BOND_LANES];
-};
-
-static void find_states(const struct ordinary *model, const struct bond_view *view, int64_t number,
-                        const struct bond_ends *u, struct states *states)
+/* The elastic part of a bond's extension as one of its ends has it, and (ordinary.3). */
+HS_INLINE double elastic_of(const struct bond_pass *p, int k, struct bond b, int end)
 {
-    struct slip slip = {{NULL, NULL}};
-    const double *e = states->extension;
-    if (model->plastic) slip = ordinary_plastic_slip(model, number);
-    bond_ends_extensions(view, u, states->extension);
-    for (int k = 0; k < view->count; k++) {
-        const double reach = model->law->by_length ? view->length[k * view->geometry_step] : 1,
-                     weight = view->weight[k * view->weight_step];
-        for (int end = 0; end < 2; end++) {
-            const int64_t i = end ? bond_upper(view, k) : bond_lower(view, k);
-            const double elastic = e[k] - (slip.end[end] ? slip.end[end][k] : 0);
-            states->elastic[end][k] = elastic;
-            states->t[end][k] = weight * (model->node[NODE_PULL][i] * reach +
-                                          model->node[NODE_SPRING][i] * elastic);
-        }
-    }
+    return bond_extension(b) - (p->each[end] ? p->each[end][k] : 0);
+}
+HS_INLINE double state_of(const struct bond_pass *p, int k, struct bond b, int end)
+{
+    return b.weight * (p->node[end][NODE_PULL][k] * a_over_w(p, b) +
+                       p->node[end][NODE_SPRING][k] * elastic_of(p, k, b, end));
 }
 
-static void add_stress(const struct ordinary *model, struct body *body, int64_t number, int rows)
+HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b)
 {
-    const struct bond_view view = bonds_view(model->bonds, &model->bonds->strips[number]);
-    double displacement[6][BOND_LANES];
-    const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    struct states states;
-    find_states(model, &view, number, &u, &states);
-    bond_ends_add_stress(&view, &u, states.extension, states.t[0], states.t[1], rows, body);
+    p->each[EXTENSION][k] = bond_extension(b);
+    p->each[STATE_LOWER][k] = state_of(p, k, b, 0);
+    p->each[STATE_UPPER][k] = state_of(p, k, b, 1);
+}
+BOND_KERNELS(find_states, find_state(p, k, b))
+
+/* Energy density that a bond holds: that of the force states of both ends over its elastic extension. */
+HS_INLINE void hold(const struct bond_pass *p, int k, struct bond b)
+{
+    p->each[HELD][k] = 0.5 * (state_of(p, k, b, 0) * elastic_of(p, k, b, 0) +
+                              state_of(p, k, b, 1) * elastic_of(p, k, b, 1));
+}
+BOND_KERNELS(hold_each, hold(p, k, b))
+
+static void look_at_strip(bond_kernel *const kernel[], const struct ordinary *model, int64_t number,
+                          struct bond_pass *pass)
+{
+    fill_pass(model, number, pass);
+    run(kernel, model, number, NODE_FLOW, 0, NULL, pass);
 }
 
-/* Energy density that each bond holds: that of the force states of both ends over its elastic extension. */
 static void ordinary_bond_energy(const void *self, const struct body *body,
                                  const struct bond_strip *strip, double *energy)
 {
+    (void)body;
     const struct ordinary *model = self;
-    const struct bond_view view = bonds_view(model->bonds, strip);
-    double displacement[6][BOND_LANES];
-    const struct bond_ends u = bond_ends_find(&view, body, displacement);
-    struct states states;
-    find_states(model, &view, strip - model->bonds->strips, &u, &states);
-    for (int k = 0; k < view.count; k++)
-        energy[k] =
-            0.5 * (states.t[0][k] * states.elastic[0][k] + states.t[1][k] * states.elastic[1][k]);
+    struct bond_pass pass = {.each = {[HELD] = energy}};
+    look_at_strip(hold_each, model, strip - model->bonds->strips, &pass);
 }
 
 static const double *ordinary_plastic(const void *self, const struct strip *strip)
@@ -497,7 +311,13 @@ static void ordinary_prepare(void *self, struct body *body, int rows)
     find_nodes(model, body, body->S, (struct force_mode){0}, NULL);
     displacement_gradient(body);
     body_clear(body, body->S, 3 * rows);
-    for (int64_t s = 0; s < model->bonds->count; s++) add_stress(model, body, s, rows);
+    for (int64_t s = 0; s < model->bonds->count; s++) {
+        double e[BOND_LANES], t[2][BOND_LANES];
+        struct bond_pass pass = {
+            .each = {[EXTENSION] = e, [STATE_LOWER] = t[0], [STATE_UPPER] = t[1]}};
+        look_at_strip(find_states, model, s, &pass);
+        bond_stress_add(model->bonds, &model->bonds->strips[s], e, t[0], t[1], rows, body);
+    }
 }
 
 static void ordinary_observe(void *self, const struct body *body, const struct strip *strip,
@@ -514,18 +334,18 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
 static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
-    double *moment = body->f[0], *isotropic = body->f[1]; /* not in use yet */
+    double *weighted_volume = body->f[0], *isotropic = body->f[1]; /* not in use yet */
     const bool corrected = model->correction != SURFACE_NONE;
     const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
     body_clear(body, body->f, 2);
-    sum_moments(model, 2, moment);
-    sum_moments(model, 1, isotropic);
+    surface_add_moments(model->bonds, 2, weighted_volume);
+    surface_add_moments(model->bonds, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             const int64_t i = body->owned.items[s].site + k;
             const double ratio = corrected ? isotropic[i] / full : 1;
             const struct ordinary_moduli moduli = model->law->moduli(
-                &all->items[body->grid.phase[i]], all->plane, body, moment[i], ratio);
+                &all->items[body->grid.phase[i]], all->plane, body, weighted_volume[i], ratio);
             model->volumetric[i] = moduli.volumetric * moduli.dilatation * moduli.dilatation;
             model->distortion[i] = moduli.distortion;
         }
@@ -551,8 +371,8 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     model->volumetric = fields[0];
     model->distortion = model->node[NODE_SPRING] = fields[1];
     model->node[NODE_PULL] = fields[2];
-    if (yields) model->moment = fields[3];
-    model->moment_changes = -1;
+    if (yields) model->weighted_volume = fields[3];
+    model->weighted_changes = -1;
     find_moduli(model, body);
     halo_exchange(body->stress_halo, &model->distortion, 1);
     if (yields) model->plastic = ordinary_plastic_new(model);

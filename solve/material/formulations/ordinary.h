@@ -13,7 +13,7 @@
 #ifndef HS_ORDINARY_H
 #define HS_ORDINARY_H
 
-#include "bond_ends.h"
+#include "bonds.h"
 #include "material.h"
 #include "model.h"
 #include "surface_correction.h"
@@ -29,10 +29,11 @@ struct ordinary_moduli {
 
 struct ordinary_law {
     bool by_length; /* a = w |xi|; else a = w */
-    /* moment: sum of w |xi|^2 V over the bonds of the node; isotropic: its sum of a |xi| V over that of a node
-     * deep inside the body, where a surface correction is wanted, else 1. */
+    /* weighted_volume: sum of w |xi|^2 V over the bonds of the node; isotropic: its sum of w |xi| V over that of a
+     * node deep inside the body, where a surface correction is wanted, else 1. */
     struct ordinary_moduli (*moduli)(const struct material *material, enum plane plane,
-                                     const struct body *body, double moment, double isotropic);
+                                     const struct body *body, double weighted_volume,
+                                     double isotropic);
 };
 extern const struct ordinary_law ordinary_linear, ordinary_madenci_oterkus;
 
@@ -41,8 +42,8 @@ double ordinary_volumetric(const struct material *material, enum plane plane);
 
 /* What the first pass sums up of each node, over its bonds, times V_j. */
 enum {
-    SUM_EXTENSION, /* a (e - e^p) */
-    SUM_SQUARE,    /* w (e - e^p)^2 */
+    SUM_DILATATION, /* theta/D, of a (e - e^p) */
+    SUM_SQUARE,     /* w (e - e^p)^2 */
     SUM_COUNT
 };
 
@@ -56,12 +57,12 @@ struct ordinary {
     enum surface_correction correction;
     struct bonds *bonds;
     /* Box fields. */
-    double *fields;                  /* what volumetric, distortion, pull and moment are in */
+    double *fields; /* what volumetric, distortion, pull and weighted volume are in */
     double *volumetric, *distortion; /* k D^2, b */
     double *node[NODE_COUNT];
-    double *sum[SUM_COUNT]; /* fields of the body, see find_nodes */
-    double *moment;         /* where a phase yields: sum of w |xi|^2 V_j over the bonds there are */
-    int64_t moment_changes; /* of the bonds' weights that it has seen */
+    double *sum[SUM_COUNT];           /* fields of the body, see find_nodes */
+    double *weighted_volume;          /* where a phase yields: of the bonds there are */
+    int64_t weighted_changes;         /* of the bonds' weights that it has seen */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
 };
 
@@ -81,8 +82,8 @@ struct slip {
     double *end[2];
 };
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
-/* The same, made where there is none. */
-struct slip ordinary_plastic_room(struct ordinary *model, int64_t strip);
+/* Makes them where there are none. */
+void ordinary_plastic_room(struct ordinary *model, int64_t strip);
 /* Whether an end of a bond of the strip is about to flow. */
 bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
 

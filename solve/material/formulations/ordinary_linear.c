@@ -16,14 +16,15 @@ double ordinary_volumetric(const struct material *m, enum plane plane)
 }
 
 static struct ordinary_moduli moduli(const struct material *m, enum plane plane,
-                                     const struct body *body, double moment, double isotropic)
+                                     const struct body *body, double weighted_volume,
+                                     double isotropic)
 {
     (void)body, (void)isotropic;
-    if (!(moment > 0)) return (struct ordinary_moduli){0, 0, 0};
-    return (struct ordinary_moduli){.dilatation = (plane == SPACE ? 3 : 2) / moment,
+    if (!(weighted_volume > 0)) return (struct ordinary_moduli){0, 0, 0};
+    return (struct ordinary_moduli){.dilatation = (plane == SPACE ? 3 : 2) / weighted_volume,
                                     .volumetric = ordinary_volumetric(m, plane),
-                                    .distortion =
-                                        (plane == SPACE ? 15 : 8) * m->shear_modulus / moment};
+                                    .distortion = (plane == SPACE ? 15 : 8) * m->shear_modulus /
+                                                  weighted_volume};
 }
 
 const struct ordinary_law ordinary_linear = {.by_length = true, .moduli = moduli};

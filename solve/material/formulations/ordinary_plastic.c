@@ -12,7 +12,10 @@
  * minimises (b/2) sum w (e - e^p)^2 V + integral of sigma_y over e^p without change of volume, the
  * incremental potential, of which the force is the gradient in a broken family, too.
  *
- * The sum of squares needs no pass of its own: sum w (q - c |xi|)^2 V = sum w q^2 V - c sum w |xi| q V. */
+ * The sum of squares needs no pass of its own: sum w (q - c |xi|)^2 V = sum w q^2 V - c sum w |xi| q V.  So the return is
+ * made node by node, in vectors over strips of nodes, between the two passes of ordinary.c, which move e^p on.  e^p is all that
+ * is kept of a bond, and the second pass waits for it to come from memory: the strips of a line lie behind each other,
+ * lower ends before upper ones, and a line none of whose nodes has yielded has no e^p at all. */
 #include "degradation.h"
 #include "flow_curve.h"
 #include "integrity.h"
@@ -73,13 +76,12 @@ struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t number)
     return (struct slip){{slip, slip + (first[1] - first[0])}};
 }
 
-struct slip ordinary_plastic_room(struct ordinary *model, int64_t number)
+void ordinary_plastic_room(struct ordinary *model, int64_t number)
 {
     struct ordinary_plastic *plastic = model->plastic;
     const int line = model->bonds->strips[number].line;
     const int64_t room = plastic->first[line + 1] - plastic->first[line];
     if (!plastic->slip[line]) plastic->slip[line] = memory_new(2 * (size_t)room, sizeof(double));
-    return ordinary_plastic_slip(model, number);
 }
 
 const double *ordinary_plastic_strain(const struct ordinary *model)
@@ -112,14 +114,14 @@ struct strip_state {
 
 /* (ordinary_plastic.1), (ordinary_plastic.2); returns whether a node is beyond yield. */
 HS_SIMD static int64_t trial(int count, const double *restrict distortion,
-                             const double *restrict extension, const double *restrict square,
-                             const double *restrict moment, const double *restrict p,
+                             const double *restrict dilatation, const double *restrict square,
+                             const double *restrict weighted_volume, const double *restrict p,
                              const double *restrict table, struct strip_state *restrict s)
 {
     int64_t beyond = 0;
     for (int i = 0; i < count; i++) {
-        double along = extension[i];
-        double centre = moment[i] > 0 ? along / moment[i] : 0;
+        double along = dilatation[i];
+        double centre = weighted_volume[i] > 0 ? along / weighted_volume[i] : 0;
         double left = square[i] - centre * along;
         left = left > 0 ? left : 0;
         double q = sqrt(3 * s->mu[i] * distortion[i] * left);
@@ -137,14 +139,15 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
 
 /* The force after the return: t = k D theta a + b w [scale (e - e^p) + (1 - scale) c |xi|]. */
 HS_SIMD static void write_nodes(int count, const double *restrict volumetric,
-                                const double *restrict distortion, const double *restrict extension,
+                                const double *restrict distortion,
+                                const double *restrict dilatation,
                                 const struct strip_state *restrict s, double *restrict pull,
                                 double *restrict spring, double *restrict flow,
                                 double *restrict centre)
 {
     for (int i = 0; i < count; i++) {
         double flowed = 1 - s->scale[i];
-        pull[i] = volumetric[i] * extension[i] + distortion[i] * flowed * s->centre[i];
+        pull[i] = volumetric[i] * dilatation[i] + distortion[i] * flowed * s->centre[i];
         spring[i] = distortion[i] * s->scale[i];
         flow[i] = flowed;
         centre[i] = s->centre[i];
@@ -158,7 +161,7 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
     const double *table = model->materials->curves.table;
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
-        const double along = model->sum[SUM_EXTENSION][i],
+        const double along = model->sum[SUM_DILATATION][i],
                      p = model->plastic->strain[i] + s->grown[k];
         stored[k] = 0.5 * (model->volumetric[i] * along * along +
                            model->distortion[i] *
@@ -207,8 +210,8 @@ static int64_t try_strip(const struct ordinary *model, const struct body *body,
         s->curve[k] = phase * (all->count + 1);
         s->shift[k] = body->yield_shift ? body->yield_shift[i + k] : 0;
     }
-    return trial(strip->count, model->distortion + i, model->sum[SUM_EXTENSION] + i,
-                 model->sum[SUM_SQUARE] + i, model->moment + i, model->plastic->strain + i,
+    return trial(strip->count, model->distortion + i, model->sum[SUM_DILATATION] + i,
+                 model->sum[SUM_SQUARE] + i, model->weighted_volume + i, model->plastic->strain + i,
                  all->curves.table, s);
 }
 
@@ -235,7 +238,7 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
                                               s.grown, s.scale, s.open, all->curves.table});
-    write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_EXTENSION] + i,
+    write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_DILATATION] + i,
                 &s, node[NODE_PULL] + i, kept ? node[NODE_SPRING] + i : sound[0],
                 kept ? node[NODE_FLOW] + i : sound[1], kept ? node[NODE_CENTRE] + i : sound[2]);
     double stored[LANES], plastic[LANES];

@@ -1,5 +1,6 @@
 #include "surface_correction.h"
 
+#include "bond_loop.h"
 #include "die.h"
 #include "memory.h"
 
@@ -15,16 +16,43 @@ enum surface_correction surface_correction_read(struct deck_node solver)
                       : SURFACE_NONE;
 }
 
-/* w |xi|^power n_axis^4 of a bond; axis < 0: w |xi|^power. */
-static double share(double weight, const double xi[3], double length, int power, int axis)
+/* w |xi|^power n^4, power from 0 to 2 */
+HS_INLINE double moment(double weight, double length, double power, double n)
 {
-    const double n = axis < 0 ? 1 : xi[axis] / length;
-    double product = weight * n * n * n * n;
-    for (int k = 0; k < power; k++) product *= length;
-    return product;
+    const double once = weight * n * n * n * n * (power > 0 ? length : 1);
+    return power > 1 ? once * length : once;
 }
 
-/* The same, summed up over a full family, times the volume. */
+/* The same of a bond, times the volume of the other end; the pass's number is the power. */
+HS_INLINE void add_moment(const struct bond_pass *p, int k, struct bond b, double n)
+{
+    const double one = moment(b.weight, b.length, p->number, n);
+    p->sum[0][0][k] += one * b.volume_j;
+    p->sum[1][0][k] += one * b.volume_i;
+}
+BOND_KERNELS(moments, add_moment(p, k, b, 1))
+BOND_KERNELS(moments_x, add_moment(p, k, b, b.xi_x / b.length))
+BOND_KERNELS(moments_y, add_moment(p, k, b, b.xi_y / b.length))
+BOND_KERNELS(moments_z, add_moment(p, k, b, b.xi_z / b.length))
+
+/* n of an axis; axis < 0: 1 */
+static void add_moments(const struct bonds *bonds, int power, int axis, double *sum)
+{
+    static bond_kernel *const *const kernels[] = {moments, moments_x, moments_y, moments_z};
+    for (int64_t s = 0; s < bonds->count; s++) {
+        struct bond_pass pass;
+        pass.number = power;
+        bond_run(kernels[1 + axis], bonds, &bonds->strips[s],
+                 (struct bond_fields){0, 1, NULL, &sum}, &pass);
+    }
+}
+
+void surface_add_moments(const struct bonds *bonds, int power, double *sum)
+{
+    add_moments(bonds, power, -1, sum);
+}
+
+/* The moment of a full family: the same, summed up. */
 static double full_family(const struct bonds *bonds, int power, int axis)
 {
     const struct body *body = bonds->body;
@@ -46,7 +74,8 @@ static double full_family(const struct bonds *bonds, int power, int axis)
     for (int o = 0; o < family->n_half; o++) {
         const struct bond_geometry *g = &bonds->geometry[o];
         if (flat && family->half[o].step[2] != 0) continue;
-        sum += 2 * share(g->weight, g->xi, g->length, power, axis) * body->volume;
+        sum += 2 * moment(g->weight, g->length, power, axis < 0 ? 1 : g->xi[axis] / g->length) *
+               body->volume;
     }
     return sum;
 }
@@ -61,20 +90,7 @@ static void find_ratio(const struct bonds *bonds, int power, int axis, double *f
 {
     const struct body *body = bonds->body;
     const double full = full_family(bonds, power, axis);
-    for (int64_t s = 0; s < bonds->count; s++) {
-        const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
-        const int g = view.geometry_step;
-        for (int end = 0; end < 2; end++) {
-            double buffer[BOND_LANES], *target = bond_target(&view, end == 1, field, buffer);
-            for (int k = 0; k < view.count; k++) {
-                const double xi[3] = {view.xi[0][k * g], view.xi[1][k * g], view.xi[2][k * g]};
-                target[k] +=
-                    share(view.weight[k * view.weight_step], xi, view.length[k * g], power, axis) *
-                    (end ? view.volume_i : view.volume_j)[k * g];
-            }
-            bond_scatter(&view, end == 1, field, buffer);
-        }
-    }
+    add_moments(bonds, power, axis, field);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             double *value = &field[body->owned.items[s].site + k];

@@ -1,0 +1,26 @@
+#include "bond_loop.h"
+
+void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,
+                        const struct bond_strip *strip, struct bond_fields fields,
+                        struct bond_pass *pass)
+{
+    const struct bond_view view = bonds_view(bonds, strip);
+    double u[2][3][LANES], node[2][BOND_NODE_FIELDS][LANES], sum[2][BOND_SUMS][LANES];
+    pass->count = view.count;
+    pass->length = view.length;
+    pass->weight = view.weight;
+    pass->volume[0] = view.volume_i;
+    pass->volume[1] = view.volume_j;
+    for (int a = 0; a < 3; a++) pass->xi[a] = view.xi[a];
+    for (int end = 0; end < 2; end++) {
+        for (int a = 0; a < 3; a++)
+            pass->u[end][a] = bond_gather(&view, end, bonds->body->u[a], u[end][a]);
+        for (int a = 0; a < fields.nodes; a++)
+            pass->node[end][a] = bond_gather(&view, end, fields.node[a], node[end][a]);
+        for (int a = 0; a < fields.sums; a++)
+            pass->sum[end][a] = bond_target(&view, end, fields.sum[a], sum[end][a]);
+    }
+    kernel(pass);
+    for (int a = 0; a < fields.sums; a++)
+        for (int end = 0; end < 2; end++) bond_scatter(&view, end, fields.sum[a], sum[end][a]);
+}
