@@ -51,7 +51,7 @@ struct simulation {
     double n_bonds, checked_broken;   /* bonds at the start; broken as of the last critical step */
     double drift;                     /* of the energy balance when it was last looked at */
     bool framing;                     /* the load step ends at a frame */
-    bool looked; /* the energies are those of the explicit step just done */
+    bool looked;                      /* the energies are those of the explicit step just done */
     double quiet_since, quiet_broken; /* since when the motion is small; bonds broken by then */
     double highest_load;              /* of the grips so far, N */
     bool fallen;      /* as of the last record the body is broken and carries next to nothing */
