@@ -56,8 +56,8 @@ static const struct key rows[] = {
      .help = "further node sets"},
 };
 
-static const struct topology *const topologies[] = {&topology_homogeneous, &topology_harmonic,
-                                                    &topology_random, NULL};
+#define ADDRESS(name) &topology_##name
+static const struct topology *const topologies[] = {TOPOLOGIES(ADDRESS), NULL};
 
 static const struct variant *topology_variant(int i)
 {

@@ -31,9 +31,10 @@ struct topology {
     char *(*describe)(const struct recipe *recipe, const struct findings *findings);
 };
 
-extern const struct topology topology_harmonic;
-extern const struct topology topology_random;
-extern const struct topology topology_homogeneous;
+/* All of them: topology_NAME, each in a file of its own; the first has one phase, the others two. */
+#define TOPOLOGIES(DO) DO(homogeneous), DO(harmonic), DO(random)
+#define TOPOLOGY(name) topology_##name
+extern const struct topology TOPOLOGIES(TOPOLOGY);
 
 /* The section domain: what all topologies share, and each as a variant. */
 extern const struct section domain_section;
