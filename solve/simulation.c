@@ -6,6 +6,7 @@
 #include "options.h"
 #include "simulation_parts.h"
 #include "stable_step.h"
+#include "yield.h"
 
 #include <math.h>
 #include <stdio.h>

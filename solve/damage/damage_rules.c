@@ -1,6 +1,7 @@
 #include "damage.h"
 
 #include "die.h"
+#include "laws.h"
 #include "memory.h"
 
 #include <math.h>
@@ -83,21 +84,15 @@ static void read_pair(struct deck_node pair, const struct materials *materials, 
 }
 
 /* The law among those in use, whose states are looked up when it first comes. */
-static struct node_law *use_law(struct damage_rules *rules, const struct damage_law *law,
-                                struct deck_node where, const struct damage_view *see)
+static struct node_law *use_law(struct damage_rules *rules, const struct damage_law *law)
 {
     int k = 0;
     while (k < rules->n_node_laws && rules->node_laws[k].law != law) k++;
     struct node_law *used = &rules->node_laws[k];
     if (k < rules->n_node_laws) return used;
     *used = (struct node_law){.law = law, .least = INFINITY};
-    for (; law->states[used->count]; used->count++) {
-        const char *name = law->states[used->count];
-        const int number = model_state_number(name);
-        if (number < 0 || !model_has_state(see->model, number))
-            deck_error(where, "%s materials have no %s", see->materials->formulation->name, name);
-        used->state[used->count] = number;
-    }
+    for (; law->states[used->count]; used->count++)
+        used->state[used->count] = law_state_number(law->states[used->count]);
     rules->n_node_laws++;
     return used;
 }
@@ -110,9 +105,12 @@ static void take_node_law(struct damage_rules *rules, const struct damage_law *l
     struct node_rule *rule = &rules->node[phase];
     if (rule->law)
         deck_error(entry, "phase '%s' is named twice", see->materials->items[phase].name);
-    struct node_law *used = use_law(rules, law, deck_get(entry, "law"), see);
-    if (!see->materials->items[phase].yields)
-        deck_error(said->phase, "phase '%s' does not yield", see->materials->items[phase].name);
+    struct node_law *used = use_law(rules, law);
+    const struct material *material = &see->materials->items[phase];
+    for (int k = 0; k < used->count; k++)
+        if (law_component(material->law, law->states[k]) < 0)
+            deck_error(said->phase, "phase '%s' has no %s: its law, %s, does not yield",
+                       material->name, law->states[k], material->law->words.name);
     if (law->read) law->read(own, entry, see->body->lattice->spacing);
     *rule = (struct node_rule){law, own, law->least(own)};
     used->least = fmin(used->least, rule->least);

@@ -3,6 +3,7 @@
 #include "equilibrium.h"
 #include "family.h"
 #include "sections.h"
+#include "stabilisation.h"
 #include "surface_correction.h"
 
 #include <math.h>
@@ -60,8 +61,8 @@ static const struct key solver_keys[] = {
     {"surface_correction", KEY_NODE, AT(elsewhere), .form = "one", .names = surface_corrections,
      .otherwise = "none",
      .help = "factors on the bonds of nodes near a surface; not for correspondence"},
-    {"stabilisation", KEY_NODE, AT(elsewhere), .form = "{law: mix or capped, ...}",
-     .otherwise = "{law: mix, share: 0.1}", .help = "of correspondence"},
+    {"stabilisation", KEY_NODE, AT(elsewhere), .section = &section_stabilisation,
+     .otherwise = "mix with its defaults", .help = "of correspondence"},
     {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",
      .help = "of the gauge, at which the run ends; needs grips with velocities that are numbers"},
     {"end_time", KEY_NUMBER, AT(end_time), "s", 1e-15, 1e12, .otherwise = "none",

@@ -96,9 +96,9 @@ static const struct variant *value_words(int i)
 {
     enum { MOST = 64 };
     static struct variant words[MOST]; /* a copy of the table, which does not change */
-    const struct node_value *value = node_value(i);
-    if (!value || i >= MOST) return NULL;
-    words[i] = (struct variant){.name = value->name, .help = value->help};
+    const struct node_value value = node_value(i);
+    if (!value.name || i >= MOST) return NULL;
+    words[i] = (struct variant){.name = value.name, .help = value.help};
     return &words[i];
 }
 

@@ -2,8 +2,17 @@
 
 #include "cracks.h"
 #include "damage.h"
+#include "material.h"
 #include "scene.h"
 
-const struct section *const solver_sections[] = {
-    &section_damage, &section_damage_rule, &section_cracks, &section_boundary, &section_ramp,
-    &section_steps,  &section_initial,     &section_solver, &section_output,   NULL};
+const struct section *const solver_sections[] = {&section_materials,
+                                                 &section_damage,
+                                                 &section_damage_rule,
+                                                 &section_cracks,
+                                                 &section_boundary,
+                                                 &section_ramp,
+                                                 &section_steps,
+                                                 &section_initial,
+                                                 &section_solver,
+                                                 &section_output,
+                                                 NULL};

@@ -14,7 +14,10 @@ void integration_force(struct integration *integration, struct model *model, str
         profile_enter(body->profile, mode.energy ? PART_FORCE_ENERGIES : PART_FORCE);
     profile_count(body->profile, WORK_ENERGIES, mode.energy, 1);
     integration->evaluations++;
+    mode.time = integration->force_time;
+    mode.dt = mode.time - integration->committed_time;
     model_force(model, body, mode, energy);
+    if (mode.commit) integration->committed_time = mode.time;
     profile_enter(body->profile, before);
 }
 

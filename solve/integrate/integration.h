@@ -10,6 +10,8 @@
 struct integration {
     bool moving;     /* with inertia */
     double dt, time; /* of the steps from here on; s */
+    double force_time,
+        committed_time; /* which the next force is of; of the last one with mode.commit; s */
     int64_t step;
     int64_t evaluations;      /* of the force so far */
     double residual;          /* of the last equilibrium, relative; 0 after an explicit step */
@@ -31,7 +33,7 @@ struct integration integration_new(bool moving, double dt, double damping,
                                    struct boundary *boundary, struct model *model);
 void integration_free(struct integration *integration);
 
-/* model_force, counted. */
+/* model_force, counted, with the times of mode. */
 void integration_force(struct integration *integration, struct model *model, struct body *body,
                        struct force_mode mode, struct force_energy *energy);
 

@@ -108,6 +108,7 @@ static bool try_step(struct quasi_static *q, double dt)
     struct equilibrium *e = q->equilibrium;
     struct body *body = e->body;
     const double time = e->integration->time;
+    e->integration->force_time = time + dt;
     loads_set(&e->boundary->loads, body, time + dt);
     boundary_set_ways(e->boundary, body, time, dt);
     for (int64_t i = 0; i < e->held.count; i++)
@@ -166,6 +167,7 @@ bool quasi_static_step(struct quasi_static *q)
         if (dt < q->smallest) {
             vector_put(&e->unknowns, q->before, e->body->u);
             body_clear(e->body, e->body->v, 3);
+            e->integration->force_time = e->integration->time;
             loads_set(&e->boundary->loads, e->body, e->integration->time);
             integration_force(e->integration, e->model, e->body, (struct force_mode){0}, NULL);
             return false;

@@ -114,6 +114,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     if (integration->damage) damage_moved(integration->damage, most);
     integration->step++;
     integration->time += integration->dt;
+    integration->force_time = integration->time;
 
     loads_set(&boundary->loads, body, integration->time);
     integration_force(integration, model, body,

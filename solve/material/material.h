@@ -2,14 +2,10 @@
 #ifndef HS_MATERIAL_H
 #define HS_MATERIAL_H
 
-#include "deck.h"
-#include "flow_curve.h"
-#include "hardening.h"
-#include "yield.h"
-
-#include <stdbool.h>
+#include "keys.h"
 
 struct formulation;
+struct law;
 
 /* Dimension, and in two of them what is zero across the plane. */
 enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
@@ -19,27 +15,41 @@ struct material {
     double density;   /* kg/m^3 */
     double youngs_modulus, poissons_ratio;
     double shear_modulus, bulk_modulus; /* Pa */
-    bool yields;                        /* has a hardening law */
-    struct hardening hardening;
-    struct yield_variation yield;
+    const struct law *law;
+    void *parameters; /* of the law */
+};
+
+/* A law that some phase obeys. */
+struct law_in_use {
+    const struct law *law;
+    void *pairs; /* what its update reads, by pair; NULL: nothing */
+    int *
+        component; /* of each state there is (laws.h): which component of the law's, -1: not one of its */
 };
 
 /* All materials of a run and what the kernels read of them.  A bond between phases a and b takes the
- * means of their moduli and of their flow stresses: pair = a * count + b. */
+ * means of their moduli: pair = a * count + b. */
 struct materials {
     int count;
     enum plane plane;
     const struct formulation *formulation; /* of all of them */
     struct material *items;
-    struct flow_curves curves; /* [count * count] by pair */
-    double *shear, *bulk;      /* [count * count] by pair, Pa */
+    double *shear, *bulk; /* [count * count] by pair, Pa */
+    int n_laws;
+    struct law_in_use *laws;
+    int *law_of; /* [count * count] by pair, which of laws */
 };
+
+extern const struct section section_materials;
 
 /* One entry for each phase of the domain; a phase without an entry is an error, an entry without a
  * phase only a note.  Dies where the materials have not one formulation in common. */
 struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[],
                                 enum plane plane);
 void materials_free(struct materials *materials);
+
+/* What the update of a law reads; NULL: no phase obeys it, or it needs nothing. */
+const void *materials_pairs(const struct materials *materials, const struct law *law);
 
 /* K, or in a plane K_2: E/(2(1 - nu)) in plane stress, E/(2(1 + nu)(1 - 2 nu)) in plane strain [Pa]. */
 double material_bulk_modulus(const struct material *material, enum plane plane);

@@ -1,7 +1,7 @@
 #include "model.h"
 
+#include "laws.h"
 #include "memory.h"
-#include "state.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -25,6 +25,7 @@ struct model *model_new(struct deck_node solver, const struct family *family,
 {
     struct model *model = memory_new(1, sizeof *model);
     model->formulation = materials->formulation;
+    model->materials = materials;
     check_keys(solver, model->formulation);
     model->self = model->formulation->read(solver, family, materials);
     return model;
@@ -66,40 +67,30 @@ const struct strips *model_strips(const struct model *model, const struct body *
     return model->formulation->strips(model->self, body);
 }
 
-void model_observe(struct model *model, const struct body *body, const struct strip *strip,
+void model_observe(const struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state)
 {
+    static const struct state plastic_strain = STATE_PLASTIC_STRAIN;
+    double buffer[LANES];
     model->formulation->observe(model->self, body, strip, state);
-}
-
-static const struct state plastic_strain = STATE_PLASTIC_STRAIN;
-
-const struct state *model_known_state(int i)
-{
-    return i == 0 ? &plastic_strain : NULL;
-}
-
-int model_state_number(const char *name)
-{
-    for (int i = 0; model_known_state(i); i++)
-        if (strcmp(model_known_state(i)->name, name) == 0) return i;
-    return -1;
+    const double *p = model_state(model, strip, law_state_number(plastic_strain.name), 0, buffer);
+    memcpy(state->plastic, p, (size_t)strip->count * sizeof *p);
 }
 
 bool model_has_state(const struct model *model, int number)
 {
-    return number == 0 && model->formulation->plastic_strain;
+    for (int k = 0; k < model->materials->n_laws; k++)
+        if (model->materials->laws[k].component[number] >= 0) return true;
+    return false;
 }
 
 const double *model_state(const struct model *model, const struct strip *strip, int number,
                           int component, double *buffer)
 {
-    const double *kept = model_has_state(model, number)
-                             ? model->formulation->plastic_strain(model->self, strip)
-                             : NULL;
-    for (int i = 0; !kept && i < strip->count; i++)
-        buffer[i] = component < 3 ? model_known_state(number)->initial : 0;
-    return kept ? kept : buffer;
+    if (model_has_state(model, number))
+        return model->formulation->state(model->self, strip, number, component, buffer);
+    for (int i = 0; i < strip->count; i++) buffer[i] = state_initial(law_state(number), component);
+    return buffer;
 }
 
 /* Bonds of one layer have no force across it; the strain that is held at zero there has a stress. */
@@ -118,22 +109,15 @@ static double strain_across(const struct material *material, double xx, double y
     return -nu / (1 - nu) * (xx + yy);
 }
 
-void node_state_from_nominal(const struct body *body, const struct strip *strip,
-                             const struct materials *materials, struct node_state *state)
+void node_state_cauchy(struct node_state *state, const double *const nominal[9])
 {
     static const int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
-    state->count = strip->count;
-    for (int i = 0; i < strip->count; i++) {
+    for (int i = 0; i < state->count; i++) {
         double F[9], P[9];
-        for (int k = 0; k < 9; k++) state->H[k][i] = body->H[k][strip->site + i];
-        if (materials->plane == PLANE_STRESS)
-            state->H[8][i] = strain_across(&materials->items[body->grid.phase[strip->site + i]],
-                                           state->H[0][i], state->H[4][i]);
         for (int k = 0; k < 9; k++) {
             F[k] = state->H[k][i] + (k % 4 == 0);
-            P[k] = body->S[k][strip->site + i];
+            P[k] = nominal[k][i];
         }
-        state->nominal[i] = P[0];
         double J = F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
                    F[2] * (F[3] * F[7] - F[4] * F[6]);
         for (int k = 0; k < 6; k++) {
@@ -141,5 +125,22 @@ void node_state_from_nominal(const struct body *body, const struct strip *strip,
             state->cauchy[k][i] = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / J;
         }
     }
+}
+
+void node_state_from_nominal(const struct body *body, const struct strip *strip,
+                             const struct materials *materials, struct node_state *state)
+{
+    const double *P[9];
+    state->count = strip->count;
+    for (int k = 0; k < 9; k++) {
+        memcpy(state->H[k], body->H[k] + strip->site, (size_t)strip->count * sizeof(double));
+        P[k] = body->S[k] + strip->site;
+    }
+    if (materials->plane == PLANE_STRESS)
+        for (int i = 0; i < strip->count; i++)
+            state->H[8][i] = strain_across(&materials->items[body->grid.phase[strip->site + i]],
+                                           state->H[0][i], state->H[4][i]);
+    memcpy(state->nominal, P[0], (size_t)strip->count * sizeof(double));
+    node_state_cauchy(state, P);
     if (materials->plane == PLANE_STRAIN) hold_across(body, strip, materials, state);
 }

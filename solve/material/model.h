@@ -14,13 +14,14 @@
 
 struct bonds;
 struct bond_strip;
-struct state;
 
 struct force_mode {
-    bool commit; /* plastic state moves on */
+    bool commit; /* states of the laws move on */
     bool frozen; /* no yield, for the stable step */
     bool energy; /* sum up energies */
     bool record; /* a record follows: keep what only this force can tell of the nodes */
+    double dt;   /* s since the last commit */
+    double time; /* now, s */
 };
 
 /* Sums over the whole body [J]. */
@@ -67,8 +68,9 @@ struct formulation {
     /* The strips that observe takes: all owned nodes, with ghosts where some belong to a strip.  NULL: owned
      * nodes alone. */
     const struct strips *(*strips)(const void *self, const struct body *body);
-    /* Equivalent plastic strain of the nodes of such a strip, [strip->count]; NULL: it has none. */
-    const double *(*plastic_strain)(const void *self, const struct strip *strip);
+    /* As model_state, of a state that a material of the body has; NULL: none of its materials has one. */
+    const double *(*state)(const void *self, const struct strip *strip, int number, int component,
+                           double *buffer);
     /* Energy density c w s^2 |xi|/2 or the like of each bond of a strip in body's state [J/m^6]; NULL: its
      * bonds have no energy of their own. */
     void (*bond_energy)(const void *self, const struct body *body, const struct bond_strip *strip,
@@ -85,6 +87,7 @@ extern const struct formulation formulation_correspondence, formulation_bond_bas
 
 struct model {
     const struct formulation *formulation;
+    const struct materials *materials;
     void *self;
 };
 
@@ -100,14 +103,10 @@ void model_force(struct model *model, struct body *body, struct force_mode mode,
                  struct force_energy *energy);
 void model_prepare(struct model *model, struct body *body, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
-void model_observe(struct model *model, const struct body *body, const struct strip *strip,
+void model_observe(const struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
 
-/* The states of all the laws there are (state.h), each name once: number i; NULL beyond the
- * last one.  They are known before any deck is read. */
-const struct state *model_known_state(int i);
-/* The number of the state of that name; -1: there is none. */
-int model_state_number(const char *name);
+/* States by their number (laws.h). */
 /* Whether a material of this body has the state. */
 bool model_has_state(const struct model *model, int number);
 /* A component of the state at the nodes of one of model_strips, as last committed, [strip->count]: where it is kept, or in
@@ -115,7 +114,10 @@ bool model_has_state(const struct model *model, int number);
 const double *model_state(const struct model *model, const struct strip *strip, int number,
                           int component, double *buffer);
 
-/* H from body->H, and Cauchy stress P F^T/J from the nominal stress P in body->S; of elastic materials in plane
+/* Cauchy stress P F^T/J of state->H and the nominal stress P, nominal[9][state->count] row by row [Pa]. */
+void node_state_cauchy(struct node_state *state, const double *const nominal[9]);
+
+/* H from body->H, and Cauchy stress from the nominal stress P in body->S; of elastic materials in plane
  * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */
 void node_state_from_nominal(const struct body *body, const struct strip *strip,
                              const struct materials *materials, struct node_state *state);

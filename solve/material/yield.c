@@ -1,43 +1,87 @@
 #include "yield.h"
 
 #include "body.h"
+#include "flow_curve.h"
+#include "law.h"
 #include "material.h"
 #include "memory.h"
 #include "random.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const double most_deviations = 3;
 
-static void read_flaw(struct deck_node map, struct yield_variation *yield)
+#define PLACE(member) .place = offsetof(struct yield, member)
+
+static const struct key flaw_keys[] = {
+    {"centre", KEY_NUMBER, PLACE(centre), "m", -1e3, 1e3, .size = 3, .required = true,
+     .help = "c, where it is softest; the body is centred at the origin"},
+    {"radius", KEY_NUMBER, PLACE(radius), "m", 1e-12, 1e3, .required = true,
+     .help = "R, within which the softening falls to 1/e"},
+    {"reduction", KEY_NUMBER, PLACE(reduction), "1", 0, 0.99, .required = true,
+     .help = "r, share of the yield stress that is missing at the centre"},
+};
+static const struct section section_flaw = {
+    .path = "materials.NAME.flaw",
+    .help =
+        "A softer place, where a neck starts: the yield stress of the phase is multiplied by 1 - r "
+        "exp(-|x - c|^2/R^2).",
+    .keys = KEYS(flaw_keys),
+};
+
+/* Three deviations leave a tenth of the yield stress. */
+static const struct key scatter_keys[] = {
+    {"deviation", KEY_NUMBER, PLACE(deviation), "1", 0, 0.3, .required = true,
+     .help = "d, standard deviation of the factor"},
+    {"seed", KEY_INTEGER, PLACE(seed), NULL, 0, 2147483647, .required = true,
+     .help = "of the random numbers, which follow from it, the phase's name and the node"},
+};
+static const struct section section_scatter = {
+    .path = "materials.NAME.yield_scatter",
+    .help = "A yield stress that varies from node to node: it is multiplied by 1 + d g, g a number "
+            "of the "
+            "normal distribution, cut at three deviations.",
+    .keys = KEYS(scatter_keys),
+};
+
+const struct key yield_keys[YIELD_KEYS] = {
+    {"hardening", KEY_NODE, PLACE(node), .required = true, .section = &section_hardening,
+     .help = "true stress against equivalent logarithmic plastic strain"},
+    {"flaw", KEY_SECTION, .section = &section_flaw, .otherwise = "none",
+     .form = "{centre: [x, y, z], radius: R, reduction: r}", .help = "a softer place"},
+    {"yield_scatter", KEY_SECTION, .section = &section_scatter, .otherwise = "none",
+     .form = "{deviation: d, seed: n}", .help = "a yield stress that varies from node to node"},
+};
+
+void yield_read(struct deck_node material, void *self)
 {
-    deck_keys(map, (const char *const[]){"centre", "radius", "reduction", NULL});
-    struct deck_node centre = deck_get(map, "centre");
-    if (!deck_is_list(centre) || deck_count(centre) != 3)
-        deck_error(centre, "a list of three lengths is expected here");
-    for (int a = 0; a < 3; a++)
-        yield->centre[a] = deck_number(deck_item(centre, a), "m", -1e3, 1e3);
-    yield->radius = deck_number(deck_get(map, "radius"), "m", 1e-12, 1e3);
-    yield->reduction = deck_number(deck_get(map, "reduction"), "1", 0, 0.99);
-    yield->flawed = true;
+    struct yield *yield = self;
+    (void)material;
+    yield->hardening = hardening_read(yield->node);
 }
 
-static void read_scatter(struct deck_node map, struct yield_variation *yield)
+void yield_release(void *self)
 {
-    deck_keys(map, (const char *const[]){"deviation", "seed", NULL});
-    /* Three deviations leave a tenth of the yield stress. */
-    yield->deviation = deck_number(deck_get(map, "deviation"), "1", 0, 0.3);
-    yield->seed = deck_integer(deck_get(map, "seed"), 0, 2147483647);
-    yield->scattered = true;
+    hardening_free(&((struct yield *)self)->hardening);
 }
 
-struct yield_variation yield_read(struct deck_node material)
+const struct yield *yield_of(const void *self)
 {
-    struct yield_variation yield = {0};
-    if (deck_has(material, "flaw")) read_flaw(deck_get(material, "flaw"), &yield);
-    if (deck_has(material, "yield_scatter"))
-        read_scatter(deck_get(material, "yield_scatter"), &yield);
-    return yield;
+    return self;
+}
+
+void *yield_pairs(int count, const void *const first[], const void *const second[])
+{
+    const struct hardening none = hardening_none(),
+                           **ends = memory_new(2 * (size_t)count, sizeof *ends);
+    for (int k = 0; k < count; k++) {
+        ends[k] = first[k] ? &((const struct yield *)first[k])->hardening : &none;
+        ends[count + k] = second[k] ? &((const struct yield *)second[k])->hardening : &none;
+    }
+    struct flow_curves curves = flow_curves_new(count, ends, ends + count);
+    free(ends);
+    return curves.table;
 }
 
 static double uniform(uint64_t hash)
@@ -47,7 +91,7 @@ static double uniform(uint64_t hash)
 
 /* A number of the normal distribution for a node (Box, Muller, Ann. Math. Stat. 29 (1958) 610); beyond three
  * it is drawn again, from the next number. */
-static double normal(const struct yield_variation *yield, const char *phase, uint64_t node)
+static double normal(const struct yield *yield, const char *phase, uint64_t node)
 {
     const double pi = acos(-1);
     for (uint64_t draw = 0;; draw++) {
@@ -58,29 +102,41 @@ static double normal(const struct yield_variation *yield, const char *phase, uin
     }
 }
 
-static double factor(const struct material *material, const double x[3], uint64_t node)
+static double factor(const struct yield *yield, const char *phase, const double x[3], uint64_t node)
 {
-    const struct yield_variation *yield = &material->yield;
     double k = 1, square = 0;
     for (int a = 0; a < 3; a++) square += (x[a] - yield->centre[a]) * (x[a] - yield->centre[a]);
-    if (yield->flawed) k *= 1 - yield->reduction * exp(-square / (yield->radius * yield->radius));
-    if (yield->scattered) k *= 1 + yield->deviation * normal(yield, material->name, node);
+    if (yield->radius > 0)
+        k *= 1 - yield->reduction * exp(-square / (yield->radius * yield->radius));
+    if (yield->deviation > 0) k *= 1 + yield->deviation * normal(yield, phase, node);
     return k;
+}
+
+static const struct yield *yield_of_phase(const struct materials *materials, int phase)
+{
+    const struct material *material = &materials->items[phase];
+    return material->law && material->law->yield ? material->law->yield(material->parameters)
+                                                 : NULL;
 }
 
 void yield_start(struct body *body, const struct materials *materials)
 {
     bool varies = false;
-    for (int p = 0; p < materials->count; p++)
-        varies |= materials->items[p].yield.flawed || materials->items[p].yield.scattered;
+    for (int p = 0; p < materials->count; p++) {
+        const struct yield *yield = yield_of_phase(materials, p);
+        varies |= yield && (yield->radius > 0 || yield->deviation > 0);
+    }
     if (!varies) return;
     body->yield_shift = memory_new((size_t)body->grid.n_sites, sizeof *body->yield_shift);
     for (int64_t site = 0; site < body->grid.n_sites; site++) {
-        if (body->grid.phase[site] == ABSENT) continue;
-        const struct material *material = &materials->items[body->grid.phase[site]];
+        const int phase = body->grid.phase[site];
+        const struct yield *yield = phase == ABSENT ? NULL : yield_of_phase(materials, phase);
+        if (!yield) continue;
         double x[3];
         body_position(body, site, x);
-        body->yield_shift[site] = (factor(material, x, (uint64_t)body_number(body, site)) - 1) *
-                                  hardening_stress(&material->hardening, 0);
+        body->yield_shift[site] =
+            (factor(yield, materials->items[phase].name, x, (uint64_t)body_number(body, site)) -
+             1) *
+            hardening_stress(&yield->hardening, 0);
     }
 }

@@ -8,23 +8,30 @@
 #ifndef HS_YIELD_H
 #define HS_YIELD_H
 
-#include "deck.h"
-
-#include <stdbool.h>
+#include "hardening.h"
+#include "keys.h"
 
 struct body;
 struct materials;
 
-/* What a material's deck says of it. */
-struct yield_variation {
-    bool flawed, scattered;
-    double centre[3], radius, reduction;
-    double deviation;
-    long seed;
+/* Parameters of a law that yields. */
+struct yield {
+    struct deck_node node; /* what the deck says of hardening */
+    struct hardening hardening;
+    double centre[3], radius, reduction; /* of the flaw [m]; radius 0: none */
+    double deviation;                    /* of the scatter; 0: none */
+    int64_t seed;
 };
 
-/* The keys "flaw" and "yield_scatter" of a material. */
-struct yield_variation yield_read(struct deck_node material);
+/* For struct law: the keys hardening, flaw and yield_scatter, the rest of their reading, and what it holds. */
+enum { YIELD_KEYS = 3 };
+extern const struct key yield_keys[YIELD_KEYS];
+void yield_read(struct deck_node material, void *yield);
+void yield_release(void *yield);
+const struct yield *yield_of(const void *yield);
+
+/* For struct law: flow curves by pair, the table of flow_curve.h; of a pair without parameters one that nothing reaches. */
+void *yield_pairs(int count, const void *const first[], const void *const second[]);
 
 /* Fills body->yield_shift, (k - 1) law(0) [Pa], at all sites of the box; leaves it NULL where no material
  * varies. */

@@ -21,9 +21,9 @@ static void list_variables(struct fields *fields, const struct scene_fields *wan
     const size_t most = (size_t)wanted->n_variables * NODE_COMPONENTS;
     fields->variables = memory_new(most, sizeof *fields->variables);
     for (int k = 0; k < wanted->n_variables; k++) {
-        const struct node_value *value = node_value(wanted->variables[k]);
-        fields->states |= value->observe != NULL;
-        for (int c = 0; c < value->components; c++)
+        const struct node_value value = node_value(wanted->variables[k]);
+        fields->states |= value.observe != NULL;
+        for (int c = 0; c < value.components; c++)
             fields->variables[fields->n_variables++] = (struct node_component){value, c};
     }
 }
@@ -36,7 +36,7 @@ static void open_file(struct fields *fields, const struct spool *output, struct 
     fields->values = memory_new((size_t)count, sizeof *fields->values);
     for (int k = 0; k < count; k++) {
         names[k] = node_component_variable(fields->variables[k]);
-        variable_set_unit(&domain->attributes, names[k], fields->variables[k].value->unit);
+        variable_set_unit(&domain->attributes, names[k], fields->variables[k].value.unit);
         fields->values[k] = memory_new((size_t)domain->n_nodes, sizeof(double));
     }
     fields->file = exodus_fields_open(output, domain, count, (const char *const *)names);

@@ -1,6 +1,7 @@
 #include "node_values.h"
 
 #include "damage.h"
+#include "laws.h"
 #include "memory.h"
 #include "model.h"
 
@@ -74,12 +75,6 @@ static void von_mises(const struct node_state *state, int component, double *val
     }
 }
 
-static void plastic_strain(const struct node_state *state, int component, double *values)
-{
-    (void)component;
-    memcpy(values, state->plastic, (size_t)state->count * sizeof *values);
-}
-
 /* --- table ------------------------------------------------------------------------------------ */
 
 static const struct node_value table[] = {
@@ -91,8 +86,6 @@ static const struct node_value table[] = {
      .help = "loads on a node, per volume"},
     {"stress", "Pa", 6, .observe = stress, .help = "Cauchy stress"},
     {"von_mises", "Pa", 1, .observe = von_mises, .help = "of the Cauchy stress"},
-    {"equivalent_plastic_strain", "1", 1, .observe = plastic_strain,
-     .help = "grows with plastic flow only"},
     {"damage", "1", 1, .field = damage_of,
      .help = "0 to 1: share of the family's volume that bonds no longer reach, or the loss of "
              "stress by "
@@ -102,18 +95,22 @@ static const struct node_value table[] = {
 };
 enum { VALUES = sizeof table / sizeof *table };
 
-const struct node_value *node_value(int i)
+struct node_value node_value(int i)
 {
-    return i < VALUES ? &table[i] : NULL;
+    if (i < VALUES) return table[i];
+    const struct state *state = law_state(i - VALUES);
+    return state ? (struct node_value){state->name, state->unit, state->components,
+                                       .help = state->help}
+                 : (struct node_value){0};
 }
 
 struct node_component node_component(int i)
 {
-    const struct node_value *value;
-    for (int k = 0; (value = node_value(k)); k++) {
-        if (value->label) continue;
-        if (i < value->components) return (struct node_component){value, i};
-        i -= value->components;
+    struct node_value value;
+    for (int k = 0; (value = node_value(k)).name; k++) {
+        if (value.label) continue;
+        if (i < value.components) return (struct node_component){value, i};
+        i -= value.components;
     }
     return (struct node_component){0};
 }
@@ -123,15 +120,24 @@ struct node_component node_component(int i)
 static const char *suffix(struct node_component which)
 {
     static const char *const axes[] = {"x", "y", "z"}, *const planes[] = {"xx", "yy", "zz",
-                                                                          "xy", "yz", "zx"};
-    const int components = which.value->components;
-    return components == 1 ? "" : components == 3 ? axes[which.component] : planes[which.component];
+                                                                          "xy", "yz", "zx"},
+                             *const full[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+    switch (which.value.components) {
+    case 3:
+        return axes[which.component];
+    case 6:
+        return planes[which.component];
+    case 9:
+        return full[which.component];
+    default:
+        return "";
+    }
 }
 
 char *node_component_variable(struct node_component which)
 {
-    char *text = memory_print("_%s%s", which.value->name, suffix(which)), *end = text;
-    const size_t name = 1 + strlen(which.value->name);
+    char *text = memory_print("_%s%s", which.value.name, suffix(which)), *end = text;
+    const size_t name = 1 + strlen(which.value.name);
     for (const char *c = text; *c; c++)
         if (*c == '_')
             *end++ = (char)toupper((unsigned char)*++c);
@@ -152,20 +158,20 @@ static int choose(struct deck_node word, char **names, int count)
 int node_value_read(struct deck_node word)
 {
     int count = 0;
-    while (node_value(count)) count++;
+    while (node_value(count).name) count++;
     char **names = memory_new((size_t)count, sizeof *names);
-    for (int i = 0; i < count; i++) names[i] = memory_text(node_value(i)->name);
+    for (int i = 0; i < count; i++) names[i] = memory_text(node_value(i).name);
     return choose(word, names, count);
 }
 
 int node_component_read(struct deck_node word)
 {
     int count = 0;
-    while (node_component(count).value) count++;
+    while (node_component(count).value.name) count++;
     char **names = memory_new((size_t)count, sizeof *names);
     for (int i = 0; i < count; i++) {
         const struct node_component which = node_component(i);
-        names[i] = memory_print("%s%s%s", which.value->name, which.value->components > 1 ? "_" : "",
+        names[i] = memory_print("%s%s%s", which.value.name, which.value.components > 1 ? "_" : "",
                                 suffix(which));
     }
     return choose(word, names, count);
@@ -196,13 +202,21 @@ void node_values_free(struct node_values *values)
 const double *node_values_field(struct node_values *values, struct node_component which,
                                 struct model *model, const struct body *body)
 {
-    if (which.value->field)
-        return which.value->field(body, values->damage, which.component, values->room);
+    if (which.value.field)
+        return which.value.field(body, values->damage, which.component, values->room);
+    const int state = which.value.observe ? -1 : law_state_number(which.value.name);
     const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
-        struct node_state state;
-        model_observe(model, body, &strips->items[s], &state);
-        which.value->observe(&state, which.component, values->room + strips->items[s].site);
+        const struct strip *strip = &strips->items[s];
+        struct node_state seen;
+        double buffer[LANES], *out = values->room + strip->site;
+        if (state >= 0) {
+            memcpy(out, model_state(model, strip, state, which.component, buffer),
+                   (size_t)strip->count * sizeof *out);
+            continue;
+        }
+        model_observe(model, body, strip, &seen);
+        which.value.observe(&seen, which.component, out);
     }
     return values->room;
 }

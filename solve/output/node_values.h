@@ -13,34 +13,34 @@ struct model;
 struct node_state;
 struct node_values;
 
-enum { NODE_COMPONENTS = 6 }; /* at most */
+enum { NODE_COMPONENTS = 9 }; /* at most */
 
 struct node_value {
     const char *name; /* in the deck: external_force; in a file: ExternalForceX */
     const char *unit; /* SI, "1": a pure number */
-    int components;   /* 1; 3: x, y, z; 6: xx, yy, zz, xy, yz, zx */
+    int components;   /* 1; 3: x, y, z; 6: xx, yy, zz, xy, yz, zx; 9: row by row */
     bool density;     /* per volume: as a quantity it is that of the whole node, unit * m3 */
     bool label;       /* no quantity: it says which, not how much */
     const char *help; /* one line for the manual */
     /* One of the two: where a component is as a box field, in *room where it has to be made; or its values in a
-     * state of nodes, [state->count]. */
+     * state of nodes, [state->count].  Neither: it is the state of that name of a law (laws.h). */
     const double *(*field)(const struct body *body, const struct damage *damage, int component,
                            double *room);
     void (*observe)(const struct node_state *state, int component, double *values);
 };
 
-/* NULL beyond the last one. */
-const struct node_value *node_value(int i);
+/* The rows of the table, then the states of all laws; its name is NULL beyond the last one. */
+struct node_value node_value(int i);
 
 /* Which value a word of the deck means; dies where there is none, naming the nearest. */
 int node_value_read(struct deck_node word);
 
 /* One component as a word of the deck means it: stress_xx. */
 struct node_component {
-    const struct node_value *value;
+    struct node_value value;
     int component;
 };
-/* Component i of all that can be quantities; its value is NULL beyond the last one. */
+/* Component i of all that can be quantities; the name of its value is NULL beyond the last one. */
 struct node_component node_component(int i);
 /* Which of them a word of the deck means; dies as above. */
 int node_component_read(struct deck_node word);

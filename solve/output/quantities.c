@@ -34,7 +34,7 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
         item->reduction = wanted->reduction;
         item->members = members_of_nodes(body, wanted->nodes.numbers, wanted->nodes.count);
         item->values = memory_new((size_t)item->members.count, sizeof *item->values);
-        quantities->states |= item->which.value->observe != NULL;
+        quantities->states |= item->which.value.observe != NULL;
     }
     if (quantities->count > 0) quantities->nodes = node_values_new(body, damage);
     return quantities;
@@ -81,7 +81,7 @@ static struct range find_range(struct quantity *quantity, const struct body *bod
     for (int64_t i = 0; i < quantity->members.count; i++) {
         const int64_t site = quantity->members.sites[i];
         const double volume = body_volume(body, site),
-                     value = field[site] * (quantity->which.value->density ? volume : 1);
+                     value = field[site] * (quantity->which.value.density ? volume : 1);
         quantity->values[i] = value;
         const double t = term(quantity, i, volume);
         range.low = fmin(range.low, value);

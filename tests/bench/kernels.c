@@ -187,14 +187,14 @@ static double time_byte(double *const arrays[3], int64_t count)
 static double time_law(const struct kernel *k)
 {
     enum { TIMES = 2000 };
-    struct j2_strip strip = {.count = LANES};
-    double state[J2_STATE * LANES];
-    const double *table = k->small.materials.curves.table;
+    const struct law_in_use *use = &k->small.materials.laws[k->small.materials.law_of[0]];
+    struct points strip = {.count = LANES};
+    double state[SMALL_STATE * LANES];
     for (int i = 0; i < LANES; i++) {
         strip.mu[i] = k->small.materials.shear[0];
         strip.bulk[i] = k->small.materials.bulk[0];
     }
-    j2_start(&strip, state, LANES, table);
+    law_start(use->law, use->pairs, &strip, state, LANES);
     const double begin = now();
     for (int t = 0; t < TIMES; t++) {
         const double e = k->strain * (1 + (k->yields ? 1e-3 * t : 0));
@@ -202,7 +202,7 @@ static double time_law(const struct kernel *k)
             strip.H[0][i] = e;
             strip.H[4][i] = strip.H[8][i] = -0.3 * e;
         }
-        j2_update(&strip, state, LANES, table, (struct j2_mode){.commit = true});
+        use->law->update(use->pairs, &strip, state, LANES, (struct step){.commit = true});
     }
     return (now() - begin) / TIMES / LANES;
 }

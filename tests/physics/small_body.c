@@ -1,5 +1,7 @@
 #include "small_body.h"
 
+#include "yield.h"
+
 #include "check.h"
 #include "cracks.h"
 
@@ -258,22 +260,30 @@ struct boundary small_free_boundary(void)
 struct small_point small_point_new(const struct materials *materials)
 {
     struct small_point point = {.stress = 0};
-    struct j2_strip strip = {.count = 1};
-    j2_start(&strip, point.state, 1, materials->curves.table);
+    const struct law_in_use *use = &materials->laws[materials->law_of[0]];
+    struct points strip = {.count = 1};
+    assert_true(law_components(use->law) <= SMALL_STATE);
+    law_start(use->law, use->pairs, &strip, point.state, 1);
     return point;
+}
+
+double small_point_plastic(const struct small_point *point)
+{
+    return point->state[law_component(&law_j2, "equivalent_plastic_strain")];
 }
 
 /* P_yy at the lateral strain; P_xx goes to the point. */
 static double lateral_stress(struct small_point *point, const struct materials *materials,
                              double lateral, bool commit)
 {
-    struct j2_strip strip = {.count = 1};
+    const struct law_in_use *use = &materials->laws[materials->law_of[0]];
+    struct points strip = {.count = 1};
     point->H[4] = point->H[8] = lateral;
     for (int k = 0; k < TENSOR; k++) strip.H[k][0] = point->H[k];
     strip.mu[0] = materials->shear[0];
     strip.bulk[0] = materials->bulk[0];
-    strip.curve[0] = 0;
-    j2_update(&strip, point->state, 1, materials->curves.table, (struct j2_mode){.commit = commit});
+    strip.pair[0] = 0;
+    use->law->update(use->pairs, &strip, point->state, 1, (struct step){.commit = commit});
     point->stress = strip.P[0][0];
     return strip.P[4][0];
 }

@@ -6,7 +6,7 @@
 #include "bonds.h"
 #include "boundary.h"
 #include "damage.h"
-#include "j2.h"
+#include "laws.h"
 #include "model.h"
 
 #define SMALL_SPACING 25e-6 /* m */
@@ -88,13 +88,17 @@ double small_body_largest(const struct small_body *small, double *const a[3]);
 /* A boundary that holds nothing: two empty sets. */
 struct boundary small_free_boundary(void);
 
-/* A material point under uniaxial stress along x: the lateral strain is found, the state moves on. */
+enum { SMALL_STATE = 16 }; /* numbers of a law at most */
+
+/* A material point of the first phase under uniaxial stress along x: the lateral strain is found, the state moves on. */
 struct small_point {
-    double state[J2_STATE];
+    double state[SMALL_STATE];
     double H[9];
     double stress; /* P_xx, Pa */
 };
 struct small_point small_point_new(const struct materials *materials);
+/* Its equivalent plastic strain, by the law j2. */
+double small_point_plastic(const struct small_point *point);
 /* F_xx = 1 + strain, P_yy = P_zz = 0 within 1e-13 of the shear modulus. */
 void small_point_stretch(struct small_point *point, const struct materials *materials,
                          double strain);

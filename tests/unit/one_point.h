@@ -6,7 +6,7 @@
 
 #include "deck.h"
 #include "flow_curve.h"
-#include "j2.h"
+#include "laws.h"
 
 #include <string.h>
 
@@ -18,11 +18,14 @@ static inline struct hardening read_law(const char *text)
     return law;
 }
 
+/* Of law_j2's state: where p is, and how many numbers there are. */
+enum { J2_PLASTIC = 6, J2_STATE = 8 };
+
 /* One point of a material. */
 struct point {
     struct hardening law;
     struct flow_curves curves;
-    struct j2_strip strip; /* point 0 */
+    struct points strip; /* point 0 */
     double state[J2_STATE];
 };
 
@@ -33,7 +36,8 @@ static inline void point_new(struct point *point, const char *law, double youngs
     const struct hardening *const laws_of[] = {&point->law};
     point->curves = flow_curves_new(1, laws_of, laws_of);
     point->strip.count = 1;
-    j2_start(&point->strip, point->state, 1, point->curves.table);
+    assert_int_equal(law_components(&law_j2), J2_STATE);
+    law_start(&law_j2, point->curves.table, &point->strip, point->state, 1);
     point->strip.mu[0] = youngs_modulus / (2 * (1 + poissons_ratio));
     point->strip.bulk[0] = youngs_modulus / (3 * (1 - 2 * poissons_ratio));
 }
@@ -47,8 +51,8 @@ static inline void point_free(struct point *point)
 static inline void deform(struct point *point, const double H[9], bool commit)
 {
     for (int k = 0; k < TENSOR; k++) point->strip.H[k][0] = H[k];
-    j2_update(&point->strip, point->state, 1, point->curves.table,
-              (struct j2_mode){.commit = commit, .energy = true});
+    law_j2.update(point->curves.table, &point->strip, point->state, 1,
+                  (struct step){.commit = commit, .energy = true});
 }
 
 static inline void stretch(struct point *point, double lambda)

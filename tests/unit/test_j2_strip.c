@@ -29,7 +29,7 @@ enum { LAWS = sizeof laws / sizeof *laws, STEPS = 40 };
 struct strip {
     struct hardening law[LAWS];
     struct flow_curves curves;
-    struct j2_strip j2;
+    struct points j2;
     double state[J2_STATE * LANES];
 };
 
@@ -45,9 +45,9 @@ static void strip_new(struct strip *strip, int law)
     for (int i = 0; i < LANES; i++) {
         strip->j2.mu[i] = 80e9 + 1e9 * (i % 5);
         strip->j2.bulk[i] = 180e9;
-        strip->j2.curve[i] = law < LAWS ? law : i % LAWS;
+        strip->j2.pair[i] = law < LAWS ? law : i % LAWS;
     }
-    j2_start(&strip->j2, strip->state, LANES, strip->curves.table);
+    law_start(&law_j2, strip->curves.table, &strip->j2, strip->state, LANES);
 }
 
 static void strip_free(struct strip *strip)
@@ -57,7 +57,7 @@ static void strip_free(struct strip *strip)
 }
 
 /* Of any size from a tenth of the strain at yield, 1e-4, to a thousand times that. */
-static void random_strains(struct j2_strip *j2, struct random_stream *stream)
+static void random_strains(struct points *j2, struct random_stream *stream)
 {
     for (int i = 0; i < LANES; i++) {
         const double size = 1e-4 * pow(1000, random_uniform(stream));
@@ -68,19 +68,19 @@ static void random_strains(struct j2_strip *j2, struct random_stream *stream)
 /* Point i of the strip on its own, as the only one of another strip. */
 static void check_point(const struct strip *before, const struct strip *after, int i)
 {
-    const struct j2_mode mode = {.commit = true, .energy = true};
-    struct j2_strip alone = {.count = 1};
+    const struct step mode = {.commit = true, .energy = true};
+    struct points alone = {.count = 1};
     double state[J2_STATE];
     alone.mu[0] = before->j2.mu[i];
     alone.bulk[0] = before->j2.bulk[i];
-    alone.curve[0] = before->j2.curve[i];
+    alone.pair[0] = before->j2.pair[i];
     for (int k = 0; k < TENSOR; k++) alone.H[k][0] = before->j2.H[k][i];
     for (int k = 0; k < J2_STATE; k++) state[k] = before->state[k * LANES + i];
-    j2_update(&alone, state, 1, before->curves.table, mode);
+    law_j2.update(before->curves.table, &alone, state, 1, mode);
     for (int k = 0; k < TENSOR; k++) assert_true(alone.P[k][0] == after->j2.P[k][i]);
     for (int k = 0; k < J2_STATE; k++) assert_true(state[k] == after->state[k * LANES + i]);
     assert_true(alone.stored[0] == after->j2.stored[i]);
-    assert_true(alone.plastic[0] == after->j2.plastic[i]);
+    assert_true(alone.dissipated[0] == after->j2.dissipated[i]);
 }
 
 static void check_law(int law)
@@ -92,10 +92,10 @@ static void check_law(int law)
     for (int n = 0; n < STEPS; n++) {
         random_strains(&after->j2, stream);
         *before = *after;
-        j2_update(&after->j2, after->state, LANES, after->curves.table,
-                  (struct j2_mode){.commit = true, .energy = true});
+        law_j2.update(after->curves.table, &after->j2, after->state, LANES,
+                      (struct step){.commit = true, .energy = true});
         for (int i = 0; i < LANES; i++) {
-            const int p = 6 * LANES + i;
+            const int p = J2_PLASTIC * LANES + i;
             after->state[p] > before->state[p] ? flowed++ : still++;
             check_point(before, after, i);
         }

@@ -169,7 +169,6 @@ static void bond_based_observe(void *self, const struct body *body, const struct
 {
     const struct bond_based *model = self;
     node_state_from_nominal(body, strip, model->materials, node);
-    memset(node->plastic, 0, sizeof node->plastic);
 }
 
 static void bond_based_free(void *self)

@@ -8,15 +8,13 @@
  * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
  * deformation gradient carries no stress and keeps its plastic state. */
 #include "broken.h"
-#include "degradation.h"
 #include "die.h"
 #include "family_sums.h"
 #include "gradient.h"
 #include "integrity.h"
-#include "j2.h"
 #include "memory.h"
 #include "model.h"
-#include "profile.h"
+#include "points.h"
 #include "scattered.h"
 #include "stabilisation.h"
 
@@ -42,9 +40,8 @@ struct correspondence {
     const struct strips *nodes; /* body->owned or body->near */
     int64_t n_tasks, n_sites;
     struct task *tasks;
-    double *state;       /* of the nodes, strip by strip */
-    double *degradation; /* their records; NULL: none degrades */
-    double *flow;        /* [n_sites] flow stress, where the stabilisation wants it */
+    struct point_store *points; /* of the nodes */
+    double *flow;               /* [n_sites] flow stress, where the stabilisation wants it */
     double *
         nominal; /* [n_sites] stress xx with the share of the bonds, as of the last force to be recorded */
 };
@@ -85,7 +82,7 @@ static void list_tasks(struct correspondence *model, const struct body *body)
         append_tasks(model, &body->grid, &strips[o], o);
     }
     qsort(model->tasks, (size_t)model->n_tasks, sizeof *model->tasks, compare_tasks);
-    model->stabilisation->start(model->self, body, strips, model->nominal);
+    model->stabilisation->start(model->self, body, model->materials, strips, model->nominal);
     for (int o = 0; o < count; o++) strips_free(&strips[o]);
     free(strips);
 }
@@ -94,10 +91,9 @@ static void *correspondence_read(struct deck_node solver, const struct family *f
                                  const struct materials *materials)
 {
     struct correspondence *model = memory_new(1, sizeof *model);
-    struct deck_node map = deck_find(solver, "stabilisation");
+    (void)family;
     model->materials = materials;
-    model->stabilisation = stabilisation_choose(map);
-    model->self = model->stabilisation->read(map, family, materials);
+    model->stabilisation = stabilisation_read(deck_find(solver, "stabilisation"), &model->self);
     return model;
 }
 
@@ -113,60 +109,27 @@ static void correspondence_free(void *self)
     struct correspondence *model = self;
     model->stabilisation->free(model->self);
     free(model->tasks);
-    free(model->state);
-    free(model->degradation);
+    points_free(model->points);
     free(model->flow);
     free(model->nominal);
     free(model);
 }
 
-/* Equivalent plastic strain of the points of a strip: [strip->count]. */
-static const double *plastic_strain(const struct correspondence *model, const struct strip *strip)
+static const double *correspondence_state(const void *self, const struct strip *strip, int number,
+                                          int component, double *buffer)
 {
-    return model->state + J2_STATE * strip->store + J2_PLASTIC * strip->stride;
-}
-
-static const double *correspondence_plastic(const void *self, const struct strip *strip)
-{
-    return plastic_strain(self, strip);
+    return points_state(((const struct correspondence *)self)->points, strip, number, component,
+                        buffer);
 }
 
 static void load_nodes(const struct correspondence *model, const struct body *body,
-                       const struct strip *strip, struct j2_strip *j2)
+                       const struct strip *strip, struct points *points)
 {
-    const struct materials *all = model->materials;
-    j2->count = strip->count;
+    points_load(model->points, strip, points);
     for (int k = 0; k < TENSOR; k++)
-        memcpy(j2->H[k], body->H[k] + strip->site, (size_t)strip->count * sizeof(double));
-    for (int i = 0; i < strip->count; i++) {
-        int pair = body->grid.phase[strip->site + i] * (all->count + 1);
-        j2->mu[i] = all->shear[pair];
-        j2->bulk[i] = all->bulk[pair];
-        j2->curve[i] = pair;
-        j2->shift[i] = body->yield_shift ? body->yield_shift[strip->site + i] : 0;
-        if (body->broken && broken_lost(body->broken, strip->site + i)) j2_switch_off(j2, i);
-    }
-}
-
-static void update_nodes(struct correspondence *model, const struct body *body,
-                         const struct strip *strip, struct j2_mode mode, struct j2_strip *j2)
-{
-    double *record = model->degradation ? model->degradation + DEGRADATION * strip->store : NULL;
-    degradation_update(j2, model->state + J2_STATE * strip->store, strip->stride,
-                       model->materials->curves.table, mode,
-                       integrity_of_nodes(body, strip->site, strip->count), record);
-}
-
-static void start_nodes(struct correspondence *model, const struct body *body)
-{
-    model->state = memory_new((size_t)model->nodes->points * J2_STATE, sizeof *model->state);
-    for (int64_t s = 0; s < model->nodes->count; s++) {
-        const struct strip *strip = &model->nodes->items[s];
-        struct j2_strip j2;
-        load_nodes(model, body, strip, &j2);
-        j2_start(&j2, model->state + J2_STATE * strip->store, strip->stride,
-                 model->materials->curves.table);
-    }
+        memcpy(points->H[k], body->H[k] + strip->site, (size_t)strip->count * sizeof(double));
+    for (int i = 0; body->broken && i < strip->count; i++)
+        if (broken_lost(body->broken, strip->site + i)) points_switch_off(points, i);
 }
 
 static void correspondence_start(void *self, const struct body *body, struct bonds *bonds)
@@ -175,17 +138,16 @@ static void correspondence_start(void *self, const struct body *body, struct bon
     (void)bonds;
     if (body->lattice->point[0] && !model->stabilisation->add_family)
         die_user("the stabilisation '%s' needs particles on a lattice: take 'capped'",
-                 model->stabilisation->name);
+                 model->stabilisation->words.name);
     model->n_sites = body->grid.n_sites;
     model->nominal = memory_new((size_t)model->n_sites, sizeof *model->nominal);
     model->node_share = model->stabilisation->node_share(model->self);
     model->near_nodes = model->stabilisation->add_family != NULL;
     model->nodes = model->near_nodes ? &body->near : &body->owned;
-    start_nodes(model, body);
-    if (body->integrity) model->degradation = degradation_new(model->nodes);
+    model->points = points_new(body, model->materials, model->nodes, 0);
     if (model->near_nodes) {
         model->flow = memory_new((size_t)model->n_sites, sizeof(double));
-        model->stabilisation->start(model->self, body, NULL, model->nominal);
+        model->stabilisation->start(model->self, body, model->materials, NULL, model->nominal);
     } else {
         list_tasks(model, body);
     }
@@ -195,14 +157,18 @@ static void correspondence_observe(void *self, const struct body *body, const st
                                    struct node_state *node)
 {
     struct correspondence *model = self;
-    struct j2_strip j2;
-    load_nodes(model, body, strip, &j2);
-    update_nodes(model, body, strip, (struct j2_mode){.frozen = true}, &j2);
-    j2_cauchy(&j2, node->cauchy);
+    const double *P[TENSOR];
+    struct points points;
+    load_nodes(model, body, strip, &points);
+    points_update(model->points, strip, &points, (struct force_mode){.frozen = true},
+                  integrity_of_nodes(body, strip->site, strip->count));
     const size_t bytes = (size_t)strip->count * sizeof(double);
     node->count = strip->count;
-    for (int k = 0; k < TENSOR; k++) memcpy(node->H[k], j2.H[k], bytes);
-    memcpy(node->plastic, plastic_strain(model, strip), bytes);
+    for (int k = 0; k < TENSOR; k++) {
+        memcpy(node->H[k], points.H[k], bytes);
+        P[k] = points.P[k];
+    }
+    node_state_cauchy(node, P);
     memcpy(node->nominal, model->nominal + strip->site, bytes);
 }
 
@@ -216,26 +182,26 @@ static void node_law(struct correspondence *model, struct body *body, const stru
                      struct force_mode mode, struct force_energy *energy)
 {
     const int64_t site = strip->site;
-    struct j2_strip j2;
-    load_nodes(model, body, strip, &j2);
-    update_nodes(model, body, strip, (struct j2_mode){mode.commit, mode.frozen, mode.energy}, &j2);
-    if (!mode.frozen) profile_count(body->profile, WORK_FLOW_STRIPS, j2.flows, 1);
+    struct points points;
+    load_nodes(model, body, strip, &points);
+    points_update(model->points, strip, &points, mode,
+                  integrity_of_nodes(body, site, strip->count));
     const size_t bytes = (size_t)strip->count * sizeof(double);
     for (int k = 0; k < TENSOR; k++)
-        write_scaled(strip->count, j2.P[k], model->node_share, body->S[k] + site);
+        write_scaled(strip->count, points.P[k], model->node_share, body->S[k] + site);
     for (int k = 0; k < 3; k++) memset(body->f[k] + site, 0, bytes);
     if (mode.record) memcpy(model->nominal + site, body->S[0] + site, bytes);
-
-    const double *flow = model->state + J2_STATE * strip->store + J2_YIELD * strip->stride;
-    for (int i = 0; model->flow && i < strip->count; i++)
-        model->flow[site + i] = flow[i] + j2.shift[i];
+    if (model->flow) {
+        double buffer[LANES];
+        memcpy(model->flow + site, points_flow_stress(model->points, strip, buffer), bytes);
+    }
     if (!mode.energy) return;
-    body_only_owned(body, site, strip->count, j2.stored);
-    body_only_owned(body, site, strip->count, j2.plastic);
-    body_times_volume(body, site, strip->count, j2.stored);
-    body_times_volume(body, site, strip->count, j2.plastic);
-    exact_sum_add_strip(&energy->stored, strip->count, j2.stored, model->node_share);
-    exact_sum_add_strip(&energy->plastic, strip->count, j2.plastic, model->node_share);
+    body_only_owned(body, site, strip->count, points.stored);
+    body_only_owned(body, site, strip->count, points.dissipated);
+    body_times_volume(body, site, strip->count, points.stored);
+    body_times_volume(body, site, strip->count, points.dissipated);
+    exact_sum_add_strip(&energy->stored, strip->count, points.stored, model->node_share);
+    exact_sum_add_strip(&energy->plastic, strip->count, points.dissipated, model->node_share);
 }
 
 /* Ghost ends of bonds gather sums that nobody reads; they must not grow. */
@@ -409,6 +375,6 @@ const struct formulation formulation_correspondence = {
     .force = correspondence_force,
     .observe = correspondence_observe,
     .strips = correspondence_strips,
-    .plastic_strain = correspondence_plastic,
+    .state = correspondence_state,
     .free = correspondence_free,
 };

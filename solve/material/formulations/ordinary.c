@@ -17,6 +17,7 @@
 #include "box_fields.h"
 #include "gradient.h"
 #include "integrity.h"
+#include "laws.h"
 #include "memory.h"
 #include "opening.h"
 #include "profile.h"
@@ -298,10 +299,12 @@ static void ordinary_bond_energy(const void *self, const struct body *body,
     look_at_strip(hold_each, model, strip - model->bonds->strips, &pass);
 }
 
-static const double *ordinary_plastic(const void *self, const struct strip *strip)
+static const double *ordinary_state(const void *self, const struct strip *strip, int number,
+                                    int component, double *buffer)
 {
-    const struct ordinary *model = self;
-    return model->plastic ? ordinary_plastic_strain(model) + strip->site : NULL;
+    (void)number, (void)component,
+        (void)buffer; /* mitchell's one state, whose field all phases share */
+    return ordinary_plastic_strain(self) + strip->site;
 }
 
 static void ordinary_prepare(void *self, struct body *body, int rows)
@@ -325,10 +328,6 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
 {
     const struct ordinary *model = self;
     node_state_from_nominal(body, strip, model->materials, node);
-    memset(node->plastic, 0, sizeof node->plastic);
-    if (model->plastic)
-        memcpy(node->plastic, ordinary_plastic_strain(model) + strip->site,
-               (size_t)strip->count * sizeof(double));
 }
 
 static void find_moduli(struct ordinary *model, const struct body *body)
@@ -352,19 +351,12 @@ static void find_moduli(struct ordinary *model, const struct body *body)
     body_clear(body, body->f, 2);
 }
 
-static bool yields_somewhere(const struct materials *all)
-{
-    for (int p = 0; p < all->count; p++)
-        if (all->items[p].yields) return true;
-    return false;
-}
-
 static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
 {
     struct ordinary *model = self;
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
-    const bool yields = yields_somewhere(model->materials);
+    const bool yields = materials_pairs(model->materials, &law_mitchell) != NULL;
     double *fields[4];
     box_fields_new(fields, yields ? 4 : 3, body->grid.n_sites);
     model->fields = fields[0];
@@ -390,7 +382,7 @@ static void ordinary_free(void *self)
 #define PASSES                                                                                     \
     .keys = (const char *const[]){"surface_correction", NULL}, .start = ordinary_start,            \
     .force = ordinary_force, .prepare = ordinary_prepare, .observe = ordinary_observe,             \
-    .free = ordinary_free, .bond_energy = ordinary_bond_energy, .plastic_strain = ordinary_plastic
+    .free = ordinary_free, .bond_energy = ordinary_bond_energy, .state = ordinary_state
 
 const struct formulation formulation_ordinary = {
     .name = "ordinary state-based",

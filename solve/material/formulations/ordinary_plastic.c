@@ -19,9 +19,11 @@
 #include "degradation.h"
 #include "flow_curve.h"
 #include "integrity.h"
+#include "laws.h"
 #include "memory.h"
 #include "ordinary.h"
 #include "radial_return.h"
+#include "yield.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,6 +34,23 @@ struct ordinary_plastic {
     double **slip;       /* [lines of bonds] e^p, or NULL */
     int64_t *first;      /* [lines + 1] what the strips of a line store before them */
     int lines;
+    const double *table; /* flow curves by pair */
+};
+
+/* The law of bonds declares keys and state as laws of points do; the two passes of ordinary.c are its update. */
+static const struct state states[] = {STATE_PLASTIC_STRAIN};
+const struct law law_mitchell = {
+    .words = {"mitchell",
+              "of ordinary_plastic alone: plasticity of bonds, for a few per cent of strain",
+              {YIELD_KEYS, yield_keys}},
+    .parameters = sizeof(struct yield),
+    .n_states = 1,
+    .states = states,
+    .flow_stress = -1,
+    .read = yield_read,
+    .release = yield_release,
+    .yield = yield_of,
+    .pairs = yield_pairs,
 };
 
 struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model)
@@ -40,6 +59,7 @@ struct ordinary_plastic *ordinary_plastic_new(const struct ordinary *model)
     const struct body *body = model->bonds->body;
     const size_t sites = (size_t)body->grid.n_sites;
     const struct bonds *bonds = model->bonds;
+    plastic->table = materials_pairs(model->materials, &law_mitchell);
     plastic->strain = memory_new(sites, sizeof(double));
     if (body->integrity) {
         plastic->degradation = memory_new(DEGRADATION * sites, sizeof(double));
@@ -158,7 +178,7 @@ HS_SIMD static void write_nodes(int count, const double *restrict volumetric,
 static void find_energy(const struct ordinary *model, const struct strip *strip,
                         const struct strip_state *s, double *stored, double *plastic)
 {
-    const double *table = model->materials->curves.table;
+    const double *table = model->plastic->table;
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
         const double along = model->sum[SUM_DILATATION][i],
@@ -174,14 +194,15 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
 static void degrade(struct ordinary *model, const struct strip *strip, const struct strip_state *s,
                     const double *left, bool commit, double *stored, double *plastic)
 {
-    const double *table = model->materials->curves.table;
+    const double *table = model->plastic->table;
     const int64_t i = strip->site, stride = model->bonds->body->grid.n_sites;
-    double work[LANES], *record = model->plastic->degradation + i;
+    double dissipating[LANES], *record = model->plastic->degradation + i;
     for (int k = 0; k < strip->count; k++) {
         const double p = model->plastic->strain[i + k];
-        work[k] = flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p;
+        dissipating[k] =
+            plastic[k] - (flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p);
     }
-    if (commit) degradation_book(strip->count, left, work, plastic, stored, record, stride);
+    if (commit) degradation_book(strip->count, left, dissipating, stored, record, stride);
     for (int k = 0; k < strip->count; k++) {
         model->node[NODE_PULL][i + k] *= left[k];
         model->node[NODE_SPRING][i + k] *= left[k];
@@ -212,7 +233,7 @@ static int64_t try_strip(const struct ordinary *model, const struct body *body,
     }
     return trial(strip->count, model->distortion + i, model->sum[SUM_DILATATION] + i,
                  model->sum[SUM_SQUARE] + i, model->weighted_volume + i, model->plastic->strain + i,
-                 all->curves.table, s);
+                 model->plastic->table, s);
 }
 
 bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *body)
@@ -228,7 +249,6 @@ bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *bo
 static void update_strip(struct ordinary *model, const struct body *body, const struct strip *strip,
                          struct force_mode mode, struct force_energy *energy)
 {
-    const struct materials *all = model->materials;
     const int64_t i = strip->site;
     double *p = model->plastic->strain + i, *const *sum = model->sum, *const *node = model->node;
     double sound[3][LANES]; /* what need not be kept before anything yields */
@@ -237,7 +257,7 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
     const int64_t beyond = try_strip(model, body, strip, &s);
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
-                                              s.grown, s.scale, s.open, all->curves.table});
+                                              s.grown, s.scale, s.open, model->plastic->table});
     write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_DILATATION] + i,
                 &s, node[NODE_PULL] + i, kept ? node[NODE_SPRING] + i : sound[0],
                 kept ? node[NODE_FLOW] + i : sound[1], kept ? node[NODE_CENTRE] + i : sound[2]);

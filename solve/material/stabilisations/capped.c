@@ -16,7 +16,6 @@
  * it does not act as a strain-gradient stiffness in plastic flow. */
 #include "broken.h"
 #include "integrity.h"
-#include "j2.h"
 #include "memory.h"
 #include "stabilisation.h"
 
@@ -33,21 +32,14 @@ struct capped {
     double *before; /* integrity at the last commit; NULL: no node degrades */
 };
 
-static const char *const keys[] = {"stiffness", "cap", NULL};
-static const double hardening =
-    0.02; /* share of the excess that stays elastic, for a positive tangent */
-
-static void *capped_read(struct deck_node map, const struct family *family,
-                         const struct materials *materials)
-{
-    struct capped *c = memory_new(1, sizeof *c);
-    c->stiffness =
-        deck_has(map, "stiffness") ? deck_number(deck_get(map, "stiffness"), "1", 1e-3, 10) : 0.3;
-    c->cap = deck_has(map, "cap") ? deck_number(deck_get(map, "cap"), "1", 1e-4, 1e3) : 0.05;
-    c->materials = materials;
-    (void)family;
-    return c;
-}
+static const struct key keys[] = {
+    {"stiffness", KEY_NUMBER, offsetof(struct capped, stiffness), "1", 1e-3, 10, .usual = 0.3,
+     .help = "G, of the springs over that of the material"},
+    {"cap", KEY_NUMBER, offsetof(struct capped, cap), "1", 1e-4, 1e3, .usual = 0.05,
+     .help = "C, at which a spring slips: shares of the strain at yield"},
+};
+/* Share of the excess that stays elastic, for a positive tangent. */
+static const double hardening = 0.02;
 
 static int capped_bonds(const void *self, const struct family *family,
                         const struct offset **offsets)
@@ -57,12 +49,13 @@ static int capped_bonds(const void *self, const struct family *family,
     return family->n_half;
 }
 
-static void capped_start(void *self, const struct body *body, const struct strips bonds[],
-                         double *nominal)
+static void capped_start(void *self, const struct body *body, const struct materials *materials,
+                         const struct strips bonds[], double *nominal)
 {
     struct capped *c = self;
     const struct family *family = body->family;
     (void)bonds, (void)nominal;
+    c->materials = materials;
     for (int o = 0; o < family->n_half; o++) {
         const struct offset *offset = &family->half[o];
         if (body->lattice->dimensions == 2 && offset->step[2] != 0) continue;
@@ -338,9 +331,9 @@ static void capped_free(void *self)
 }
 
 const struct stabilisation stabilisation_capped = {
-    .name = "capped",
-    .keys = keys,
-    .read = capped_read,
+    .words = {"capped", "springs on the non-uniform part of the motion that slip at a cap",
+              KEYS(keys)},
+    .size = sizeof(struct capped),
     .bonds = capped_bonds,
     .start = capped_start,
     .node_share = capped_node_share,

@@ -7,7 +7,7 @@
  * n_i: number of axes along which node i has a bond, c_ib: its bonds along that axis; so sum_b g_ib = 1
  * and the bonds of each node carry exactly its volume.  (mix.2) is the bond-associated deformation
  * gradient of Breitzman & Dayal, J. Mech. Phys. Solids 110 (2018) 57; for an axis bond it is Fbar with
- * the column along the bond replaced by the bond's own stretch.  The bonds obey the full J2 law (a bond
+ * the column along the bond replaced by the bond's own stretch.  The bonds obey the full law of the nodes (a bond
  * across an interface the mean law of its ends), so the control of the zero-energy modes yields with
  * the material.  A uniform uniaxial stress stays exact at free surfaces for any weights g that depend
  * on the section alone, since both sums of the virtual work cancel by translation along the bar.
@@ -16,40 +16,27 @@
  * A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
  * its plastic state; the weights g stay those of the whole body, so that no other bond gains energy. */
 #include "broken.h"
-#include "degradation.h"
 #include "integrity.h"
-#include "j2.h"
 #include "memory.h"
-#include "profile.h"
+#include "points.h"
 #include "stabilisation.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct mix {
-    double share; /* a */
-    const struct materials *materials;
-    int number[3];          /* of each axis among the half offsets */
-    uint8_t *divisor[3];    /* n_i c_ib of each site's bonds along each axis (box field), 0: none */
-    double *state[3];       /* of the bonds along each axis, strip by strip */
-    double *degradation[3]; /* their records; NULL: none degrades */
-    double *nominal;        /* of the nodes */
+    double share;        /* a */
+    int number[3];       /* of each axis among the half offsets */
+    uint8_t *divisor[3]; /* n_i c_ib of each site's bonds along each axis (box field), 0: none */
+    struct point_store *bonds[3]; /* along each axis */
+    double *nominal;              /* of the nodes */
 };
 
 static const struct offset axes[3] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, 1}, 1}};
-static const char *const keys[] = {"share", NULL};
-
-static void *mix_read(struct deck_node map, const struct family *family,
-                      const struct materials *materials)
-{
-    (void)family;
-    struct mix *mix = memory_new(1, sizeof *mix);
-    mix->share = 0.1;
-    if (map.index && deck_has(map, "share"))
-        mix->share = deck_number(deck_get(map, "share"), "1", 0.01, 1);
-    mix->materials = materials;
-    return mix;
-}
+static const struct key keys[] = {
+    {"share", KEY_NUMBER, offsetof(struct mix, share), "1", 0.01, 1, .usual = 0.1,
+     .help = "a, of the stress: the rest is the nodes' own"},
+};
 
 static int mix_bonds(const void *self, const struct family *family, const struct offset **offsets)
 {
@@ -104,48 +91,20 @@ HS_SIMD static void bond_column(int count, const double *restrict ui, const doub
     for (int i = 0; i < count; i++) out[i] = (uj[i] - ui[i]) * inverse_spacing;
 }
 
-static void bond_gradient(struct j2_strip *j2, const struct body *body, int axis, int64_t i,
+static void bond_gradient(struct points *points, const struct body *body, int axis, int64_t i,
                           int64_t j)
 {
     for (int k = 0; k < TENSOR; k++) {
         if (k % 3 == axis)
-            bond_column(j2->count, body->u[k / 3] + i, body->u[k / 3] + j,
-                        1 / body->lattice->spacing, j2->H[k]);
+            bond_column(points->count, body->u[k / 3] + i, body->u[k / 3] + j,
+                        1 / body->lattice->spacing, points->H[k]);
         else
-            mean_column(j2->count, body->H[k] + i, body->H[k] + j, j2->H[k]);
+            mean_column(points->count, body->H[k] + i, body->H[k] + j, points->H[k]);
     }
 }
 
-HS_SIMD static void bond_law(int count, const uint8_t *restrict a, const uint8_t *restrict b,
-                             int64_t n_phases, const double *restrict shear,
-                             const double *restrict bulk, struct j2_strip *restrict j2)
-{
-    for (int i = 0; i < count; i++) {
-        int64_t pair = a[i] * n_phases + b[i];
-        j2->mu[i] = shear[pair];
-        j2->bulk[i] = bulk[pair];
-        j2->curve[i] = pair;
-    }
-}
-
-static void start_bonds(struct mix *mix, const struct body *body, int axis,
-                        const struct strips *strips)
-{
-    const struct materials *materials = mix->materials;
-    mix->state[axis] = memory_new((size_t)strips->points * J2_STATE, sizeof *mix->state[axis]);
-    for (int64_t s = 0; s < strips->count; s++) {
-        const struct strip *strip = &strips->items[s];
-        struct j2_strip j2 = {.count = strip->count};
-        bond_law(strip->count, body->grid.phase + strip->site,
-                 body->grid.phase + strip->site + body->grid.step[axis], materials->count,
-                 materials->shear, materials->bulk, &j2);
-        j2_start(&j2, mix->state[axis] + J2_STATE * strip->store, strip->stride,
-                 materials->curves.table);
-    }
-}
-
-static void mix_start(void *self, const struct body *body, const struct strips bonds[],
-                      double *nominal)
+static void mix_start(void *self, const struct body *body, const struct materials *materials,
+                      const struct strips bonds[], double *nominal)
 {
     struct mix *mix = self;
     mix->nominal = nominal;
@@ -153,8 +112,7 @@ static void mix_start(void *self, const struct body *body, const struct strips b
     for (int a = 0; a < 3; a++) {
         mix->number[a] = family_number(body->family, axes[a].step);
         mix->divisor[a] = memory_new(sites, sizeof *mix->divisor[a]);
-        start_bonds(mix, body, a, &bonds[a]);
-        if (body->integrity) mix->degradation[a] = degradation_new(&bonds[a]);
+        mix->bonds[a] = points_new(body, materials, &bonds[a], body->grid.step[a]);
     }
     find_divisors(mix, body);
 }
@@ -171,13 +129,6 @@ static int find_off(const struct mix *mix, const struct body *body, int axis,
             broken_lost(broken, j + k))
             off[count++] = k;
     return count;
-}
-
-static void find_shift(const struct body *body, int64_t i, int64_t j, struct j2_strip *j2)
-{
-    const double *shift = body->yield_shift;
-    for (int k = 0; k < j2->count; k++)
-        j2->shift[k] = shift ? 0.5 * (shift[i + k] + shift[j + k]) : 0;
 }
 
 /* out_i += lower beta P, out_j += upper beta P.  Along x the ends overlap: two sweeps, since the order of
@@ -208,19 +159,19 @@ static void add_both(int count, const double *P, const double *beta, double lowe
     }
 }
 
-static void mix_energy(const struct mix *mix, const struct body *body, const struct j2_strip *j2,
+static void mix_energy(const struct mix *mix, const struct body *body, const struct points *points,
                        const double *beta, int64_t site, struct force_energy *energy)
 {
     const double scale = mix->share * body->volume;
     double stored[LANES], plastic[LANES];
-    for (int i = 0; i < j2->count; i++) {
-        stored[i] = beta[i] * j2->stored[i];
-        plastic[i] = beta[i] * j2->plastic[i];
+    for (int i = 0; i < points->count; i++) {
+        stored[i] = beta[i] * points->stored[i];
+        plastic[i] = beta[i] * points->dissipated[i];
     }
-    body_only_owned(body, site, j2->count, stored);
-    body_only_owned(body, site, j2->count, plastic);
-    exact_sum_add_strip(&energy->stabilisation, j2->count, stored, scale);
-    exact_sum_add_strip(&energy->plastic, j2->count, plastic, scale);
+    body_only_owned(body, site, points->count, stored);
+    body_only_owned(body, site, points->count, plastic);
+    exact_sum_add_strip(&energy->stabilisation, points->count, stored, scale);
+    exact_sum_add_strip(&energy->plastic, points->count, plastic, scale);
 }
 
 static void mix_add(void *self, struct body *body, int axis, const struct strip *strip,
@@ -229,25 +180,16 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     struct mix *mix = self;
     const int64_t step = body->grid.step[axis], i = strip->site, j = i + step;
     const int count = strip->count;
-    struct j2_strip j2;
+    struct points points;
     double beta[LANES];
-    j2.count = count;
-    bond_gradient(&j2, body, axis, i, j);
-    const struct materials *materials = mix->materials;
-    bond_law(count, body->grid.phase + i, body->grid.phase + j, materials->count, materials->shear,
-             materials->bulk, &j2);
+    points_load(mix->bonds[axis], strip, &points);
+    bond_gradient(&points, body, axis, i, j);
     int off[LANES];
     const int n_off = find_off(mix, body, axis, strip, j, off);
-    find_shift(body, i, j, &j2);
-    for (int k = 0; k < n_off; k++) j2_switch_off(&j2, off[k]);
+    for (int k = 0; k < n_off; k++) points_switch_off(&points, off[k]);
     const struct bond_view ends = {.count = count, .i = i, .j = j};
-    double left[LANES], *record = mix->degradation[axis];
-    degradation_update(
-        &j2, mix->state[axis] + J2_STATE * strip->store, strip->stride, materials->curves.table,
-        (struct j2_mode){mode.commit, mode.frozen, mode.energy},
-        integrity_of_bonds(body, &ends, left), record ? record + DEGRADATION * strip->store : NULL);
-
-    if (!mode.frozen) profile_count(body->profile, WORK_FLOW_STRIPS, j2.flows, 1);
+    double left[LANES];
+    points_update(mix->bonds[axis], strip, &points, mode, integrity_of_bonds(body, &ends, left));
 
     double gi[LANES], gj[LANES];
     find_shares(count, mix->divisor[axis] + i, mix->divisor[axis] + j, gi, gj, beta);
@@ -255,16 +197,16 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     for (int k = 0; k < TENSOR; k++) {
         if (k % 3 == axis) {
             double per_length = a / body->lattice->spacing;
-            add_both(count, j2.P[k], beta, per_length, -per_length, body->f[k / 3] + i, step);
+            add_both(count, points.P[k], beta, per_length, -per_length, body->f[k / 3] + i, step);
         } else {
-            add_both(count, j2.P[k], beta, 0.5 * a, 0.5 * a, body->S[k] + i, step);
+            add_both(count, points.P[k], beta, 0.5 * a, 0.5 * a, body->S[k] + i, step);
         }
     }
     if (mode.record) {
-        add_one(count, j2.P[0], gi, a, mix->nominal + i);
-        add_one(count, j2.P[0], gj, a, mix->nominal + j);
+        add_one(count, points.P[0], gi, a, mix->nominal + i);
+        add_one(count, points.P[0], gj, a, mix->nominal + j);
     }
-    if (mode.energy) mix_energy(mix, body, &j2, beta, i, energy);
+    if (mode.energy) mix_energy(mix, body, &points, beta, i, energy);
 }
 
 static void mix_free(void *self)
@@ -272,16 +214,16 @@ static void mix_free(void *self)
     struct mix *mix = self;
     for (int a = 0; a < 3; a++) {
         free(mix->divisor[a]);
-        free(mix->state[a]);
-        free(mix->degradation[a]);
+        points_free(mix->bonds[a]);
     }
     free(mix);
 }
 
 const struct stabilisation stabilisation_mix = {
-    .name = "mix",
-    .keys = keys,
-    .read = mix_read,
+    .words = {"mix",
+              "the law of the nodes on the bonds to the nearest neighbours, too; on a lattice",
+              KEYS(keys)},
+    .size = sizeof(struct mix),
     .bonds = mix_bonds,
     .start = mix_start,
     .node_share = mix_node_share,

@@ -1,17 +1,27 @@
 #include "stabilisation.h"
 
-static const struct stabilisation *const table[] = {&stabilisation_mix, &stabilisation_capped};
-enum { TABLE_COUNT = sizeof table / sizeof *table };
+#include "memory.h"
 
-const struct stabilisation *stabilisation_choose(struct deck_node map)
+#define ADDRESS(name) &stabilisation_##name
+static const struct stabilisation *const table[] = {STABILISATIONS(ADDRESS)};
+enum { COUNT = sizeof table / sizeof *table };
+
+static const struct variant *variant(int i)
 {
-    const char *names[TABLE_COUNT];
-    if (!map.index) return table[0];
-    for (int i = 0; i < TABLE_COUNT; i++) names[i] = table[i]->name;
-    const struct stabilisation *chosen =
-        table[deck_choice(deck_get(map, "law"), names, TABLE_COUNT)];
-    const char *known[8] = {"law"};
-    for (int i = 0; chosen->keys[i]; i++) known[i + 1] = chosen->keys[i];
-    deck_keys(map, known);
-    return chosen;
+    return i < COUNT ? &table[i]->words : NULL;
+}
+
+const struct section section_stabilisation = {
+    .path = "solver.stabilisation",
+    .help = "What resists motions that alternate from node to node; of correspondence.",
+    .chooser = "law",
+    .variant = variant,
+};
+
+const struct stabilisation *stabilisation_read(struct deck_node map, void **self)
+{
+    const int i = map.index ? keys_variant(map, &section_stabilisation) : 0;
+    *self = memory_new(1, table[i]->size);
+    keys_read(map, &section_stabilisation, i, 0, NULL, *self);
+    return table[i];
 }

@@ -3,7 +3,7 @@
  * A deformation gradient averaged over a family does not see motions that alternate from site to site
  * (Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42).  A stabilisation adds energy on bonds
  * for that part; it must yield with the material, or it acts as a strain-gradient stiffness that
- * poisons large plastic strain.  To add one: one file, one line in the table of stabilisation.c. */
+ * poisons large plastic strain.  To add one: one file, its name in the list below. */
 #ifndef HS_STABILISATION_H
 #define HS_STABILISATION_H
 
@@ -13,17 +13,14 @@
 #include <stdbool.h>
 
 struct stabilisation {
-    const char *name;
-    const char *const *keys; /* of the deck, beside "law" */
-    /* Reads its parameters; family and materials live as long as the run. */
-    void *(*read)(struct deck_node map, const struct family *family,
-                  const struct materials *materials);
+    struct variant words; /* name, help, and the keys that fill its parameters */
+    size_t size;          /* of its parameters and state */
     /* The half offsets its bonds run along. */
     int (*bonds)(const void *self, const struct family *family, const struct offset **offsets);
     /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o, of add.  nominal: to whose
      * nodes the bonds add their nominal stress xx where mode.record, where they carry a share of it (box field). */
-    void (*start)(void *self, const struct body *body, const struct strips bonds[],
-                  double *nominal);
+    void (*start)(void *self, const struct body *body, const struct materials *materials,
+                  const struct strips bonds[], double *nominal);
     double (*node_share)(const void *self); /* weight of the node's own law */
     /* One of the two.  Forces go to body->f, stresses to body->S. */
     /* Bonds of a lattice whose lower end lies in the strip, along its offset number o. */
@@ -36,10 +33,15 @@ struct stabilisation {
     void (*free)(void *self);
 };
 
-extern const struct stabilisation stabilisation_mix, stabilisation_capped;
+/* All of them: stabilisation_NAME, each in a file of its own; the first is the default. */
+#define STABILISATIONS(DO)  DO(mix), DO(capped)
+#define STABILISATION(name) stabilisation_##name
+extern const struct stabilisation STABILISATIONS(STABILISATION);
 
-/* The entry the deck names: "stabilisation: {law: ..., ...}"; checks its keys.  Where the deck has no such map, the first one
- * with its defaults. */
-const struct stabilisation *stabilisation_choose(struct deck_node map);
+extern const struct section section_stabilisation;
+
+/* The one that the deck names, "stabilisation: {law: ..., ...}", and what it has read; map.index 0: the first one with its
+ * defaults. */
+const struct stabilisation *stabilisation_read(struct deck_node map, void **self);
 
 #endif

@@ -1,0 +1,251 @@
+#include "points.h"
+
+#include "degradation.h"
+#include "laws.h"
+#include "memory.h"
+#include "profile.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { UNIT = 8 }; /* strides are multiples of it (grid.h) */
+
+struct point_store {
+    const struct body *body;
+    const struct materials *materials;
+    int64_t offset;
+    double **state; /* of each law */
+    int64_t **
+        place; /* [points / UNIT] by law: where its points of a strip begin in state, -1: it has none there; NULL: all
+                        points obey this one law */
+    double *records; /* of degradation, strip by strip; NULL: none degrades */
+};
+
+/* The points of a strip that obey one law. */
+struct part {
+    int count, stride;
+    double *state;
+    const int *lanes; /* which of the strip; NULL: all */
+};
+
+static int pair_of(const struct point_store *store, int64_t site)
+{
+    const uint8_t *phase = store->body->grid.phase;
+    return phase[site] * store->materials->count + phase[site + store->offset];
+}
+
+static int find_lanes(const struct point_store *store, const struct strip *strip, int law,
+                      int lanes[LANES])
+{
+    int count = 0;
+    for (int i = 0; i < strip->count; i++)
+        if (store->materials->law_of[pair_of(store, strip->site + i)] == law) lanes[count++] = i;
+    return count;
+}
+
+static int stride_of(int count)
+{
+    return (count + UNIT - 1) / UNIT * UNIT;
+}
+
+/* Whether the strip has points of the law, and where; lanes: room for the list. */
+static bool find_part(const struct point_store *store, const struct strip *strip, int law,
+                      struct part *part, int lanes[LANES])
+{
+    const int components = law_components(store->materials->laws[law].law);
+    if (!store->place) {
+        *part = (struct part){strip->count, strip->stride,
+                              store->state[law] + components * strip->store, NULL};
+        return true;
+    }
+    const int64_t place = store->place[law][strip->store / UNIT];
+    if (place < 0) return false;
+    const int count = find_lanes(store, strip, law, lanes);
+    const bool all = count == strip->count;
+    *part = (struct part){count, stride_of(count), store->state[law] + components * place,
+                          all ? NULL : lanes};
+    return true;
+}
+
+/* Where each law's points of each strip begin; fills how many numbers a component has. */
+static void find_places(struct point_store *store, const struct strips *strips, int64_t points[])
+{
+    const int n_laws = store->materials->n_laws;
+    const size_t units = (size_t)(strips->points / UNIT);
+    int lanes[LANES];
+    store->place = memory_new((size_t)n_laws, sizeof *store->place);
+    for (int law = 0; law < n_laws; law++) {
+        store->place[law] = memory_new(units, sizeof **store->place);
+        for (int64_t s = 0; s < strips->count; s++) {
+            const struct strip *strip = &strips->items[s];
+            const int count = find_lanes(store, strip, law, lanes);
+            store->place[law][strip->store / UNIT] = count ? points[law] : -1;
+            points[law] += stride_of(count);
+        }
+    }
+}
+
+static void gather_inputs(const struct points *from, const struct part *part, struct points *to)
+{
+    to->count = part->count;
+    for (int i = 0; i < part->count; i++) {
+        const int lane = part->lanes[i];
+        for (int k = 0; k < TENSOR; k++) to->H[k][i] = from->H[k][lane];
+        to->mu[i] = from->mu[lane];
+        to->bulk[i] = from->bulk[lane];
+        to->pair[i] = from->pair[lane];
+        to->shift[i] = from->shift[lane];
+    }
+}
+
+static void scatter_outputs(const struct points *from, const struct part *part, bool energy,
+                            struct points *to)
+{
+    to->flows |= from->flows;
+    for (int i = 0; i < part->count; i++) {
+        const int lane = part->lanes[i];
+        for (int k = 0; k < TENSOR; k++) to->P[k][lane] = from->P[k][i];
+        if (!energy) continue;
+        to->stored[lane] = from->stored[i];
+        to->dissipated[lane] = from->dissipated[i];
+        to->dissipating[lane] = from->dissipating[i];
+    }
+}
+
+static void start(struct point_store *store, const struct strips *strips)
+{
+    for (int64_t s = 0; s < strips->count; s++)
+        for (int law = 0; law < store->materials->n_laws; law++) {
+            int lanes[LANES];
+            struct part part;
+            struct points points = {0}, gathered;
+            if (!find_part(store, &strips->items[s], law, &part, lanes)) continue;
+            points_load(store, &strips->items[s], &points);
+            if (part.lanes) gather_inputs(&points, &part, &gathered);
+            const struct law_in_use *use = &store->materials->laws[law];
+            law_start(use->law, use->pairs, part.lanes ? &gathered : &points, part.state,
+                      part.stride);
+        }
+}
+
+struct point_store *points_new(const struct body *body, const struct materials *materials,
+                               const struct strips *strips, int64_t offset)
+{
+    struct point_store *store = memory_new(1, sizeof *store);
+    const size_t n_laws = (size_t)materials->n_laws;
+    int64_t *points = memory_new(n_laws, sizeof *points);
+    *store = (struct point_store){.body = body, .materials = materials, .offset = offset};
+    store->state = memory_new(n_laws, sizeof *store->state);
+    points[0] = strips->points;
+    if (n_laws > 1) {
+        points[0] = 0;
+        find_places(store, strips, points);
+    }
+    for (size_t law = 0; law < n_laws; law++)
+        store->state[law] = memory_new(
+            (size_t)(law_components(materials->laws[law].law) * points[law]), sizeof(double));
+    free(points);
+    start(store, strips);
+    if (body->integrity) store->records = degradation_new(strips);
+    return store;
+}
+
+void points_free(struct point_store *store)
+{
+    if (!store) return;
+    for (int law = 0; law < store->materials->n_laws; law++) {
+        free(store->state[law]);
+        if (store->place) free(store->place[law]);
+    }
+    free(store->state);
+    free(store->place);
+    free(store->records);
+    free(store);
+}
+
+HS_SIMD static void load(int count, const uint8_t *restrict a, const uint8_t *restrict b,
+                         int64_t n_phases, const double *restrict shear,
+                         const double *restrict bulk, struct points *restrict points)
+{
+    for (int i = 0; i < count; i++) {
+        int64_t pair = a[i] * n_phases + b[i];
+        points->mu[i] = shear[pair];
+        points->bulk[i] = bulk[pair];
+        points->pair[i] = pair;
+    }
+}
+
+void points_load(const struct point_store *store, const struct strip *strip, struct points *points)
+{
+    const struct materials *materials = store->materials;
+    const struct body *body = store->body;
+    const uint8_t *phase = body->grid.phase + strip->site;
+    points->count = strip->count;
+    load(strip->count, phase, phase + store->offset, materials->count, materials->shear,
+         materials->bulk, points);
+    const double *shift = body->yield_shift ? body->yield_shift + strip->site : NULL;
+    for (int i = 0; i < strip->count; i++)
+        points->shift[i] = shift ? 0.5 * (shift[i] + shift[i + store->offset]) : 0;
+}
+
+static void update_part(const struct law_in_use *use, const struct part *part,
+                        struct points *points, struct step step)
+{
+    struct points gathered;
+    gather_inputs(points, part, &gathered);
+    use->law->update(use->pairs, &gathered, part->state, part->stride, step);
+    scatter_outputs(&gathered, part, step.energy, points);
+}
+
+void points_update(struct point_store *store, const struct strip *strip, struct points *points,
+                   struct force_mode mode, const double *left)
+{
+    const struct step step = {mode.dt, mode.time, mode.commit, mode.frozen, mode.energy || left};
+    points->flows = false;
+    for (int law = 0; law < store->materials->n_laws; law++) {
+        const struct law_in_use *use = &store->materials->laws[law];
+        int lanes[LANES];
+        struct part part;
+        if (!find_part(store, strip, law, &part, lanes)) continue;
+        if (part.lanes)
+            update_part(use, &part, points, step);
+        else
+            use->law->update(use->pairs, points, part.state, part.stride, step);
+    }
+    if (left)
+        degradation_apply(points, mode.commit, left, store->records + DEGRADATION * strip->store,
+                          strip->stride);
+    if (!mode.frozen) profile_count(store->body->profile, WORK_FLOW_STRIPS, points->flows, 1);
+}
+
+/* Component first[number] + component of each law, otherwise where it is -1. */
+static const double *see(const struct point_store *store, const struct strip *strip, int number,
+                         int component, double otherwise, double *buffer)
+{
+    for (int i = 0; i < strip->count; i++) buffer[i] = otherwise;
+    for (int law = 0; law < store->materials->n_laws; law++) {
+        const struct law_in_use *use = &store->materials->laws[law];
+        const int first = number < 0 ? use->law->flow_stress : use->component[number];
+        int lanes[LANES];
+        struct part part;
+        if (first < 0 || !find_part(store, strip, law, &part, lanes)) continue;
+        const double *state = part.state + (first + component) * part.stride;
+        if (!part.lanes) return state;
+        for (int i = 0; i < part.count; i++) buffer[lanes[i]] = state[i];
+    }
+    return buffer;
+}
+
+const double *points_state(const struct point_store *store, const struct strip *strip, int number,
+                           int component, double *buffer)
+{
+    return see(store, strip, number, component, state_initial(law_state(number), component),
+               buffer);
+}
+
+const double *points_flow_stress(const struct point_store *store, const struct strip *strip,
+                                 double *buffer)
+{
+    return see(store, strip, -1, 0, INFINITY, buffer);
+}
