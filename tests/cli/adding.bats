@@ -29,6 +29,8 @@ setup_file() {
     name solve/damage/damage.h 'define DAMAGE_BOND_LAWS(DO)' critical_extension
     cp "$extend/equilibrium_descent.c" solve/integrate/descent.c
     name solve/integrate/equilibrium.h 'define EQUILIBRIUM_METHODS(DO)' descent
+    cp "$extend/maxwell.c" solve/material/laws/
+    name solve/material/laws/laws.h 'define LAWS(DO)' maxwell
     # A hardening law is its keys, its two functions and a row.
     sed -i "/^#define LAW(/{
         r $extend/hardening_voce_linear.c
@@ -92,6 +94,7 @@ plastic='model: correspondence, poissons_ratio: 0.31, hardening:'
     # Cauchy's stress is below Kirchhoff's by the elastic volume change, (1 - 2 nu) sigma/E < 0.1 %.
     columns study.e s p | awk '$2 > 1e-3 { n++; s = 2e8 + 3e8 * (1 - exp(-20 * $2)) + 2e9 * $2
         off = $1 / s - 1; if (off * off > worst) worst = off * off } END { print n, sqrt(worst); exit !(n > 15 && worst < 1e-6) }'
+    hssolve --keys | grep -A 1 'voce_linear' | grep -F 'Y + Q (1 - exp(-b p)) + H p'
     run -2 hspost --law voec_linear study.e
     [[ $output == *" voce_linear "* ]]
     hspost study.e -p properties.csv -o curve.csv 2>messages
@@ -101,6 +104,25 @@ plastic='model: correspondence, poissons_ratio: 0.31, hardening:'
         function law(p) { return v["yield"] + v["saturation"] * (1 - exp(-v["rate"] * p)) + v["modulus"] * p }
         END { for (p = 0.005; p < 0.045; p += 0.01) { off = law(p) / (2e8 + 3e8 * (1 - exp(-20 * p)) + 2e9 * p) - 1; print p, off
                   if (!(off * off < 2.5e-5)) exit 1 } }' properties.csv
+}
+
+@test "a constitutive law with a memory: stress relaxes as it has to, what is lost is booked, keys and states are known" {
+    bar 'model: correspondence, law: maxwell, relaxation_time: 10 s, poissons_ratio: 0.31' \
+        'end_time: 21 s, first_step: 1 s, step: 0.1 s, tolerance: 1e-8' "output: {fields: {frames: 1, variables: [inverse_viscous_metric, viscous_work]},
+  quantities: [{name: s, quantity: stress_xx, nearest: $MIDDLE}, {name: w, quantity: viscous_work, nearest: $MIDDLE}]}"
+    # The ends are stretched as the whole is: nothing varies along the bar.
+    sed -i 's/first_step: 1 s, step: 0.1 s/step: 0.1 s/; s/velocity: -*2 m.s/displacement: "1e-4*x*min(t, 1)"/' study.yaml
+    hsgen -q study.yaml -o study.g
+    hssolve -q -i study.g -H study.e -o fields.e
+    # From 1 s on the strain is held: exp(-t/T'), T' = 10 s (1 + mu/(3 K)), with mu/(3 K) = (1 - 2 nu)/(2 (1 + nu)); steps of 0.01 T
+    # leave an error of 0.01 r/(2 (1 + r)), r = mu/(3 K): 6e-4 of the rate.
+        columns study.e time_s s w energy_drift plastic_energy_J external_work_J stored_energy_J | awk '{ t[NR] = $1; s[NR] = $2; w = $3; drift = $4; lost = $5; work = $6; stored = $7 }
+        END { for (i = 1; i <= NR && t[i] < 1.0001; i++); from = i; T = 10 * (1 + 0.38 / 2.62)
+              rate = log(s[from] / s[NR]) / (t[NR] - t[from]) * T; print NR, rate, drift, w, lost, work, stored
+              exit !(NR > 150 && rate > 0.9995 && rate < 1.0013 && s[from] > 1e6 && w > 0 && lost > 0.5 * work && drift * drift < 0.02 ^ 2) }'
+    hspost -q --frames fields.e --variables ViscousWork --csv | grep -q .
+    hssolve --keys | grep -A 8 'law: maxwell' | grep 'relaxation_time'
+    hssolve --keys | grep 'inverse_viscous_metric'
 }
 
 @test "a law of damage of nodes: its D" {
