@@ -14,15 +14,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct choices {
+struct arguments {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores;
     bool override, check, quiet;
 };
 
-static struct choices read_choices(int argc, char **argv)
+static struct arguments read_arguments(int argc, char **argv)
 {
     static const struct section *const sections[] = {&deck_section, &domain_section, NULL};
-    struct choices c = {.deck = "-"};
+    struct arguments c = {.deck = "-"};
     const struct option_row rows[] = {
         {'o', "output", "FILE", "write the domain (Genesis) there, not to the pipe", NULL,
          &c.output},
@@ -62,14 +62,14 @@ static char *check_topology(const struct recipe *recipe, const struct findings *
 }
 
 /* What cannot work is said before the work is done. */
-static void check_side_files(const struct choices *c, const struct recipe *recipe)
+static void check_side_files(const struct arguments *c, const struct recipe *recipe)
 {
     if (c->picture) picture_check_name(c->picture);
     if (c->cores && recipe->topology->single_phase)
         die_user("--cores %s: a homogeneous structure has no cores", c->cores);
 }
 
-static void write_side_files(const struct choices *c, const struct recipe *recipe,
+static void write_side_files(const struct arguments *c, const struct recipe *recipe,
                              const struct structure *structure, const struct findings *findings,
                              const struct cores *cores)
 {
@@ -95,7 +95,7 @@ static void set_provenance(const struct deck *deck, int argc, char **argv,
 }
 
 /* All that can be found wrong without the structure itself, and what would be made. */
-static void say_plan(const struct choices *c, struct recipe *recipe)
+static void say_plan(const struct arguments *c, struct recipe *recipe)
 {
     enum { NODE_BYTES = 80 }; /* of memory, measured */
     const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
@@ -122,7 +122,7 @@ static void say_plan(const struct choices *c, struct recipe *recipe)
 int main(int argc, char **argv)
 {
     die_set_program("hsgen");
-    struct choices c = read_choices(argc, argv);
+    struct arguments c = read_arguments(argc, argv);
     struct deck *deck = deck_read(c.deck);
     struct recipe recipe = recipe_read(deck);
     check_side_files(&c, &recipe);

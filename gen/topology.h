@@ -5,14 +5,15 @@
 #ifndef HS_TOPOLOGY_H
 #define HS_TOPOLOGY_H
 
+#include "cores.h"
 #include "keys.h"
-#include "recipe.h"
 
 /* Scores are whole numbers of SCORE_UNIT spacings, so that nodes that are equal by symmetry are
  * equal to the last bit on every machine. */
 #define SCORE_UNIT 1e-6
 
 struct findings;
+struct recipe;
 
 struct topology {
     struct variant deck; /* its name, and the keys that only it has, which fill the recipe */

@@ -9,6 +9,7 @@
  * x and y, of fcc one along the diagonals, with the same core distance. */
 #include "findings.h"
 #include "memory.h"
+#include "recipe.h"
 #include "topology.h"
 
 #include <math.h>

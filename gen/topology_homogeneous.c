@@ -1,5 +1,6 @@
 /* One phase everywhere. */
 #include "memory.h"
+#include "recipe.h"
 #include "topology.h"
 
 static const struct key rows[] = {

@@ -10,6 +10,7 @@
  * A sheet shows the middle section of such a structure; phases are not asked to be connected in it. */
 #include "findings.h"
 #include "memory.h"
+#include "recipe.h"
 #include "topology.h"
 
 #include <math.h>

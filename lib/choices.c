@@ -1,7 +1,6 @@
 #include "choices.h"
 
 #include "keys.h"
-#include "sections.h"
 
 #include <math.h>
 
@@ -48,12 +47,3 @@ const struct section post_section = {
             "stands over it.",
     .keys = KEYS(rows),
 };
-
-struct choices choices_read(const struct deck *deck)
-{
-    struct choices choices;
-    struct sections sections = deck ? sections_read(deck) : (struct sections){0};
-    keys_read(sections.post, &post_section, 0, 0, &choices, NULL);
-    if (!choices.title) choices.title = sections.title;
-    return choices;
-}

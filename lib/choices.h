@@ -27,8 +27,4 @@ struct choices {
 
 extern const struct section post_section;
 
-/* What the deck says, its title where post has none; dies with file:line:column at what is wrong there.
- * deck = NULL: the defaults. */
-struct choices choices_read(const struct deck *deck);
-
 #endif

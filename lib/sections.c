@@ -1,6 +1,5 @@
 #include "sections.h"
 
-#include "choices.h"
 #include "keys.h"
 
 #define SECTION(name, words)                                                                       \
@@ -36,8 +35,16 @@ const struct section deck_section = {
 struct sections sections_read(const struct deck *deck)
 {
     struct sections sections;
-    struct choices choices;
     keys_read(deck_root(deck), &deck_section, 0, 0, &sections, NULL);
-    keys_read(sections.post, &post_section, 0, 0, &choices, NULL);
+    keys_read(sections.post, &post_section, 0, 0, &sections.choices, NULL);
+    if (!sections.choices.title) sections.choices.title = sections.title;
     return sections;
+}
+
+struct choices choices_read(const struct deck *deck)
+{
+    struct choices choices;
+    if (deck) return sections_read(deck).choices;
+    keys_read((struct deck_node){0}, &post_section, 0, 0, &choices, NULL);
+    return choices;
 }

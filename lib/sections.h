@@ -5,17 +5,22 @@
 #ifndef HS_SECTIONS_H
 #define HS_SECTIONS_H
 
+#include "choices.h"
 #include "deck.h"
 
 /* A section that the deck does not have has the index 0. */
 struct sections {
     const char *title; /* NULL: none */
     struct deck_node domain, materials, damage, cracks, boundary, initial, solver, output, post;
+    struct choices choices; /* what post says, its title where it has none; else the defaults */
 };
 
 extern const struct section deck_section;
 
 /* Dies at an unknown section, and at a wrong key or value of post. */
 struct sections sections_read(const struct deck *deck);
+
+/* What it says of post; deck = NULL: the defaults. */
+struct choices choices_read(const struct deck *deck);
 
 #endif

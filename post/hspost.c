@@ -8,6 +8,7 @@
 #include "keys_options.h"
 #include "memory.h"
 #include "request.h"
+#include "sections.h"
 #include "snapshot.h"
 #include "spool.h"
 #include "text_output.h"

@@ -15,7 +15,7 @@ void simulation_start_static(struct simulation *s)
     s->equilibrium = equilibrium_new(statics->method, &s->integration, &s->body, &s->boundary,
                                      s->model, s->scene.solver, &s->materials);
     s->equilibrium->tolerance = statics->tolerance;
-    s->equilibrium->most_evaluations = statics->most_evaluations;
+    if (statics->most_evaluations > 0) s->equilibrium->most_evaluations = statics->most_evaluations;
     s->quasi_static =
         quasi_static_new(s->equilibrium, simulation_load_step(s, statics->largest_step),
                          simulation_load_step(s, statics->smallest_step));

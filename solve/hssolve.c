@@ -4,13 +4,14 @@
 #include "launch.h"
 #include "ranks.h"
 #include "simulation.h"
+#include "solver_sections.h"
 
 #include <stdlib.h>
 
 int main(int argc, char **argv)
 {
     die_set_program("hssolve");
-    struct arguments arguments = arguments_read(argc, argv);
+    struct arguments arguments = arguments_read(argc, argv, solver_sections);
     if (launch_wanted(&arguments)) return launch_ranks(&arguments);
 
     struct ranks ranks = ranks_start(&argc, &argv);

@@ -1,7 +1,11 @@
+#include "simulation.h"
+
+#include "bond_search.h"
 #include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
 #include "initial.h"
+#include "material_read.h"
 #include "memory.h"
 #include "options.h"
 #include "simulation_parts.h"

@@ -1,3 +1,5 @@
+#include "simulation.h"
+
 #include "broken.h"
 #include "die.h"
 #include "exodus.h"

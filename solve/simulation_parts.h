@@ -2,6 +2,7 @@
 #ifndef HS_SIMULATION_PARTS_H
 #define HS_SIMULATION_PARTS_H
 
+#include "arguments.h"
 #include "bonds.h"
 #include "boundary.h"
 #include "fields.h"
@@ -12,7 +13,8 @@
 #include "quasi_static.h"
 #include "recorder.h"
 #include "scene.h"
-#include "simulation.h"
+
+struct simulation;
 
 /* How a run advances. */
 struct course {

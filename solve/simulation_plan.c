@@ -1,4 +1,6 @@
 /* What a run is going to do, in words, before its first step. */
+#include "simulation.h"
+
 #include "die.h"
 #include "memory.h"
 #include "simulation_parts.h"

@@ -1,3 +1,5 @@
+#include "simulation.h"
+
 #include "gradient.h"
 #include "memory.h"
 #include "progress.h"

@@ -1,9 +1,7 @@
 #include "body.h"
 
 #include "box_fields.h"
-#include "broken.h"
 #include "die.h"
-#include "integrity.h"
 #include "memory.h"
 
 #include <mpi.h>
@@ -50,7 +48,7 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     memcpy(body.u, fields, sizeof body.u);
     memcpy(body.v, fields + 3, sizeof body.v);
     memcpy(body.f, fields + 6, sizeof body.f);
-    if (lattice->point[0]) {
+    if (lattice_is_scattered(lattice)) {
         body.volumes = memory_new((size_t)body.grid.n_sites, sizeof(double));
         memcpy(body.volumes, lattice->volume, (size_t)lattice->n_sites * sizeof(double));
     }
@@ -65,7 +63,7 @@ void body_need_gradient(struct body *body)
     box_fields_new(body->S, 9, body->grid.n_sites);
     box_fields_new(body->inverse, 6, body->grid.n_sites);
     box_fields_new(body->first, 3, body->grid.n_sites);
-    if (!body->lattice->point[0]) shape_tensors(body);
+    if (!lattice_is_scattered(body->lattice)) shape_tensors(body);
 }
 
 void body_profile(struct body *body, struct profile *profile)
@@ -91,8 +89,6 @@ void body_free(struct body *body)
     halo_free(body->displacement_halo);
     halo_free(body->stress_halo);
     halo_free(body->gradient_halo);
-    broken_free(body->broken);
-    integrity_free(body->integrity);
     free(body->yield_shift);
     grid_free(&body->grid);
     partition_free(&body->partition);

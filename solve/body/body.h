@@ -27,10 +27,11 @@ struct body {
     struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
     struct bonds *bonds;
-    double volume;               /* of a node, m^3; of scattered ones their mean */
-    double *volumes;             /* box field where they differ, else NULL */
-    int64_t n_nodes;             /* of the whole body */
-    int64_t unsupported;         /* nodes of the whole body without a deformation gradient */
+    double volume;       /* of a node, m^3; of scattered ones their mean */
+    double *volumes;     /* box field where they differ, else NULL */
+    int64_t n_nodes;     /* of the whole body */
+    int64_t unsupported; /* nodes of the whole body without a deformation gradient */
+    /* Of what damage and cracks do to it (damage.h), which free them. */
     struct broken *broken;       /* NULL: all bonds are whole */
     struct integrity *integrity; /* NULL: no node degrades */
 

@@ -1,89 +1,8 @@
 #include "bonds.h"
 
 #include "memory.h"
-#include "scattered.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-/* Where a strip of a lattice comes in the order of the sums: line by line, by offset, then along x. */
-struct place {
-    int key[4];
-    struct bond_strip strip;
-};
-
-static int compare_places(const void *a, const void *b)
-{
-    const struct place *s = a, *t = b;
-    for (int k = 0; k < 4; k++)
-        if (s->key[k] != t->key[k]) return s->key[k] < t->key[k] ? -1 : 1;
-    return 0;
-}
-
-static void find_geometry(struct bonds *bonds)
-{
-    const struct body *body = bonds->body;
-    const struct family *family = body->family;
-    bonds->geometry = memory_new((size_t)family->n_half, sizeof *bonds->geometry);
-    bonds->volume[0] = body->volume;
-    for (int o = 0; o < family->n_half; o++) {
-        const struct offset *offset = &family->half[o];
-        struct bond_geometry *g = &bonds->geometry[o];
-        double square = 0;
-        for (int a = 0; a < 3; a++) {
-            g->xi[a] = offset->step[a] * body->lattice->spacing;
-            square += g->xi[a] * g->xi[a];
-        }
-        g->length = sqrt(square);
-        g->weight = offset->weight;
-        g->shift = grid_shift(&body->grid, offset->step);
-        g->apart = offset->step[1] != 0 || offset->step[2] != 0;
-    }
-}
-
-struct bonds *bonds_new(struct body *body)
-{
-    struct bonds *bonds = memory_new(1, sizeof *bonds);
-    body->bonds = bonds;
-    if (body->lattice->point[0]) {
-        scattered_bonds(bonds, body);
-        scattered_shapes(body);
-        return bonds;
-    }
-    const struct grid *grid = &body->grid;
-    const struct family *family = body->family;
-    bonds->body = body;
-    find_geometry(bonds);
-    struct strips *strips = memory_new((size_t)family->n_half, sizeof *strips);
-    for (int o = 0; o < family->n_half; o++) {
-        strips[o] = grid_bond_strips(grid, family->half[o].step, BOND_LANES);
-        bonds->count += strips[o].count;
-    }
-    struct place *places = memory_new((size_t)bonds->count, sizeof *places), *next = places;
-    for (int o = 0; o < family->n_half; o++) {
-        for (int64_t s = 0; s < strips[o].count; s++) {
-            const struct strip *strip = &strips[o].items[s];
-            int at[3];
-            grid_position(grid, strip->site, at);
-            *next++ = (struct place){{at[2], at[1], o, at[0]},
-                                     {.count = strip->count, .offset = o, .i = strip->site}};
-        }
-        strips_free(&strips[o]);
-    }
-    free(strips);
-    qsort(places, (size_t)bonds->count, sizeof *places, compare_places);
-    bonds->strips = memory_new((size_t)bonds->count, sizeof *bonds->strips);
-    for (int64_t s = 0; s < bonds->count; s++) {
-        bonds->strips[s] = places[s].strip;
-        bonds->strips[s].store = bonds->points;
-        if (s == 0 || memcmp(places[s].key, places[s - 1].key, 2 * sizeof(int))) bonds->lines++;
-        bonds->strips[s].line = bonds->lines - 1;
-        bonds->points += bonds_stride(places[s].strip.count);
-    }
-    free(places);
-    return bonds;
-}
 
 void bonds_free(struct bonds *bonds)
 {

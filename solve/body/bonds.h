@@ -68,8 +68,7 @@ struct bond_view {
     bool apart;                   /* no site is an end of two bonds: sums may go there directly */
 };
 
-/* Of a body, which keeps them as body->bonds; frees nothing of it. */
-struct bonds *bonds_new(struct body *body);
+/* Of those that bonds_new has found (bond_search.h). */
 void bonds_free(struct bonds *bonds);
 
 static inline int bonds_stride(int count)

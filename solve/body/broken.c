@@ -207,7 +207,7 @@ void broken_shapes(struct body *body, bool keep)
 {
     if (!body->broken) body->broken = broken_new(body);
     struct broken *broken = body->broken;
-    (body->lattice->point[0] ? list_shapes : lattice_shapes)(body, keep);
+    (lattice_is_scattered(body->lattice) ? list_shapes : lattice_shapes)(body, keep);
     broken->n_lost = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++)

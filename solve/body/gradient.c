@@ -48,7 +48,7 @@ void displacement_gradient_strips(struct body *body, int64_t first, int64_t end)
 void displacement_gradient(struct body *body)
 {
     body_need_gradient(body);
-    if (body->lattice->point[0]) {
+    if (lattice_is_scattered(body->lattice)) {
         scattered_gradient(body);
         for (int64_t n = 0; body->broken && n < body->near.count; n++)
             broken_keep_gradient(body, body->near.items[n].site, body->near.items[n].count);

@@ -122,7 +122,8 @@ static struct grid grid_scattered(const struct lattice *lattice, const struct pa
 struct grid grid_new(const struct lattice *lattice, const struct partition *partition,
                      const struct family *family, const struct offset *bonds, int n_bonds, int rank)
 {
-    if (lattice->point[0]) return grid_scattered(lattice, partition, family, n_bonds, rank);
+    if (lattice_is_scattered(lattice))
+        return grid_scattered(lattice, partition, family, n_bonds, rank);
     struct grid grid = {.rank = rank};
     int low[3], high[3];
     owned_box(lattice, partition, rank, low, high);

@@ -166,7 +166,7 @@ void lattice_share(struct lattice *lattice, int rank)
                     lattice->point[2]};
     ranks_share(lattice, sizeof *lattice);
     const size_t n = (size_t)lattice->n_sites;
-    const int arrays = lattice->point[0] ? 5 : 1;
+    const int arrays = lattice_is_scattered(lattice) ? 5 : 1;
     for (int k = 0; k < arrays; k++) {
         const size_t size = k == 0 ? 1 : sizeof(double);
         if (rank != 0) own[k] = memory_new(n, size);

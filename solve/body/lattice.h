@@ -10,9 +10,13 @@
 #include "domain.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 enum { ABSENT = 255 };
+
+/* Dimension, and in two of them what is zero across the plane. */
+enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 
 struct lattice {
     int dimensions; /* 2: one layer of sites that has a thickness of its own; else 3 */
@@ -72,10 +76,17 @@ static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y,
     return lattice->phase[lattice_site(lattice, x, y, z)];
 }
 
+/* Whether its particles lie on no lattice: a row of sites with a list of neighbours. */
+static inline bool lattice_is_scattered(const struct lattice *lattice)
+{
+    return lattice->point[0] != NULL;
+}
+
 /* Distance of the outermost positions along an axis, and the middle between them [m]. */
 static inline double lattice_extent(const struct lattice *lattice, int axis)
 {
-    return lattice->point[0] ? lattice->extent[axis] : (lattice->size[axis] - 1) * lattice->spacing;
+    return lattice_is_scattered(lattice) ? lattice->extent[axis]
+                                         : (lattice->size[axis] - 1) * lattice->spacing;
 }
 static inline double lattice_middle(const struct lattice *lattice, int axis)
 {

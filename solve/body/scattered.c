@@ -1,81 +1,10 @@
 #include "scattered.h"
 
 #include "memory.h"
-#include "neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Whether a bond of these flags is listed: one end near. */
-static bool listed(uint8_t i, uint8_t j)
-{
-    return ((i | j) & SITE_NEAR) != 0;
-}
-
-static void make_room(struct bonds *bonds, size_t entries)
-{
-    bonds->lower = memory_new(entries, sizeof *bonds->lower);
-    bonds->upper = memory_new(entries, sizeof *bonds->upper);
-    for (int a = 0; a < 3; a++) bonds->xi[a] = memory_new(entries, sizeof(double));
-    bonds->length = memory_new(entries, sizeof(double));
-    bonds->volume_lower = memory_new(entries, sizeof(double));
-    bonds->volume_upper = memory_new(entries, sizeof(double));
-}
-
-static void add_bond(struct bonds *bonds, const struct lattice *lattice, int64_t entry, int64_t i,
-                     int64_t j)
-{
-    double square = 0;
-    bonds->lower[entry] = i;
-    bonds->upper[entry] = j;
-    for (int a = 0; a < 3; a++) {
-        bonds->xi[a][entry] = lattice->point[a][j] - lattice->point[a][i];
-        square += bonds->xi[a][entry] * bonds->xi[a][entry];
-    }
-    bonds->length[entry] = sqrt(square);
-    bonds->volume_lower[entry] = lattice->volume[i];
-    bonds->volume_upper[entry] = lattice->volume[j];
-}
-
-static void add_strip(struct bonds *bonds, int64_t first, int count)
-{
-    struct bond_strip strip = {.count = count, .offset = -1, .i = first, .store = bonds->points};
-    strip.weight = memory_new((size_t)bonds_stride(count), sizeof(double));
-    for (int k = 0; k < count; k++) strip.weight[k] = bonds_first_weight(bonds, &strip, k);
-    bonds->strips = memory_grow(bonds->strips, bonds->count, sizeof strip);
-    strip.line = bonds->lines++;
-    bonds->strips[bonds->count++] = strip;
-    bonds->points += bonds_stride(count);
-}
-
-void scattered_bonds(struct bonds *bonds, const struct body *body)
-{
-    const struct lattice *lattice = body->lattice;
-    const uint8_t *flags = body->grid.flags;
-    struct neighbours neighbours =
-        neighbours_new(lattice->point, lattice->n_sites, body->family->horizon * lattice->spacing);
-    int64_t entries = 0;
-    bonds->body = body;
-    for (int pass = 0; pass < 2; pass++) {
-        if (pass == 1) make_room(bonds, (size_t)entries);
-        entries = 0;
-        for (int64_t i = 0; i < lattice->n_sites; i++) {
-            if (!(flags[i] & (SITE_NEAR | SITE_MOVES))) continue;
-            const int64_t count = neighbours_find(&neighbours, lattice->point, i);
-            const int64_t first = entries;
-            for (int64_t k = 0; k < count; k++) {
-                const int64_t j = neighbours.found[k];
-                if (j < i || !listed(flags[i], flags[j])) continue;
-                if (pass == 1) add_bond(bonds, lattice, entries, i, j);
-                entries++;
-            }
-            for (int64_t at = first; pass == 1 && at < entries; at += LANES)
-                add_strip(bonds, at, (int)(entries - at < LANES ? entries - at : LANES));
-        }
-    }
-    neighbours_free(&neighbours);
-}
 
 /* field_i += w V_j/V term and field_j += sign w V_i/V term for each bond; V the mean volume. */
 static void add_to_ends(const struct bond_view *view, double mean_volume, const double *term,

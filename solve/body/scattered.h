@@ -1,12 +1,9 @@
-/* scattered.h - what takes another form when the particles lie on no lattice: their bonds are listed one by
- * one, and sums over a family go over the bonds of that list. */
+/* scattered.h - what takes another form when the particles lie on no lattice: sums over a family go over the list
+ * of bonds. */
 #ifndef HS_SCATTERED_H
 #define HS_SCATTERED_H
 
 #include "bonds.h"
-
-/* Lists the bonds with a near end, by lower, then by upper node; a strip has one lower end. */
-void scattered_bonds(struct bonds *bonds, const struct body *body);
 
 /* body->inverse and body->unsupported from the weights as they stand, in the units of family.2 with the mean
  * volume as V.  Collective. */

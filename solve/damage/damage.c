@@ -77,6 +77,8 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
 void damage_free(struct damage *damage)
 {
     if (!damage) return;
+    broken_free(damage->body->broken);
+    integrity_free(damage->body->integrity);
     damage_rules_free(&damage->rules);
     free(damage->spent);
     free(damage->due);

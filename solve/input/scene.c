@@ -1,6 +1,5 @@
 #include "scene.h"
 
-#include "equilibrium.h"
 #include "family.h"
 #include "sections.h"
 #include "stabilisation.h"
@@ -27,6 +26,9 @@ static const struct variant *type_variant(int i)
 {
     return i < SOLVER_TYPES ? &types[i] : NULL;
 }
+
+#define IN_DECK(name) #name
+const char *const equilibrium_methods[] = {EQUILIBRIUM_METHODS(IN_DECK), NULL};
 
 static const char *const volumes[] = {"whole", "partial", NULL};
 static const char *const planes[] = {"stress", "strain", NULL};
@@ -154,7 +156,6 @@ static void read_steps(struct scene *scene)
         step_or(scene, s->given.smallest, fmin(1e-4 * s->largest_step, s->first_step));
     refuse_over(s->first_step, s->given.first, "largest", s->largest_step);
     refuse_over(s->smallest_step, s->given.smallest, "first", s->first_step);
-    if (!s->most_evaluations) s->most_evaluations = equilibrium_usual_evaluations(s->method);
 }
 
 static void read_events(struct scene_hybrid *hybrid)

@@ -13,6 +13,10 @@
 
 enum scene_type { SOLVER_EXPLICIT, SOLVER_QUASI_STATIC, SOLVER_HYBRID, SOLVER_TYPES };
 
+/* Methods for equilibria (integrate/equilibrium.h); the first is the default. */
+#define EQUILIBRIUM_METHODS(DO) DO(lbfgs), DO(newton), DO(relaxation)
+extern const char *const equilibrium_methods[]; /* ended by NULL */
+
 /* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s. */
 struct scene_static {
     int method; /* of equilibrium_methods */
@@ -20,9 +24,9 @@ struct scene_static {
     struct {
         struct deck_node first, largest, smallest;
     } given;
-    double tolerance; /* of the residual */
-    int64_t most_evaluations;
-    int64_t break_at_once; /* bonds and nodes, the worst ones */
+    double tolerance;         /* of the residual */
+    int64_t most_evaluations; /* 0: as many as the method usually takes */
+    int64_t break_at_once;    /* bonds and nodes, the worst ones */
 };
 
 /* When a hybrid solver goes over to explicit steps, beside where no equilibrium is found; and back. */

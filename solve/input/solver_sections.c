@@ -2,7 +2,7 @@
 
 #include "cracks.h"
 #include "damage.h"
-#include "material.h"
+#include "material_read.h"
 #include "scene.h"
 
 const struct section *const solver_sections[] = {&section_materials,

@@ -2,7 +2,7 @@
 #ifndef HS_BALANCE_H
 #define HS_BALANCE_H
 
-#include "integration.h"
+#include "integration_state.h"
 
 /* What a step sums up on the way, to be finished with the rest. */
 struct balance_sums {

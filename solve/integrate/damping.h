@@ -10,7 +10,7 @@
 #ifndef HS_DAMPING_H
 #define HS_DAMPING_H
 
-#include "integration.h"
+#include "integration_state.h"
 
 static inline bool damping_acts(const struct integration *integration)
 {

@@ -8,9 +8,7 @@
 #include <string.h>
 
 #define ADDRESS(name) &equilibrium_##name
-#define IN_DECK(name) #name
 static const struct equilibrium_method *const table[] = {EQUILIBRIUM_METHODS(ADDRESS)};
-const char *const equilibrium_methods[] = {EQUILIBRIUM_METHODS(IN_DECK), NULL};
 
 static int most_common_phase(const struct lattice *lattice)
 {
@@ -30,11 +28,6 @@ static struct members held_nodes(const struct body *body, const struct boundary 
             if (boundary->held[body->owned.items[s].site + i])
                 held.sites[held.count++] = body->owned.items[s].site + i;
     return held;
-}
-
-int64_t equilibrium_usual_evaluations(int method)
-{
-    return table[method]->usual_evaluations;
 }
 
 /* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only softens. */

@@ -9,7 +9,7 @@
  *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho          (equilibrium.3)
  *
  * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
- * grow.  To add a method: one file, its name in the list below. */
+ * grow.  To add a method: one file, its name in the list of scene.h. */
 #ifndef HS_EQUILIBRIUM_H
 #define HS_EQUILIBRIUM_H
 
@@ -57,8 +57,6 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials);
 void equilibrium_free(struct equilibrium *equilibrium);
-extern const char *const equilibrium_methods[]; /* ended by NULL */
-int64_t equilibrium_usual_evaluations(int method);
 
 /* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
  * body->u, too.  True where the residual is below the tolerance.  Collective. */
@@ -72,8 +70,7 @@ double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, do
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
-/* All of them: equilibrium_NAME, each in a file of its own; the first is the default. */
-#define EQUILIBRIUM_METHODS(DO)  DO(lbfgs), DO(newton), DO(relaxation)
+/* Those that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */
 #define EQUILIBRIUM_METHOD(name) equilibrium_##name
 extern const struct equilibrium_method EQUILIBRIUM_METHODS(EQUILIBRIUM_METHOD);
 

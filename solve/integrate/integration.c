@@ -2,24 +2,9 @@
 
 #include "balance.h"
 #include "memory.h"
-#include "profile.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-void integration_force(struct integration *integration, struct model *model, struct body *body,
-                       struct force_mode mode, struct force_energy *energy)
-{
-    const enum profile_part before =
-        profile_enter(body->profile, mode.energy ? PART_FORCE_ENERGIES : PART_FORCE);
-    profile_count(body->profile, WORK_ENERGIES, mode.energy, 1);
-    integration->evaluations++;
-    mode.time = integration->force_time;
-    mode.dt = mode.time - integration->committed_time;
-    model_force(model, body, mode, energy);
-    if (mode.commit) integration->committed_time = mode.time;
-    profile_enter(body->profile, before);
-}
 
 struct integration integration_new(bool moving, double dt, double damping,
                                    const struct materials *materials, struct body *body,
@@ -59,13 +44,4 @@ bool integration_raise_loads(struct integration *integration, struct body *body,
     loads_set(&boundary->loads, body, integration->time);
     balance_reactions(body, boundary);
     return true;
-}
-
-double integration_held_energy(const struct force_energy *energy)
-{
-    double values[3];
-    exact_sum_finish(
-        (const struct exact_sum[]){energy->stored, energy->plastic, energy->stabilisation}, 3,
-        values);
-    return values[0] + values[1] + values[2];
 }

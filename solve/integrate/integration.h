@@ -2,29 +2,7 @@
 #ifndef HS_INTEGRATION_H
 #define HS_INTEGRATION_H
 
-#include "boundary.h"
-#include "damage.h"
-#include "energy.h"
-#include "model.h"
-
-struct integration {
-    bool moving;     /* with inertia */
-    double dt, time; /* of the steps from here on; s */
-    double force_time,
-        committed_time; /* which the next force is of; of the last one with mode.commit; s */
-    int64_t step;
-    int64_t evaluations;      /* of the force so far */
-    double residual;          /* of the last equilibrium, relative; 0 after an explicit step */
-    double damping;           /* 1/s */
-    double local_damping;     /* share of the force on a node */
-    double *inverse_density;  /* [phases] m^3/kg */
-    struct force_energy zero; /* empty sums with their extractors */
-    struct exact_sum kinetic_zero;
-    double held; /* kinetic energy of nodes held in a motion that depends on place, J */
-    struct energy_balance
-        balance;           /* damping and work of all steps, the rest of the last that was asked */
-    struct damage *damage; /* NULL: nothing breaks */
-};
+#include "integration_state.h"
 
 /* Starts from the displacements and velocities as set, those of the boundary taking their places; evaluates
  * the first force.  moving: false for equilibria, which have no velocities.  Collective. */
@@ -33,29 +11,8 @@ struct integration integration_new(bool moving, double dt, double damping,
                                    struct boundary *boundary, struct model *model);
 void integration_free(struct integration *integration);
 
-/* model_force, counted, with the times of mode. */
-void integration_force(struct integration *integration, struct model *model, struct body *body,
-                       struct force_mode mode, struct force_energy *energy);
-
-/* stored + plastic + stabilisation of the sums that a force has filled [J].  Collective. */
-double integration_held_energy(const struct force_energy *energy);
-
 /* Between steps: raises the stepped loads that are due.  True where one has been raised.  Collective. */
 bool integration_raise_loads(struct integration *integration, struct body *body,
                              struct boundary *boundary, bool equilibrium);
-
-static inline void integration_strip_density(const struct integration *integration,
-                                             const struct body *body, const struct strip *strip,
-                                             double inverse_density[LANES])
-{
-    for (int i = 0; i < strip->count; i++)
-        inverse_density[i] = integration->inverse_density[body->grid.phase[strip->site + i]];
-}
-
-static inline double integration_node_mass(const struct integration *integration,
-                                           const struct body *body, int64_t site)
-{
-    return body_volume(body, site) / integration->inverse_density[body->grid.phase[site]];
-}
 
 #endif

@@ -1,5 +1,6 @@
 #include "stable_step.h"
 
+#include "material.h"
 #include "memory.h"
 #include "profile.h"
 #include "random.h"

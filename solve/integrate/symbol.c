@@ -1,6 +1,7 @@
 #include "symbol.h"
 
-#include "bonds.h"
+#include "bond_search.h"
+#include "material.h"
 #include "memory.h"
 
 #include <math.h>

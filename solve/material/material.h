@@ -1,14 +1,11 @@
-/* material.h - what each phase is made of, from the deck's section "materials". */
+/* material.h - what each phase is made of. */
 #ifndef HS_MATERIAL_H
 #define HS_MATERIAL_H
 
-#include "keys.h"
+#include "lattice.h"
 
 struct formulation;
 struct law;
-
-/* Dimension, and in two of them what is zero across the plane. */
-enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 
 struct material {
     const char *name; /* of the phase */
@@ -40,12 +37,6 @@ struct materials {
     int *law_of; /* [count * count] by pair, which of laws */
 };
 
-extern const struct section section_materials;
-
-/* One entry for each phase of the domain; a phase without an entry is an error, an entry without a
- * phase only a note.  Dies where the materials have not one formulation in common. */
-struct materials materials_read(struct deck_node section, int n_phases, char *const phase_names[],
-                                enum plane plane);
 void materials_free(struct materials *materials);
 
 /* What the update of a law reads; NULL: no phase obeys it, or it needs nothing. */

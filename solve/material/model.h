@@ -117,9 +117,4 @@ const double *model_state(const struct model *model, const struct strip *strip, 
 /* Cauchy stress P F^T/J of state->H and the nominal stress P, nominal[9][state->count] row by row [Pa]. */
 void node_state_cauchy(struct node_state *state, const double *const nominal[9]);
 
-/* H from body->H, and Cauchy stress from the nominal stress P in body->S; of elastic materials in plane
- * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */
-void node_state_from_nominal(const struct body *body, const struct strip *strip,
-                             const struct materials *materials, struct node_state *state);
-
 #endif

@@ -28,7 +28,7 @@ setup_file() {
     cp "$extend/damage_critical_extension.c" solve/damage/critical_extension.c
     name solve/damage/damage.h 'define DAMAGE_BOND_LAWS(DO)' critical_extension
     cp "$extend/equilibrium_descent.c" solve/integrate/descent.c
-    name solve/integrate/equilibrium.h 'define EQUILIBRIUM_METHODS(DO)' descent
+    name solve/input/scene.h 'define EQUILIBRIUM_METHODS(DO)' descent
     cp "$extend/maxwell.c" solve/material/laws/
     name solve/material/laws/laws.h 'define LAWS(DO)' maxwell
     # A hardening law is its keys, its two functions and a row.

@@ -48,6 +48,61 @@ headers() { find "$@" -name '*.h' -printf '%f\n' | sort -u; }
     done
 }
 
+# edges FOLDER: lines "from to" of modules (a header and its source are one) of which one includes the other.
+edges() {
+    find "$1"/lib "$1"/gen "$1"/solve "$1"/post -name '*.[ch]' | sed 's/\.[ch]$//' | sort -u >"$BATS_TEST_TMPDIR/modules"
+    grep -rE '^#include "' --include='*.[ch]' "$1"/lib "$1"/gen "$1"/solve "$1"/post |
+        sed 's/^\(.*\)\.[ch]:#include "\(.*\)\.h".*/\1 \2/' |
+        awk -v folder="$1/" 'NR == FNR { name = $1; sub(/.*\//, "", name); at[name] = $1; next }
+            at[$2] && at[$2] != $1 { print substr($1, length(folder) + 1), substr(at[$2], length(folder) + 1) }' \
+            "$BATS_TEST_TMPDIR/modules" - | sort -u
+}
+
+# circles FOLDER: says which modules include each other in a circle, and fails where there are any.
+circles() { [ -z "$(edges "$1" | tsort 2>&1 >/dev/null | tee /dev/stderr)" ]; }
+
+# Rooms, each of which may include those before it (docs/contributing.md).
+rooms='lib run body material damage observe input integrate output solve'
+upwards() {
+    edges "$1" | awk -v rooms="$rooms" '
+        function room(module,   part) { split(module, part, "/"); return part[1] == "solve" && part[3] ? part[2] : part[1] }
+        BEGIN { n = split(rooms, name, " "); for (i = 1; i <= n; i++) order[name[i]] = i }
+        { from = room($1); to = room($2) }
+        from in order && to in order && order[to] > order[from] { print $1 " includes " $2; found = 1 }
+        END { exit found }'
+}
+
+@test "no module includes itself through others, and no room one that comes later" {
+    circles .
+    upwards .
+    [ "$(edges . | wc -l)" -gt 500 ]
+    for room in $rooms; do grep -q "$room" docs/contributing.md; done
+    # Planted, both are found.
+    mkdir "$BATS_TEST_TMPDIR/tree"
+    cp -r lib gen solve post "$BATS_TEST_TMPDIR/tree"
+    echo '#include "recorder.h"' >>"$BATS_TEST_TMPDIR/tree/solve/body/lattice.h"
+    run ! circles "$BATS_TEST_TMPDIR/tree"
+    run ! upwards "$BATS_TEST_TMPDIR/tree"
+    [[ $output == *"solve/body/lattice includes solve/output/recorder"* ]]
+}
+
+# long_functions FOLDER: those of more than 60 lines, from the line of the name to the brace; fails where there are any.
+long_functions() {
+    find "$1"/lib "$1"/gen "$1"/solve "$1"/post -name '*.[ch]' -exec awk '
+        FNR == 1 { start = 0 }
+        /^[A-Za-z_].*\(/ && !/;$/ { start = FNR; name = $0 }
+        /^}/ { if (start && FNR - start + 1 > 60) { print FILENAME ": " name " " FNR - start + 1; found = 1 } start = 0 }
+        END { exit found }' {} +
+}
+
+@test "no function is longer than 60 lines" {
+    long_functions .
+    mkdir -p "$BATS_TEST_TMPDIR"/tree/{lib,gen,solve,post}
+    { printf 'static int sum(int a)\n{\n'; yes '    a++;' 2>/dev/null | head -n 60; printf '    return a;\n}\n'; } >"$BATS_TEST_TMPDIR/tree/lib/long.c"
+    run ! long_functions "$BATS_TEST_TMPDIR/tree"
+    [[ $output == *"long.c: static int sum(int a) 64"* ]]
+}
+
 # only_in 'HEADER' FILES...: no other source includes it, and one does.
 only_in() {
     local header=$1 found

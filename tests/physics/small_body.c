@@ -1,10 +1,12 @@
 #include "small_body.h"
 
+#include "bond_search.h"
 #include "yield.h"
 
 #include "check.h"
 #include "cracks.h"
 
+#include "material_read.h"
 #include "memory.h"
 #include "random.h"
 

@@ -1,5 +1,6 @@
 /* Curves made by hand, whose properties are known beforehand. */
 #include "check.h"
+#include "sections.h"
 
 #include "analysis.h"
 #include "bounds.h"

@@ -1,6 +1,7 @@
 /* The two digitised curves: values worked out independently when they were digitised and fitted.  Each
  * tolerance is half a unit of the last printed digit. */
 #include "check.h"
+#include "sections.h"
 
 #include "analysis.h"
 #include "property.h"

@@ -1,5 +1,6 @@
 /* From files to curves: histories and tables. */
 #include "check.h"
+#include "sections.h"
 
 #include "analysis.h"
 #include "choices.h"

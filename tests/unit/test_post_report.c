@@ -1,6 +1,7 @@
 /* The report of a history whose every number is known: each property against its own formula, and errors of fits against
  * changes of unit. */
 #include "check.h"
+#include "sections.h"
 
 #include "analysis.h"
 #include "memory.h"

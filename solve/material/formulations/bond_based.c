@@ -18,6 +18,7 @@
 #include "gradient.h"
 #include "memory.h"
 #include "model.h"
+#include "nominal.h"
 #include "opening.h"
 #include "surface_correction.h"
 

@@ -136,7 +136,7 @@ static void correspondence_start(void *self, const struct body *body, struct bon
 {
     struct correspondence *model = self;
     (void)bonds;
-    if (body->lattice->point[0] && !model->stabilisation->add_family)
+    if (lattice_is_scattered(body->lattice) && !model->stabilisation->add_family)
         die_user("the stabilisation '%s' needs particles on a lattice: take 'capped'",
                  model->stabilisation->words.name);
     model->n_sites = body->grid.n_sites;
@@ -207,7 +207,7 @@ static void node_law(struct correspondence *model, struct body *body, const stru
 /* Ghost ends of bonds gather sums that nobody reads; they must not grow. */
 static void clear_ghosts(struct body *body)
 {
-    if (body->lattice->point[0]) { /* whose bonds reach beyond near sites */
+    if (lattice_is_scattered(body->lattice)) { /* whose bonds reach beyond near sites */
         body_clear(body, body->S, 9);
         body_clear(body, body->f, 3);
         return;
@@ -326,7 +326,7 @@ static void broken_divergence(const struct body *body, int64_t site, int count, 
 
 static void divergence(struct body *body)
 {
-    if (body->lattice->point[0]) {
+    if (lattice_is_scattered(body->lattice)) {
         scattered_divergence(body);
         return;
     }

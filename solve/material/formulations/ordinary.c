@@ -19,6 +19,7 @@
 #include "integrity.h"
 #include "laws.h"
 #include "memory.h"
+#include "nominal.h"
 #include "opening.h"
 #include "profile.h"
 

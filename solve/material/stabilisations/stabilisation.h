@@ -8,6 +8,8 @@
 #define HS_STABILISATION_H
 
 #include "bonds.h"
+#include "keys.h"
+#include "material.h"
 #include "model.h"
 
 #include <stdbool.h>

@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+struct section;
+
 struct arguments {
     const char *input;   /* domain; NULL: standard input */
     const char *deck;    /* NULL: the one inside the domain */
@@ -16,6 +18,6 @@ struct arguments {
     char *command; /* the whole line, for provenance */
 };
 
-struct arguments arguments_read(int argc, char **argv);
+struct arguments arguments_read(int argc, char **argv, const struct section *const sections[]);
 
 #endif

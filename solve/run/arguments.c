@@ -2,7 +2,6 @@
 
 #include "die.h"
 #include "options.h"
-#include "solver_sections.h"
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -47,7 +46,7 @@ static void check_names(struct arguments *a)
         die_user("domain and deck cannot both come from standard input");
 }
 
-struct arguments arguments_read(int argc, char **argv)
+struct arguments arguments_read(int argc, char **argv, const struct section *const sections[])
 {
     struct arguments a = {.ranks = 1};
     const char *ranks = NULL;
@@ -72,7 +71,7 @@ struct arguments arguments_read(int argc, char **argv)
         "Peridynamic tension test of a multi-phase body: domain in, histories out.",
         rows,
         sizeof rows / sizeof *rows,
-        solver_sections};
+        sections};
     int first = options_read(&table, argc, argv);
     if (first < argc) die_user("unexpected argument '%s' (the domain goes with -i)", argv[first]);
     if (ranks) a.ranks = number_of_ranks(ranks);
