@@ -37,12 +37,12 @@ setup_file() {
         N
         }" lib/hardening.c
     row lib/hardening.c 'LAW(linear, ' '    LAW(voce_linear, "Y + Q (1 - exp(-b p)) + H p", voce_linear_keys, .n_linear = 3, .n_shapes = 1, .range = {{0.1, 1e4}}),'
-    row solve/output/node_values.c '{"von_mises", ' '    {"pressure", "Pa", 1, .observe = pressure, .help = "minus the mean normal stress"},'
+    row solve/observe/node_values.c '{"von_mises", ' '    {"pressure", "Pa", 1, .observe = pressure, .help = "minus the mean normal stress"},'
     sed -i "/^\/\* --- table/{
         r $extend/value_pressure.c
         N
-        }" solve/output/node_values.c
-    row solve/output/record.c '{"energy_drift", ' '        {"steps", "1", 0, (double)run->step, "steps so far"},'
+        }" solve/observe/node_values.c
+    row solve/output/record.c '{"residual", ' '        {"steps", "1", 0, (double)run->step, "steps so far"},'
     row solve/input/scene.h '    double safety;' '    double patience;'
     row solve/input/scene.c '{"safety", KEY_NUMBER' '    {"patience", KEY_NUMBER, AT(patience), "s", 0, 60, .usual = 5, .users = MOVING, .help = "of the reader"},'
 
