@@ -1,4 +1,6 @@
 /* The explicit course: steps of a length that the fastest wave sets. */
+#include "explicit_steps.h"
+
 #include "simulation_parts.h"
 #include "stable_step.h"
 #include "verlet.h"
@@ -7,12 +9,18 @@
 
 enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
 
-void simulation_find_step(struct simulation *s)
+void explicit_find_step(struct simulation *s)
 {
     const double critical = stable_step(s->model, &s->body, &s->materials);
     if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
-    s->critical_step = critical;
-    s->integration.dt = s->scene.safety * s->critical_step;
+    s->explicit_steps.critical = critical;
+    s->integration.dt = s->scene.safety * s->explicit_steps.critical;
+}
+
+void explicit_begin(struct simulation *s)
+{
+    s->explicit_steps.deformation = simulation_deformation(s);
+    s->explicit_steps.broken = damage_broken_bonds(s->damage);
 }
 
 /* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is found again each 5 % of
@@ -22,12 +30,12 @@ static void check_step(struct simulation *s)
     const int64_t every = s->n_steps / 500 > LOOK_EVERY ? s->n_steps / 500 : LOOK_EVERY;
     if (s->integration.step % every != 0) return;
     const double broken = damage_broken_bonds(s->damage), deformation = simulation_deformation(s);
-    if (fabs(deformation - s->checked_deformation) < 0.05 &&
-        broken - s->checked_broken < 0.01 * s->n_bonds)
+    if (fabs(deformation - s->explicit_steps.deformation) < 0.05 &&
+        broken - s->explicit_steps.broken < 0.01 * s->n_bonds)
         return;
-    s->checked_deformation = deformation;
-    s->checked_broken = broken;
-    simulation_find_step(s);
+    s->explicit_steps.deformation = deformation;
+    s->explicit_steps.broken = broken;
+    explicit_find_step(s);
 }
 
 /* Records lie denser at the start, t_n = t_end (n/N)^2, where the elastic slope is measured. */
@@ -55,19 +63,20 @@ static void raise_loads(struct simulation *s, bool looking)
     double longest = 0;
     if (s->boundary.loads.count == 0) return;
     for (int a = 0; a < 3; a++) longest = fmax(longest, lattice_extent(&s->lattice, a));
-    if (looking && balance->kinetic > 1e-3 * energy_internal(balance)) s->disturbed = time;
-    const bool equilibrium = looking && time - s->disturbed >= 2 * longest / speed;
+    if (looking && balance->kinetic > 1e-3 * energy_internal(balance))
+        s->explicit_steps.disturbed = time;
+    const bool equilibrium = looking && time - s->explicit_steps.disturbed >= 2 * longest / speed;
     if (integration_raise_loads(&s->integration, &s->body, &s->boundary, equilibrium))
-        s->disturbed = time;
+        s->explicit_steps.disturbed = time;
 }
 
 /* One step, and what it leaves behind. */
-static void explicit_advance(struct simulation *s)
+void explicit_advance(struct simulation *s)
 {
     const bool recording = record_due(s) || near_end(s), framing = simulation_frame_due(s),
                looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
     verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking, recording);
-    s->looked = looking;
+    s->explicit_steps.looked = looking;
     if (looking) {
         s->drift = energy_drift(&s->integration.balance);
         s->failure = simulation_find_failure(s);
@@ -79,4 +88,5 @@ static void explicit_advance(struct simulation *s)
     raise_loads(s, looking);
 }
 
-const struct course course_explicit = {.advance = explicit_advance};
+const struct course course_explicit = {
+    .moving = true, .begin = explicit_begin, .advance = explicit_advance};

@@ -10,6 +10,16 @@
 
 #include <math.h>
 
+/* Since when the motion is small [s], and the bonds broken by then. */
+struct quiet {
+    double since, broken;
+};
+
+static void hybrid_begin(struct simulation *s)
+{
+    s->own = memory_new(1, sizeof(struct quiet));
+}
+
 /* What calls for explicit steps, or NULL. */
 static const char *event(struct simulation *s)
 {
@@ -26,8 +36,8 @@ static const char *event(struct simulation *s)
 static void find_rate(struct simulation *s)
 {
     const double dt = s->integration.dt;
-    s->integration.dt = fmin(dt, 0.02 * s->quasi_static->largest);
-    if (!simulation_load(s)) s->integration.dt = dt;
+    s->integration.dt = fmin(dt, 0.02 * s->load_steps.quasi_static->largest);
+    if (!static_load(s)) s->integration.dt = dt;
 }
 
 static void begin_explicit(struct simulation *s, const char *reason)
@@ -35,13 +45,12 @@ static void begin_explicit(struct simulation *s, const char *reason)
     struct integration *integration = &s->integration;
     integration->moving = true;
     integration->residual = 0;
-    quasi_static_velocities(s->quasi_static);
+    quasi_static_velocities(s->load_steps.quasi_static);
     boundary_set_velocities(&s->boundary, &s->body, integration->time, integration->dt);
     balance_motion(integration, &s->body, &s->boundary);
-    simulation_find_step(s);
-    s->checked_deformation = simulation_deformation(s);
-    s->checked_broken = s->quiet_broken = damage_broken_bonds(s->damage);
-    s->quiet_since = integration->time;
+    explicit_find_step(s);
+    explicit_begin(s);
+    *(struct quiet *)s->own = (struct quiet){integration->time, s->explicit_steps.broken};
     if (s->ranks.rank == 0)
         note("explicit from strain %.4g, t = %.4g s, %.0f forces: %s", s->strain, integration->time,
              (double)integration->evaluations, reason);
@@ -52,13 +61,13 @@ static bool is_quiet(struct simulation *s)
 {
     const struct energy_balance *balance = &s->integration.balance;
     const struct scene_hybrid *hybrid = &s->scene.hybrid;
+    struct quiet *quiet = s->own;
     const double broken = damage_broken_bonds(s->damage);
-    if (broken > s->quiet_broken ||
+    if (broken > quiet->broken ||
         balance->kinetic > hybrid->kinetic_share * energy_internal(balance)) {
-        s->quiet_broken = broken;
-        s->quiet_since = s->integration.time;
+        *quiet = (struct quiet){s->integration.time, broken};
     }
-    return hybrid->kinetic_share > 0 && s->integration.time - s->quiet_since > hybrid->quiet;
+    return hybrid->kinetic_share > 0 && s->integration.time - quiet->since > hybrid->quiet;
 }
 
 /* What is left of the motion, and what the body loses until it is at rest, counts as damped. */
@@ -69,18 +78,18 @@ static void begin_static(struct simulation *s)
     body_clear(&s->body, s->body.v, 3);
     boundary_stop(&s->boundary);
     balance_motion(integration, &s->body, &s->boundary);
-    const double lost = quasi_static_settle(s->quasi_static);
+    const double lost = quasi_static_settle(s->load_steps.quasi_static);
     if (!isfinite(lost)) {
-        s->failure = memory_print("no equilibrium at t = %.4g s after the explicit steps (residual "
-                                  "%.2g, tolerance %g)",
-                                  integration->time, equilibrium_residual(s->equilibrium),
-                                  s->equilibrium->tolerance);
+        s->failure =
+            memory_print("no equilibrium at t = %.4g s after the explicit steps (residual "
+                         "%.2g, tolerance %g)",
+                         integration->time, equilibrium_residual(s->load_steps.equilibrium),
+                         s->load_steps.equilibrium->tolerance);
         return;
     }
     integration->balance.damping += lost;
     const struct scene_static *statics = &s->scene.statics;
-    integration->dt =
-        simulation_load_step(s, fmax(statics->first_step, 0.02 * statics->largest_step));
+    integration->dt = static_step(s, fmax(statics->first_step, 0.02 * statics->largest_step));
     simulation_record(s);
     s->highest_load = simulation_grip_load(s);
     if (s->ranks.rank == 0)
@@ -91,13 +100,13 @@ static void begin_static(struct simulation *s)
 static void hybrid_advance(struct simulation *s)
 {
     if (s->integration.moving) {
-        course_explicit.advance(s);
+        explicit_advance(s);
         /* Only where the energies are known: what the body then loses until it is at rest is a difference to them. */
         const bool quiet = !s->failure && is_quiet(s);
-        if (quiet && s->looked) begin_static(s);
+        if (quiet && s->explicit_steps.looked) begin_static(s);
         return;
     }
-    if (!simulation_load(s)) {
+    if (!static_load(s)) {
         begin_explicit(s, "no equilibrium with the smallest step");
         return;
     }
@@ -106,8 +115,8 @@ static void hybrid_advance(struct simulation *s)
         find_rate(s);
         begin_explicit(s, reason);
     } else {
-        simulation_settle(s);
+        static_settle(s);
     }
 }
 
-const struct course course_hybrid = {.advance = hybrid_advance};
+const struct course course_hybrid = {.begin = hybrid_begin, .advance = hybrid_advance};

@@ -1,24 +1,34 @@
 /* The quasi-static course: load steps, each from one equilibrium to the next. */
+#include "load_steps.h"
+
 #include "memory.h"
 #include "simulation_parts.h"
 
 #include <math.h>
 
-double simulation_load_step(const struct simulation *s, double step)
+double static_step(const struct simulation *s, double step)
 {
     return s->scene.end_strain > 0 ? step / boundary_full_strain_rate(&s->boundary) : step;
 }
 
-void simulation_start_static(struct simulation *s)
+void static_start(struct simulation *s)
 {
     const struct scene_static *statics = &s->scene.statics;
-    s->equilibrium = equilibrium_new(statics->method, &s->integration, &s->body, &s->boundary,
-                                     s->model, s->scene.solver, &s->materials);
-    s->equilibrium->tolerance = statics->tolerance;
-    if (statics->most_evaluations > 0) s->equilibrium->most_evaluations = statics->most_evaluations;
-    s->quasi_static =
-        quasi_static_new(s->equilibrium, simulation_load_step(s, statics->largest_step),
-                         simulation_load_step(s, statics->smallest_step));
+    s->load_steps.equilibrium =
+        equilibrium_new(statics->method, &s->integration, &s->body, &s->boundary, s->model,
+                        s->scene.solver, &s->materials);
+    s->load_steps.equilibrium->tolerance = statics->tolerance;
+    if (statics->most_evaluations > 0)
+        s->load_steps.equilibrium->most_evaluations = statics->most_evaluations;
+    s->load_steps.quasi_static =
+        quasi_static_new(s->load_steps.equilibrium, static_step(s, statics->largest_step),
+                         static_step(s, statics->smallest_step));
+}
+
+void static_free(struct load_steps *steps)
+{
+    quasi_static_free(steps->quasi_static);
+    equilibrium_free(steps->equilibrium);
 }
 
 static char *no_equilibrium(const struct simulation *s, const char *what)
@@ -29,17 +39,17 @@ static char *no_equilibrium(const struct simulation *s, const char *what)
         "tolerance %g): the load is more than the body carries, or it takes a smaller "
         "solver.smallest_step or more most_evaluations",
         what, s->integration.time, s->strain, (long long)s->integration.step,
-        equilibrium_residual(s->equilibrium), s->equilibrium->tolerance);
+        equilibrium_residual(s->load_steps.equilibrium), s->load_steps.equilibrium->tolerance);
 }
 
 /* Nothing has changed where there is no equilibrium. */
-bool simulation_load(struct simulation *s)
+bool static_load(struct simulation *s)
 {
     struct integration *integration = &s->integration;
     if (s->scene.end_time > 0)
         integration->dt = fmin(integration->dt, s->end_time - integration->time);
-    s->framing = simulation_frame_due(s);
-    if (!quasi_static_step(s->quasi_static)) return false;
+    s->load_steps.framing = simulation_frame_due(s);
+    if (!quasi_static_step(s->load_steps.quasi_static)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
     return true;
@@ -50,13 +60,13 @@ static void shorten_step(struct simulation *s, double degradation)
 {
     enum { MOST_PARTS = 10 };
     double *dt = &s->integration.dt;
-    if (degradation * MOST_PARTS > 1) *dt = fmax(0.5 * *dt, s->quasi_static->smallest);
+    if (degradation * MOST_PARTS > 1) *dt = fmax(0.5 * *dt, s->load_steps.quasi_static->smallest);
 }
 
-void simulation_settle(struct simulation *s)
+void static_settle(struct simulation *s)
 {
     struct quasi_static_damage damage = {.most = (double)s->scene.statics.break_at_once};
-    if (!quasi_static_break(s->quasi_static, &damage)) {
+    if (!quasi_static_break(s->load_steps.quasi_static, &damage)) {
         s->failure = no_equilibrium(s, "after something broke");
         return;
     }
@@ -68,16 +78,16 @@ void simulation_settle(struct simulation *s)
         s->drift = energy_drift(&s->integration.balance);
         simulation_record(s);
     }
-    if (s->framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
+    if (s->load_steps.framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
     loads_raise(&s->boundary.loads, s->integration.step, true);
 }
 
 static void static_advance(struct simulation *s)
 {
-    if (simulation_load(s))
-        simulation_settle(s);
+    if (static_load(s))
+        static_settle(s);
     else
         s->failure = no_equilibrium(s, "with the smallest step");
 }
 
-const struct course course_static = {.advance = static_advance};
+const struct course course_quasi_static = {.advance = static_advance};

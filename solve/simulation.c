@@ -190,13 +190,13 @@ static double time_to_strain(const struct simulation *s)
 
 static double explicit_step(struct simulation *s)
 {
-    s->critical_step = stable_step(s->model, &s->body, &s->materials);
-    if (!isfinite(s->critical_step))
+    s->explicit_steps.critical = stable_step(s->model, &s->body, &s->materials);
+    if (!isfinite(s->explicit_steps.critical))
         die_user(
             "no node acts on another: no bond within the horizon of %g spacings has a weight, or "
             "cracks cut all",
             s->scene.horizon);
-    return s->scene.safety * s->critical_step;
+    return s->scene.safety * s->explicit_steps.critical;
 }
 
 static double end_of_time(const struct simulation *s, double dt)
@@ -205,13 +205,16 @@ static double end_of_time(const struct simulation *s, double dt)
     return s->scene.end_steps > 0 ? (double)s->scene.end_steps * dt : s->scene.end_time;
 }
 
+#define COURSE_ADDRESS(name, words) &course_##name
+
 static void plan_time(struct simulation *s)
 {
-    const bool moving = s->scene.type == SOLVER_EXPLICIT;
+    static const struct course *const courses[] = {COURSES(COURSE_ADDRESS)};
+    s->course = courses[s->scene.type];
+    const bool moving = s->course->moving;
     initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
     boundary_set_displacements(&s->boundary, &s->body);
-    const double dt =
-        moving ? explicit_step(s) : simulation_load_step(s, s->scene.statics.first_step);
+    const double dt = moving ? explicit_step(s) : static_step(s, s->scene.statics.first_step);
     s->end_time = end_of_time(s, dt);
     if (!(s->end_time / dt < 1.001e12))
         deck_error(s->scene.solver, "%.3g s in steps of %.3g s are over 1e12 steps", s->end_time,
@@ -222,14 +225,11 @@ static void plan_time(struct simulation *s)
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);
     initial_set(&s->scene, &s->body, SCENE_VELOCITY);
-    if (!moving) simulation_start_static(s);
+    if (!moving) static_start(s);
     s->integration = integration_new(moving, dt, s->scene.damping, &s->materials, &s->body,
                                      &s->boundary, s->model);
     s->integration.damage = s->damage;
     s->integration.local_damping = s->scene.local_damping;
-    static const struct course *const courses[SOLVER_TYPES] = {&course_explicit, &course_static,
-                                                               &course_hybrid};
-    s->course = courses[s->scene.type];
 }
 
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks)
@@ -262,8 +262,8 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
 void simulation_free(struct simulation *s)
 {
     recorder_free(&s->recorder);
-    quasi_static_free(s->quasi_static);
-    equilibrium_free(s->equilibrium);
+    free(s->own);
+    static_free(&s->load_steps);
     integration_free(&s->integration);
     gauge_free(s->gauge);
     quantities_free(s->quantities);

@@ -13,7 +13,7 @@ enum { USUAL_EVALUATIONS = 70 };
 
 static double count_load_steps(const struct simulation *s)
 {
-    const double largest = simulation_load_step(s, s->scene.statics.largest_step);
+    const double largest = static_step(s, s->scene.statics.largest_step);
     double step = s->integration.dt, time = 0, count = 0;
     if (s->scene.end_steps > 0) return (double)s->scene.end_steps;
     for (; step < largest && time < s->end_time; step *= QUASI_STATIC_GROWTH, count++) time += step;
@@ -30,12 +30,12 @@ static char *explicit_plan(const struct simulation *s, double memory, double for
     char *scaled = s->scene.mass_scaling != 1
                        ? memory_print("inertia times %g, ", s->scene.mass_scaling)
                        : memory_text("");
-    char *plan =
-        memory_print("step %.3g s (%.2f of the critical %.3g s), about %lld steps to %.3g s; "
-                     "%s%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
-                     s->integration.dt, s->scene.safety, s->critical_step, (long long)s->n_steps,
-                     s->end_time, rate, scaled, materials_wave_speed(&s->materials), memory * 1e-6,
-                     1.15 * force * (double)s->n_steps);
+    char *plan = memory_print(
+        "step %.3g s (%.2f of the critical %.3g s), about %lld steps to %.3g s; "
+        "%s%sfastest wave %.0f m/s; %.0f MB; about %.0f s",
+        s->integration.dt, s->scene.safety, s->explicit_steps.critical, (long long)s->n_steps,
+        s->end_time, rate, scaled, materials_wave_speed(&s->materials), memory * 1e-6,
+        1.15 * force * (double)s->n_steps);
     free(scaled);
     free(rate);
     return plan;

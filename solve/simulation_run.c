@@ -146,7 +146,7 @@ const char *simulation_run(struct simulation *s)
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
     simulation_protect(s);
     simulation_record(s);
-    s->checked_deformation = simulation_deformation(s);
+    if (s->course->begin) s->course->begin(s);
     if (s->fields) simulation_write_frame(s);
     while (!s->failure && !simulation_at_end(s)) {
         profile_enter(s->profile, PART_ADVANCE);

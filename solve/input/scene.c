@@ -10,17 +10,20 @@
 /* --- the section solver ----------------------------------------------------------------------- */
 
 enum {
-    EXPLICIT = 1 << SOLVER_EXPLICIT,
-    HYBRID = 1 << SOLVER_HYBRID,
+    EXPLICIT = 1 << SOLVER_explicit,
+    HYBRID = 1 << SOLVER_hybrid,
     MOVING = EXPLICIT | HYBRID,
-    RESTING = 1 << SOLVER_QUASI_STATIC | HYBRID
+    RESTING = 1 << SOLVER_quasi_static | HYBRID
 };
 
-static const struct variant types[SOLVER_TYPES] = {
-    [SOLVER_EXPLICIT] = {"explicit", "explicit steps, with inertia", {0}},
-    [SOLVER_QUASI_STATIC] = {"quasi_static", "load steps from one equilibrium to the next", {0}},
-    [SOLVER_HYBRID] = {"hybrid", "load steps, and explicit ones from an event on", {0}},
-};
+#define TYPE(name, words)                                                                          \
+    {                                                                                              \
+#name, words,                                                                              \
+        {                                                                                          \
+            0                                                                                      \
+        }                                                                                          \
+    }
+static const struct variant types[SOLVER_TYPES] = {COURSES(TYPE)};
 
 static const struct variant *type_variant(int i)
 {
@@ -126,7 +129,7 @@ const struct section section_solver = {
     .keys = KEYS(solver_keys),
     .chooser = "type",
     .variant = type_variant,
-    .usual = SOLVER_QUASI_STATIC};
+    .usual = SOLVER_quasi_static};
 
 /* --- what depends on other keys --------------------------------------------------------------- */
 
@@ -178,7 +181,7 @@ static void read_solver(struct scene *scene)
         deck_get(solver, "ramp"); /* dies */
     else if (scene->ramp > 0)
         deck_error(deck_get(solver, "ramp"), "a ramp goes with 'start: ramp'");
-    if (scene->type != SOLVER_EXPLICIT) read_steps(scene);
+    if (scene->type != SOLVER_explicit) read_steps(scene);
     read_events(&scene->hybrid);
 }
 

@@ -11,7 +11,13 @@
 
 #include <stdbool.h>
 
-enum scene_type { SOLVER_EXPLICIT, SOLVER_QUASI_STATIC, SOLVER_HYBRID, SOLVER_TYPES };
+/* How a run may advance (course.h), with a word for the manual: solver.type. */
+#define COURSES(DO)                                                                                \
+    DO(explicit, "explicit steps, with inertia"),                                                  \
+        DO(quasi_static, "load steps from one equilibrium to the next"),                           \
+        DO(hybrid, "load steps, and explicit ones from an event on")
+#define COURSE_NUMBER(name, words) SOLVER_##name
+enum scene_type { COURSES(COURSE_NUMBER), SOLVER_TYPES };
 
 /* Methods for equilibria (integrate/equilibrium.h); the first is the default. */
 #define EQUILIBRIUM_METHODS(DO) DO(lbfgs), DO(newton), DO(relaxation)

@@ -29,6 +29,8 @@ setup_file() {
     name solve/damage/damage.h 'define DAMAGE_BOND_LAWS(DO)' critical_extension
     cp "$extend/equilibrium_descent.c" solve/integrate/descent.c
     name solve/input/scene.h 'define EQUILIBRIUM_METHODS(DO)' descent
+    cp "$extend/course_halved.c" solve/
+    sed -i 's/DO(quasi_static, /DO(halved, "explicit steps of half the length"), &/' solve/input/scene.h
     cp "$extend/maxwell.c" solve/material/laws/
     name solve/material/laws/laws.h 'define LAWS(DO)' maxwell
     # A hardening law is its keys, its two functions and a row.
@@ -157,6 +159,17 @@ output: {quantities: [{name: p, quantity: equivalent_plastic_strain, nearest: $M
     run ! cmp -s lbfgs.e descent.e
     # Both are within 1e-8 of the same equilibrium; the end of the steps is the same.
     paste -d' ' lbfgs descent | awk '{ a = $3 / $1 - 1; b = $4 / $2 - 1; print a, b; exit !($2 > 0 && a * a < 1e-12 && b * b < 1e-12) }'
+}
+
+@test "a way to advance: steps of half the length lead to the same end" {
+    for type in explicit halved; do
+        bar 'model: correspondence_elastic, poissons_ratio: 0.31' "type: $type, horizon: 1, end_time: 0.5 us"
+        hssolve -q -i study.g -H $type.e
+        columns $type.e steps extension_m time_s | tail -n 1 >$type
+    done
+    # The body moves with its grips from the start: extension grows with time, to the error of the steps, of second order.
+    paste -d' ' explicit halved | awk '{ off = $5 / $6 / ($2 / $3) - 1; print off; exit !($1 > 50 && $4 >= 2 * $1 - 2 && $4 <= 2 * $1 + 2 && off * off < 1e-7) }'
+    hssolve --keys | grep -B 1 'explicit steps of half the length' | grep halved
 }
 
 @test "a value of nodes, and a column of the history" {

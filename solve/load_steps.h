@@ -1,0 +1,26 @@
+/* load_steps.h - load steps (course_static.c), of a course of their own or of one that takes them for a while. */
+#ifndef HS_LOAD_STEPS_H
+#define HS_LOAD_STEPS_H
+
+#include "quasi_static.h"
+
+struct simulation;
+
+struct load_steps {
+    struct equilibrium *equilibrium; /* NULL: never at rest */
+    struct quasi_static *quasi_static;
+    bool framing; /* the step ends at a frame */
+};
+
+/* Seconds of a load step that the deck gives in strain or seconds. */
+double static_step(const struct simulation *simulation, double step);
+/* Builds what finds equilibria; the body's velocities are its first guess, and become 0. */
+void static_start(struct simulation *simulation);
+void static_free(struct load_steps *steps);
+
+/* A load step with its record; false where there is no equilibrium, and all is as before. */
+bool static_load(struct simulation *simulation);
+/* What follows such a step: damage, frame, stepped loads. */
+void static_settle(struct simulation *simulation);
+
+#endif
