@@ -32,9 +32,9 @@ static const struct kind {
     [CORRESPONDENCE] = {&formulation_correspondence, NULL, .strained = true},
     [CORRESPONDENCE_ELASTIC] = {&formulation_correspondence, &law_elastic, .strained = true},
     [BOND_BASED] = {&formulation_bond_based, &law_elastic, .central = true},
-    [ORDINARY] = {&formulation_ordinary, &law_elastic},
+    [ORDINARY] = {&formulation_ordinary, &law_elastic, .central = false},
     [ORDINARY_PLASTIC] = {&formulation_ordinary, &law_mitchell, .spatial = true},
-    [MADENCI_OTERKUS] = {&formulation_madenci_oterkus, &law_elastic},
+    [MADENCI_OTERKUS] = {&formulation_madenci_oterkus, &law_elastic, .central = false},
 };
 
 /* What the rows below fill; moduli that the deck does not give are NAN. */
