@@ -38,11 +38,18 @@ struct body {
     /* Fields over the grid's box. */
     double *u[3]; /* displacement, m */
     double *v[3]; /* velocity, m/s */
-    double *f[3]; /* internal force density, N/m^3 */
+    union {
+        double *f[3];        /* internal force density, N/m^3 */
+        double *before_f[3]; /* sums over families that are used up before the forces are made */
+    };
     double *b[3]; /* external force density, N/m^3; NULL along axes without loads */
     /* Made by body_need_gradient, else NULL. */
-    double *H[9];        /* displacement gradient F - 1, row by row; valid at near sites */
-    double *S[9];        /* work-conjugate stress, then S K^-1 */
+    double *H[9]; /* displacement gradient F - 1, row by row; valid at near sites */
+    union {
+        double *S[9];        /* nominal stress, Pa */
+        double *Q[9];        /* S K^-1 in its place (correspondence.2), Pa/m */
+        double *before_S[9]; /* forces on nodes, where a stress is not made yet */
+    };
     double *inverse[6];  /* inverse shape tensor, lattice units */
     double *first[3];    /* s_i of family.2, lattice units */
     double *yield_shift; /* what a node's flow stress has over its law's, Pa; NULL: nothing */

@@ -89,7 +89,7 @@ void scattered_divergence(struct body *body)
         for (int a = 0; a < 3; a++) {
             double term[LANES] = {0};
             for (int b = 0; b < 3; b++) {
-                const double *Q = body->S[3 * a + b];
+                const double *Q = body->Q[3 * a + b];
                 for (int k = 0; k < view.count; k++)
                     term[k] += (Q[view.lower[k]] + Q[view.upper[k]]) * view.xi[b][k] / spacing;
             }

@@ -9,7 +9,7 @@
  * volume as V.  Collective. */
 void scattered_shapes(struct body *body);
 
-/* (correspondence.1): body->H at near sites; (correspondence.2): adds the divergence of body->S, which is S
+/* (correspondence.1): body->H at near sites; (correspondence.2): adds the divergence of body->Q, which is S
  * K^-1 in those units, to body->f. */
 void scattered_gradient(struct body *body);
 void scattered_divergence(struct body *body);

@@ -336,7 +336,7 @@ static void divergence(struct body *body)
         const int64_t i = body->owned.items[n].site;
         for (int a = 0; a < 3; a++) {
             double G[LANES] = {0};
-            double *const *Q = body->S + 3 * a;
+            double *const *Q = body->Q + 3 * a;
             for (int b = 0; b < 3; b++)
                 family_sums_add(body->family, &body->grid, b, count, Q[b] + i, G);
             broken_divergence(body, i, count, Q, G);
@@ -353,7 +353,7 @@ static void correspondence_force(void *self, struct body *body, struct force_mod
     halo_exchange(body->displacement_halo, body->u, 3);
     clear_ghosts(body);
     (model->near_nodes ? near_nodes_first : walk)(model, body, mode, energy);
-    halo_exchange(body->stress_halo, body->S, 9);
+    halo_exchange(body->stress_halo, body->Q, 9);
     divergence(body);
 }
 

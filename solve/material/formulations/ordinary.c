@@ -250,7 +250,7 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
                            struct force_energy *energy)
 {
     struct ordinary *model = self;
-    find_nodes(model, body, body->f, mode, mode.energy ? energy : NULL);
+    find_nodes(model, body, body->before_f, mode, mode.energy ? energy : NULL);
     const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
     body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
@@ -312,7 +312,7 @@ static void ordinary_prepare(void *self, struct body *body, int rows)
 {
     struct ordinary *model = self;
     body_need_gradient(body);
-    find_nodes(model, body, body->S, (struct force_mode){0}, NULL);
+    find_nodes(model, body, body->before_S, (struct force_mode){0}, NULL);
     displacement_gradient(body);
     body_clear(body, body->S, 3 * rows);
     for (int64_t s = 0; s < model->bonds->count; s++) {
@@ -334,10 +334,10 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
 static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
-    double *weighted_volume = body->f[0], *isotropic = body->f[1]; /* not in use yet */
+    double *weighted_volume = body->before_f[0], *isotropic = body->before_f[1];
     const bool corrected = model->correction != SURFACE_NONE;
     const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
-    body_clear(body, body->f, 2);
+    body_clear(body, body->before_f, 2);
     surface_add_moments(model->bonds, 2, weighted_volume);
     surface_add_moments(model->bonds, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
@@ -349,7 +349,7 @@ static void find_moduli(struct ordinary *model, const struct body *body)
             model->volumetric[i] = moduli.volumetric * moduli.dilatation * moduli.dilatation;
             model->distortion[i] = moduli.distortion;
         }
-    body_clear(body, body->f, 2);
+    body_clear(body, body->before_f, 2);
 }
 
 static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
