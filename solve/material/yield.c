@@ -7,6 +7,7 @@
 #include "memory.h"
 #include "random.h"
 
+#include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -89,17 +90,13 @@ static double uniform(uint64_t hash)
     return ((double)(hash >> 11) + 0.5) * 0x1p-53;
 }
 
-/* A number of the normal distribution for a node (Box, Muller, Ann. Math. Stat. 29 (1958) 610); beyond three
- * it is drawn again, from the next number. */
+/* A number of the normal distribution cut at most_deviations, for a node: the inverse of its cumulated
+ * distribution at the node's own random number. */
 static double normal(const struct yield *yield, const char *phase, uint64_t node)
 {
-    const double pi = acos(-1);
-    for (uint64_t draw = 0;; draw++) {
-        const uint64_t number = (node << 8 | draw) << 1;
-        double radius = sqrt(-2 * log(uniform(random_hash(yield->seed, phase, number))));
-        double value = radius * cos(2 * pi * uniform(random_hash(yield->seed, phase, number | 1)));
-        if (fabs(value) <= most_deviations) return value;
-    }
+    const double least = gsl_cdf_ugaussian_P(-most_deviations);
+    return gsl_cdf_ugaussian_Pinv(least +
+                                  (1 - 2 * least) * uniform(random_hash(yield->seed, phase, node)));
 }
 
 static double factor(const struct yield *yield, const char *phase, const double x[3], uint64_t node)
