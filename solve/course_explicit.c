@@ -31,7 +31,7 @@ static void check_step(struct simulation *s)
     if (s->integration.step % every != 0) return;
     const double broken = damage_broken_bonds(s->damage), deformation = simulation_deformation(s);
     if (fabs(deformation - s->explicit_steps.deformation) < 0.05 &&
-        broken - s->explicit_steps.broken < 0.01 * s->n_bonds)
+        broken - s->explicit_steps.broken <= 0.01 * s->n_bonds)
         return;
     s->explicit_steps.deformation = deformation;
     s->explicit_steps.broken = broken;

@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include "bond_search.h"
+#include "corners.h"
 #include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
@@ -55,6 +56,25 @@ static void read_model(struct simulation *s)
     s->model = model_new(scene->solver, &s->family, &s->materials);
 }
 
+/* Where the formulation has corners of particles for its nodes. */
+static void take_corners(struct simulation *s)
+{
+    if (!s->materials.formulation->corners) return;
+    if (lattice_is_scattered(&s->lattice))
+        die_user("the particles lie on no lattice, and have no cells with corners: take "
+                 "correspondence or another formulation than corner");
+    const struct lattice particles = s->lattice;
+    s->lattice = corners_lattice(&particles);
+    s->corners = corners_domain(&s->lattice);
+    free(particles.phase);
+}
+
+/* The nodes as rank 0 has read or made them. */
+static const struct domain *nodes_of(const struct simulation *s)
+{
+    return s->lattice.corner ? &s->corners : &s->domain;
+}
+
 /* Rank 0 reads and checks everything a user can get wrong; the others follow what is known to be good,
  * so that each error is told once. */
 static void read_inputs(struct simulation *s)
@@ -66,10 +86,11 @@ static void read_inputs(struct simulation *s)
         domain_input_read(s->arguments, &s->domain, &s->deck);
         s->scene = scene_read(s->deck);
         read_particles(s);
-        scene_resolve(&s->scene, &s->domain, s->lattice.spacing);
         n_phases = s->domain.n_phases;
         check_plane(s);
         read_model(s);
+        take_corners(s);
+        scene_resolve(&s->scene, &s->domain, nodes_of(s), &s->lattice);
         text = memory_text(deck_text(s->deck));
         length = (long)strlen(text);
     }
@@ -125,11 +146,21 @@ static void start_damage(struct simulation *s)
 {
     struct deck_node root = deck_root(s->deck), section = deck_find(root, "cracks");
     s->damage = damage_new(root, s->model, &s->materials, &s->body, s->bonds);
+    if (section.index && s->materials.formulation->corners)
+        deck_error(section, "corner has no bonds that a crack could cut: take another formulation");
     struct cracks cracks = cracks_read(section, s->lattice.spacing, s->lattice.dimensions);
     const int64_t cut = cracks_cut(&cracks, &s->body, s->bonds);
     if (cracks.count > 0 && cut == 0 && s->ranks.rank == 0) warn("the cracks cut no bond");
     if (cut > 0) note("cracks cut %lld bonds", (long long)cut);
     cracks_free(&cracks);
+}
+
+static void fill_corners(struct simulation *s)
+{
+    double *density = memory_new((size_t)s->materials.count, sizeof *density);
+    for (int p = 0; p < s->materials.count; p++) density[p] = s->materials.items[p].density;
+    corners_fill(&s->body, density);
+    free(density);
 }
 
 static void build(struct simulation *s)
@@ -140,6 +171,7 @@ static void build(struct simulation *s)
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
     body_profile(&s->body, s->profile);
     profile_enter(s->profile, PART_BONDS);
+    if (s->lattice.corner) fill_corners(s);
     yield_start(&s->body, &s->materials);
     s->bonds = bonds_new(&s->body);
     s->n_bonds = (double)bonds_total(s->bonds);
@@ -160,7 +192,7 @@ double simulation_fraction(const struct simulation *s, int phase)
     if (s->gauge) return gauge_fraction(s->gauge, phase);
     for (int64_t site = 0; site < s->lattice.n_sites; site++)
         nodes += s->lattice.phase[site] == phase;
-    return (double)nodes / (double)s->lattice.n_nodes;
+    return (double)nodes / (double)s->lattice.n_particles;
 }
 
 /* Mean Poisson's ratio, for the start velocity. */
@@ -221,7 +253,7 @@ static void plan_time(struct simulation *s)
                    dt);
     s->n_steps = s->scene.end_steps > 0 ? s->scene.end_steps : (int64_t)ceil(s->end_time / dt);
     /* A prescribed displacement is asked for half a step beyond the end. */
-    if (s->ranks.rank == 0) scene_try(&s->scene, &s->domain, s->end_time + dt);
+    if (s->ranks.rank == 0) scene_try(&s->scene, nodes_of(s), s->end_time + dt);
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);
     initial_set(&s->scene, &s->body, SCENE_VELOCITY);
@@ -256,6 +288,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
             fields_open(&s->fields_output, own_domain(s), &s->scene.fields, &s->body, s->damage);
     }
     domain_forget_nodes(&s->domain);
+    domain_forget_nodes(&s->corners);
     return s;
 }
 
@@ -278,6 +311,7 @@ void simulation_free(struct simulation *s)
     scene_free(&s->scene);
     deck_free(s->deck);
     domain_free(&s->domain);
+    domain_free(&s->corners);
     if (s->history_output.path) spool_close(&s->history_output);
     if (s->fields_output.path) spool_close(&s->fields_output);
     free(s->failure);

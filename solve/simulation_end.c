@@ -92,7 +92,7 @@ void simulation_finish(struct simulation *s, const char *failure)
     const double steps = (double)s->integration.step + 1;
     profile_count(s->profile, WORK_RECORDS, 0, steps);
     profile_count(s->profile, WORK_FRAMES, 0, steps);
-    profile_print(s->profile, s->ranks, (double)s->lattice.n_nodes,
+    profile_print(s->profile, s->ranks, (double)s->lattice.n_particles,
                   (double)s->integration.evaluations);
     if (s->ranks.rank != 0) return;
     if (failure) {
@@ -112,7 +112,7 @@ void simulation_finish(struct simulation *s, const char *failure)
         note("%.0f nodes have no deformation gradient left", s->body.broken->n_lost);
     char *strain = s->gauge ? memory_print("gauge strain %.4f, ", s->strain) : memory_text("");
     const double evaluations = (double)s->integration.evaluations,
-                 node_steps = evaluations * (double)s->lattice.n_nodes;
+                 node_steps = evaluations * (double)s->lattice.n_particles;
     note("%lld steps in %.1f s, %.0f forces: %.3g node-steps/s on each of %d ranks; %senergy drift "
          "%.1e",
          (long long)s->integration.step, s->wall, evaluations, node_steps / s->wall / s->ranks.size,

@@ -21,6 +21,7 @@ struct simulation {
     struct ranks ranks;
     struct profile *profile; /* NULL: not asked for */
     struct domain domain;    /* rank 0 */
+    struct domain corners;   /* the nodes there, where they are corners of the particles */
     struct deck *deck;
     struct scene scene;
     struct lattice lattice;

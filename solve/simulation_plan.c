@@ -91,7 +91,7 @@ void simulation_announce(struct simulation *s)
     if (s->ranks.rank != 0) return;
     if (s->arguments->check) tell_phases(s);
     char *plan = (s->integration.moving ? explicit_plan : static_plan)(s, memory, force);
-    note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_nodes,
+    note("%lld nodes, %lld bonds, %d ranks; %s", (long long)s->lattice.n_particles,
          (long long)s->n_bonds, s->ranks.size, plan);
     free(plan);
     if (s->body.unsupported > 0 && s->materials.formulation->stress_of == STRESS_OF_NODES)

@@ -15,7 +15,7 @@ static int64_t first_bad_node(const struct simulation *s)
     double first = INFINITY;
     int64_t node = 0;
     for (int64_t site = 0; site < s->lattice.n_sites; site++) {
-        if (s->lattice.phase[site] == ABSENT) continue;
+        if (!lattice_has_node(&s->lattice, site)) continue;
         node++;
         int at[3];
         lattice_position(&s->lattice, site, at);
@@ -52,7 +52,7 @@ char *simulation_find_failure(const struct simulation *s)
 static double mean_deformation(struct simulation *s)
 {
     if (s->materials.formulation->stress_of == STRESS_OF_BONDS) displacement_gradient(&s->body);
-    struct exact_sum sum = exact_sum_new((double)s->lattice.n_nodes);
+    struct exact_sum sum = exact_sum_new((double)s->lattice.n_particles);
     const struct strips *strips = model_strips(s->model, &s->body);
     for (int64_t k = 0; k < strips->count; k++) {
         struct node_state node;
@@ -67,7 +67,7 @@ static double mean_deformation(struct simulation *s)
     }
     double total;
     exact_sum_finish(&sum, 1, &total);
-    return sqrt(total / (double)s->lattice.n_nodes);
+    return sqrt(total / (double)s->lattice.n_particles);
 }
 
 double simulation_deformation(struct simulation *s)

@@ -83,6 +83,7 @@ void body_free(struct body *body)
     box_fields_free(body->inverse[0]);
     box_fields_free(body->first[0]);
     free(body->volumes);
+    free(body->densities);
     strips_free(&body->owned);
     strips_free(&body->near);
     strips_free(&body->ghosts);

@@ -29,6 +29,7 @@ struct body {
     struct bonds *bonds;
     double volume;       /* of a node, m^3; of scattered ones their mean */
     double *volumes;     /* box field where they differ, else NULL */
+    double *densities;   /* of corners [kg/m^3], box field; NULL: a node has that of its phase */
     int64_t n_nodes;     /* of the whole body */
     int64_t unsupported; /* nodes of the whole body without a deformation gradient */
     /* Of what damage and cracks do to it (damage.h), which free them. */
@@ -67,7 +68,8 @@ void body_profile(struct body *body, struct profile *profile);
  * forces come from bonds need them for output and for damage alone.  Collective. */
 void body_need_gradient(struct body *body);
 
-/* Gathers an owned field to rank 0 in node order: out[n_nodes] there (NULL elsewhere).  Collective. */
+/* Gathers an owned field of the particles to rank 0 in their order: out[n_particles] there (NULL elsewhere).
+ * Collective. */
 void body_gather(const struct body *body, const double *field, double *out);
 
 /* Reference position of a site [m]. */
@@ -76,6 +78,14 @@ static inline void body_position(const struct body *body, int64_t site, double x
     int at[3];
     grid_position(&body->grid, site, at);
     lattice_coordinates(body->lattice, at, x);
+}
+
+/* That of the particle at a site [m]. */
+static inline void body_particle_position(const struct body *body, int64_t site, double x[3])
+{
+    int at[3];
+    grid_position(&body->grid, site, at);
+    lattice_particle(body->lattice, at, x);
 }
 
 /* A number of the site's node that is the same on every rank: its site in the lattice. */
@@ -90,6 +100,12 @@ static inline int64_t body_number(const struct body *body, int64_t site)
 static inline double body_volume(const struct body *body, int64_t site)
 {
     return body->volumes ? body->volumes[site] : body->volume;
+}
+
+/* Volume of the particle at a site [m^3]. */
+static inline double body_particle_volume(const struct body *body, int64_t site)
+{
+    return body->lattice->corner ? body->volume : body_volume(body, site);
 }
 
 /* terms[i] times the volume of the node at site + i. */

@@ -36,9 +36,11 @@ static void fill(struct grid *grid, const struct lattice *lattice, const struct 
             for (int x = 0; x < grid->size[0]; x++, site++) {
                 const int at[3] = {grid->origin[0] + x, grid->origin[1] + y, grid->origin[2] + z};
                 grid->phase[site] = lattice_phase(lattice, at[0], at[1], at[2]);
-                if (grid->phase[site] == ABSENT) continue;
-                if (partition_owner(p, at[0], at[1], at[2]) != grid->rank) continue;
-                grid->flags[site] = SITE_OWNED | SITE_NEAR;
+                if (!lattice_contains(lattice, at[0], at[1], at[2]) ||
+                    !lattice_has_node(lattice, lattice_site(lattice, at[0], at[1], at[2])) ||
+                    partition_owner(p, at[0], at[1], at[2]) != grid->rank)
+                    continue;
+                grid->flags[site] = lattice->corner ? SITE_OWNED : SITE_OWNED | SITE_NEAR;
                 grid->n_owned++;
             }
 }
@@ -58,6 +60,28 @@ static void mark_around(struct grid *grid, int around, const struct offset *offs
     for (int64_t site = 0; site < grid->n_sites; site++)
         if (marked[site] && grid->phase[site] != ABSENT) grid->flags[site] |= mark;
     free(marked);
+}
+
+/* Particles with an owned corner are near; their other corners move. */
+static void mark_corners(struct grid *grid, const struct lattice *lattice)
+{
+    const int each = lattice_corners(lattice);
+    int64_t shift[8];
+    for (int k = 0; k < each; k++) {
+        int step[3];
+        lattice_corner_step(k, step);
+        shift[k] = grid_shift(grid, step);
+    }
+    for (int64_t site = 0; site + shift[each - 1] < grid->n_sites; site++) {
+        int flags = 0;
+        if (grid->phase[site] == ABSENT) continue;
+        for (int k = 0; k < each; k++) flags |= grid->flags[site + shift[k]];
+        if (!(flags & SITE_OWNED)) continue;
+        grid->flags[site] |= SITE_NEAR;
+        for (int k = 0; k < each; k++)
+            if (!(grid->flags[site + shift[k]] & SITE_OWNED))
+                grid->flags[site + shift[k]] |= SITE_MOVES;
+    }
 }
 
 /* The same among scattered particles. */
@@ -128,7 +152,7 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     int low[3], high[3];
     owned_box(lattice, partition, rank, low, high);
     /* Twice the reach where a near site is one reach away, its family another. */
-    const int pad = (n_bonds > 0 ? 2 : 1) * family->reach;
+    const int pad = lattice->corner ? 1 : (n_bonds > 0 ? 2 : 1) * family->reach;
     for (int a = 0; a < 3; a++) {
         const int before =
             a == 0 ? (pad + 7) / 8 * 8 : pad; /* lines of nodes start on cache lines */
@@ -137,7 +161,8 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     }
     allocate(&grid);
     fill(&grid, lattice, partition);
-    if (grid.n_owned == lattice->n_nodes) return grid;
+    if (lattice->corner) mark_corners(&grid, lattice);
+    if (lattice->corner || grid.n_owned == lattice->n_nodes) return grid;
 
     mark_around(&grid, SITE_OWNED, bonds, n_bonds, SITE_NEAR);
     mark_around(&grid, SITE_OWNED, family->half, family->n_half, SITE_STRESSED);

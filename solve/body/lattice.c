@@ -123,7 +123,7 @@ static bool fit_node(const struct domain *domain, struct lattice *lattice, int64
 
 bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
 {
-    *lattice = (struct lattice){.n_nodes = domain->n_nodes};
+    *lattice = (struct lattice){.n_nodes = domain->n_nodes, .n_particles = domain->n_nodes};
     bool fits = fit_box(domain, lattice);
     if (fits) {
         lattice->phase = memory_new((size_t)lattice->n_sites, 1);
@@ -138,7 +138,8 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
 {
     const int64_t n = domain->n_nodes;
     const double *const position[3] = {domain->x, domain->y, domain->z};
-    struct lattice lattice = {.size = {(int)n, 1, 1}, .dimensions = 3, .n_sites = n, .n_nodes = n};
+    struct lattice lattice = {
+        .size = {(int)n, 1, 1}, .dimensions = 3, .n_sites = n, .n_nodes = n, .n_particles = n};
     if (n > INT32_MAX) die_user("more than 2^31 scattered particles");
     lattice.phase = memory_new((size_t)n, 1);
     lattice.volume = memory_new((size_t)n, sizeof(double));
@@ -160,27 +161,31 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
     return lattice;
 }
 
+/* An array that some lattices have. */
+static void *share_array(void *own, int64_t count, size_t size, int rank)
+{
+    if (!own) return NULL;
+    if (rank != 0) own = memory_new((size_t)count, size);
+    ranks_share(own, (size_t)count * size);
+    return own;
+}
+
 void lattice_share(struct lattice *lattice, int rank)
 {
-    void *own[5] = {lattice->phase, lattice->volume, lattice->point[0], lattice->point[1],
-                    lattice->point[2]};
+    /* Elsewhere its pointers say no more than which arrays there are. */
     ranks_share(lattice, sizeof *lattice);
-    const size_t n = (size_t)lattice->n_sites;
-    const int arrays = lattice_is_scattered(lattice) ? 5 : 1;
-    for (int k = 0; k < arrays; k++) {
-        const size_t size = k == 0 ? 1 : sizeof(double);
-        if (rank != 0) own[k] = memory_new(n, size);
-        ranks_share(own[k], n * size);
-    }
-    lattice->phase = own[0];
-    if (arrays == 1) return;
-    lattice->volume = own[1];
-    for (int a = 0; a < 3; a++) lattice->point[a] = own[2 + a];
+    const int64_t n = lattice->n_sites;
+    lattice->phase = share_array(lattice->phase, n, 1, rank);
+    lattice->corner = share_array(lattice->corner, n, 1, rank);
+    lattice->volume = share_array(lattice->volume, n, sizeof(double), rank);
+    for (int a = 0; a < 3; a++)
+        lattice->point[a] = share_array(lattice->point[a], n, sizeof(double), rank);
 }
 
 void lattice_free(struct lattice *lattice)
 {
     free(lattice->phase);
+    free(lattice->corner);
     free(lattice->volume);
     for (int a = 0; a < 3; a++) free(lattice->point[a]);
     *lattice = (struct lattice){0};

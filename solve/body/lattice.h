@@ -3,7 +3,10 @@
  * Sites are numbered x fastest; a site without a particle is ABSENT.  Nodes (particles) are numbered in
  * site order, as in the domain file.
  *
- * Scattered particles are kept as a row of sites, each with a position and a volume of its own. */
+ * Scattered particles are kept as a row of sites, each with a position and a volume of its own.
+ *
+ * Where the unknowns are those of the corners of the particles' cells (corners.h), sites are corners: the nodes are
+ * those that a particle has, and a particle is kept at the site of its lowest corner. */
 #ifndef HS_LATTICE_H
 #define HS_LATTICE_H
 
@@ -25,8 +28,10 @@ struct lattice {
     double thickness;   /* m, of the layer; in three dimensions 0 */
     double node_volume; /* m^3, of each: spacing^3, in two dimensions spacing^2 thickness */
     double origin[3];   /* m, position of site (0, 0, 0) */
-    int64_t n_sites, n_nodes;
-    uint8_t *phase;   /* [n_sites] or ABSENT */
+    int64_t n_sites, n_nodes, n_particles;
+    uint8_t *phase; /* [n_sites] of the particle, or ABSENT */
+    uint8_t
+        *corner; /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
     double *point[3]; /* [n_sites] m, of scattered particles; else NULL */
     double *volume;   /* [n_sites] m^3, likewise */
     double extent[3]; /* m, between the outermost positions, likewise */
@@ -68,12 +73,33 @@ static inline void lattice_position(const struct lattice *lattice, int64_t site,
     at[2] = (int)(line / lattice->size[1]);
 }
 
+static inline bool lattice_contains(const struct lattice *lattice, int x, int y, int z)
+{
+    const int *n = lattice->size;
+    return x >= 0 && y >= 0 && z >= 0 && x < n[0] && y < n[1] && z < n[2];
+}
+
 /* Phase at any integer position, ABSENT outside. */
 static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y, int z)
 {
-    const int *n = lattice->size;
-    if (x < 0 || y < 0 || z < 0 || x >= n[0] || y >= n[1] || z >= n[2]) return ABSENT;
+    if (!lattice_contains(lattice, x, y, z)) return ABSENT;
     return lattice->phase[lattice_site(lattice, x, y, z)];
+}
+
+/* Whether a site has a node. */
+static inline bool lattice_has_node(const struct lattice *lattice, int64_t site)
+{
+    return lattice->corner ? lattice->corner[site] : lattice->phase[site] != ABSENT;
+}
+
+/* How many corners a particle's cell has; corner k from its lowest one: a step of 0 or 1 along each axis. */
+static inline int lattice_corners(const struct lattice *lattice)
+{
+    return lattice->dimensions == 2 ? 4 : 8;
+}
+static inline void lattice_corner_step(int k, int step[3])
+{
+    for (int a = 0; a < 3; a++) step[a] = k >> a & 1;
 }
 
 /* Whether its particles lie on no lattice: a row of sites with a list of neighbours. */
@@ -99,6 +125,13 @@ static inline void lattice_coordinates(const struct lattice *lattice, const int 
     for (int a = 0; a < 3; a++)
         x[a] = lattice->point[a] ? lattice->point[a][at[0]]
                                  : lattice->origin[a] + at[a] * lattice->spacing;
+}
+
+/* Reference position of the particle kept at a site [m]. */
+static inline void lattice_particle(const struct lattice *lattice, const int at[3], double x[3])
+{
+    lattice_coordinates(lattice, at, x);
+    for (int a = 0; lattice->corner && a < lattice->dimensions; a++) x[a] += 0.5 * lattice->spacing;
 }
 
 #endif

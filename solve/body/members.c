@@ -1,5 +1,6 @@
 #include "members.h"
 
+#include "corners.h"
 #include "die.h"
 #include "memory.h"
 
@@ -18,12 +19,14 @@ _Noreturn static void no_such_set(const struct domain *domain, const char *name)
     die_user("no node set '%s' in the domain (it has: %s)", name, *known ? known : "none");
 }
 
-/* Turns ascending node numbers into lattice sites, in place. */
-static void nodes_to_sites(const struct lattice *lattice, int64_t *nodes, int64_t count)
+/* Turns ascending numbers of nodes, or of particles, into lattice sites, in place. */
+static void numbers_to_sites(const struct lattice *lattice, bool particles, int64_t *nodes,
+                             int64_t count)
 {
     int64_t node = 0, next = 0;
     for (int64_t site = 0; site < lattice->n_sites && next < count; site++) {
-        if (lattice->phase[site] == ABSENT) continue;
+        if (!(particles ? lattice->phase[site] != ABSENT : lattice_has_node(lattice, site)))
+            continue;
         if (node == nodes[next]) nodes[next++] = site;
         node++;
     }
@@ -37,10 +40,21 @@ struct members members_new(const struct body *body, const struct domain *domain,
         if (!set) no_such_set(domain, name);
         if (set->count == 0) die_user("node set '%s' is empty", name);
     }
-    return members_of_nodes(body, set ? set->nodes : NULL, set ? set->count : 0);
+    int64_t count = set ? set->count : 0;
+    int64_t *corners = set && body->lattice->corner
+                           ? corners_of_particles(body->lattice, set->nodes, &count)
+                           : NULL;
+    struct members members = members_of_nodes(body,
+                                              corners ? corners
+                                              : set   ? set->nodes
+                                                      : NULL,
+                                              count);
+    free(corners);
+    return members;
 }
 
-struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count)
+static struct members find(const struct body *body, bool particles, const int64_t *nodes,
+                           int64_t count)
 {
     const struct lattice *lattice = body->lattice;
     struct members members = {.n_all = count, .low_x = INFINITY, .high_x = -INFINITY};
@@ -48,14 +62,14 @@ struct members members_of_nodes(const struct body *body, const int64_t *nodes, i
     int64_t *sites = memory_new((size_t)members.n_all, sizeof *sites);
     if (nodes) memcpy(sites, nodes, (size_t)count * sizeof *sites);
     ranks_share(sites, (size_t)members.n_all * sizeof *sites);
-    nodes_to_sites(lattice, sites, members.n_all);
+    numbers_to_sites(lattice, particles, sites, members.n_all);
     members.sites = memory_new((size_t)members.n_all, sizeof *members.sites);
     double sum = 0;
     for (int64_t i = 0; i < members.n_all; i++) {
         int at[3];
         lattice_position(lattice, sites[i], at);
         double x[3];
-        lattice_coordinates(lattice, at, x);
+        (particles ? lattice_particle : lattice_coordinates)(lattice, at, x);
         sum += x[0];
         members.low_x = fmin(members.low_x, x[0]);
         members.high_x = fmax(members.high_x, x[0]);
@@ -66,6 +80,17 @@ struct members members_of_nodes(const struct body *body, const int64_t *nodes, i
     members.mean_x = sum / (double)members.n_all;
     free(sites);
     return members;
+}
+
+struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count)
+{
+    return find(body, false, nodes, count);
+}
+
+struct members members_of_particles(const struct body *body, const int64_t *particles,
+                                    int64_t count)
+{
+    return find(body, true, particles, count);
 }
 
 void members_places(const struct members *members, const struct body *body, double *place[3])

@@ -23,11 +23,12 @@ static int64_t cell_count(const struct partition *p)
 static idx_t *particles_per_cell(const struct partition *p, const struct lattice *lattice)
 {
     idx_t *count = memory_new((size_t)cell_count(p), sizeof *count);
-    const uint8_t *phase = lattice->phase;
+    int64_t site = 0;
     for (int z = 0; z < lattice->size[2]; z++)
         for (int y = 0; y < lattice->size[1]; y++) {
             idx_t *row = count + ((int64_t)(z / p->edge) * p->cells[1] + y / p->edge) * p->cells[0];
-            for (int x = 0; x < lattice->size[0]; x++) row[x / p->edge] += *phase++ != ABSENT;
+            for (int x = 0; x < lattice->size[0]; x++)
+                row[x / p->edge] += lattice_has_node(lattice, site++);
         }
     return count;
 }

@@ -62,8 +62,9 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
     damage->bonds = bonds;
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
     const bool nodes = damage->rules.n_node_laws > 0;
-    if (damage->rules.bonds || nodes) body_need_gradient(body);
-    if (damage->rules.degrading)
+    const bool corners = materials->formulation->corners;
+    if ((damage->rules.bonds || nodes) && !corners) body_need_gradient(body);
+    if (damage->rules.degrading || (nodes && corners))
         body->integrity = integrity_new(body, materials->count, damage->rules.integrity);
     if (nodes) damage->spent = memory_new(sites, sizeof(double));
     if (!damage->rules.bonds) return damage;
@@ -339,6 +340,16 @@ static void test_nodes(struct damage *damage)
     }
 }
 
+/* Particles between corners have no bonds to lose: their stress goes. */
+static void remove_spent(struct body *body, const double *spent)
+{
+    struct integrity *integrity = body->integrity;
+    for (int64_t i = 0; i < body->grid.n_sites; i++)
+        if (spent[i] > 0) integrity->node[i] = 0;
+    integrity->whole = false;
+    halo_exchange(body->displacement_halo, &integrity->node, 1);
+}
+
 static double break_spent(struct damage *damage)
 {
     double broken = 0;
@@ -422,6 +433,7 @@ void damage_break(struct damage *damage)
     damage->n_found = 0;
     ranks_sum(counts, 2);
     if (counts[1] > 0) {
+        if (damage->body->lattice->corner) remove_spent(damage->body, damage->spent);
         double broken = break_spent(damage);
         ranks_sum(&broken, 1);
         counts[0] += broken;

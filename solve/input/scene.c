@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "family.h"
+#include "residual.h"
 #include "sections.h"
 #include "stabilisation.h"
 #include "surface_correction.h"
@@ -68,6 +69,8 @@ static const struct key solver_keys[] = {
      .help = "factors on the bonds of nodes near a surface; not for correspondence"},
     {"stabilisation", KEY_NODE, AT(elsewhere), .section = &section_stabilisation,
      .otherwise = "mix with its defaults", .help = "of correspondence"},
+    {"residual", KEY_NODE, AT(elsewhere), .section = &section_residual,
+     .otherwise = "flowing with its defaults", .help = "of corner"},
     {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",
      .help = "of the gauge, at which the run ends; needs grips with velocities that are numbers"},
     {"end_time", KEY_NUMBER, AT(end_time), "s", 1e-15, 1e12, .otherwise = "none",

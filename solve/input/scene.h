@@ -128,12 +128,15 @@ void scene_read_output(struct scene *scene, struct deck_node output);
 
 extern const struct section section_solver, section_boundary, section_initial, section_output;
 
-/* Finds the nodes of every selection; spacing [m] as in selection.h.  Dies where there are none, and where
- * a node is held, or set, twice along one direction. */
-void scene_resolve(struct scene *scene, const struct domain *domain, double spacing);
+/* Finds the nodes of every selection: the particles of the domain, or of what moves and loads the body the nodes, if
+ * those are corners: all that the particles of a set or block have, or those that lie in the place.  nodes: positions
+ * of the nodes, the domain itself where they are its particles.  Dies where there are none, and where a node is held,
+ * or set, twice along one direction. */
+void scene_resolve(struct scene *scene, const struct domain *domain, const struct domain *nodes,
+                   const struct lattice *lattice);
 /* Evaluates the expressions of all entries up to this time [s], at their nodes: dies where one is not
  * finite or out of range. */
-void scene_try(const struct scene *scene, const struct domain *domain, double end_time);
+void scene_try(const struct scene *scene, const struct domain *nodes, double end_time);
 void scene_free(struct scene *scene);
 
 /* Kinds that hold nodes in their motion, not load them. */

@@ -1,4 +1,5 @@
 /* The deck's sections boundary and initial: who is held, loaded or set in motion. */
+#include "corners.h"
 #include "memory.h"
 #include "scene.h"
 
@@ -155,10 +156,26 @@ static void resolve(struct scene_nodes *nodes, const struct domain *domain, doub
     nodes->numbers = selection_nodes(&nodes->selection, domain, spacing, &nodes->count);
 }
 
-void scene_resolve(struct scene *scene, const struct domain *domain, double spacing)
+/* Those that move: of corners, all that particles of a set or block have, or those at the place. */
+static void resolve_moving(struct scene_nodes *nodes, const struct domain *domain,
+                           const struct domain *places, const struct lattice *lattice)
 {
-    for (int i = 0; i < scene->n_boundary; i++) resolve(&scene->boundary[i].nodes, domain, spacing);
-    for (int i = 0; i < scene->n_initial; i++) resolve(&scene->initial[i].nodes, domain, spacing);
+    const bool named = nodes->selection.kind == SELECT_SET || nodes->selection.kind == SELECT_BLOCK;
+    resolve(nodes, named ? domain : places, lattice->spacing);
+    if (!lattice->corner || !named) return;
+    int64_t *particles = nodes->numbers;
+    nodes->numbers = corners_of_particles(lattice, particles, &nodes->count);
+    free(particles);
+}
+
+void scene_resolve(struct scene *scene, const struct domain *domain, const struct domain *nodes,
+                   const struct lattice *lattice)
+{
+    const double spacing = lattice->spacing;
+    for (int i = 0; i < scene->n_boundary; i++)
+        resolve_moving(&scene->boundary[i].nodes, domain, nodes, lattice);
+    for (int i = 0; i < scene->n_initial; i++)
+        resolve_moving(&scene->initial[i].nodes, domain, nodes, lattice);
     for (int i = 0; i < scene->n_quantities; i++) {
         struct scene_quantity *quantity = &scene->quantities[i];
         if (quantity->place.index == 0) {
@@ -181,10 +198,10 @@ static void try_entries(const struct scene_entry *entries, int count, const stru
         value_try(&entries[i].value, entries[i].nodes.count, entries[i].nodes.numbers, x, end_time);
 }
 
-void scene_try(const struct scene *scene, const struct domain *domain, double end_time)
+void scene_try(const struct scene *scene, const struct domain *nodes, double end_time)
 {
-    try_entries(scene->boundary, scene->n_boundary, domain, end_time);
-    try_entries(scene->initial, scene->n_initial, domain, end_time);
+    try_entries(scene->boundary, scene->n_boundary, nodes, end_time);
+    try_entries(scene->initial, scene->n_initial, nodes, end_time);
 }
 
 static void free_nodes(struct scene_nodes *nodes)

@@ -54,7 +54,7 @@ void damping_apply(const struct integration *integration, struct body *body,
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             const int64_t site = body->owned.items[s].site + i;
-            const double inverse_density = integration->inverse_density[body->grid.phase[site]];
+            const double inverse_density = integration_inverse_density(integration, body, site);
             double target[3];
             affine_velocity(&affine, body, site, target);
             for (int a = 0; a < 3; a++) {

@@ -41,7 +41,7 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++, node++) {
             const int64_t site = body->owned.items[s].site + i;
-            const double density = materials->items[body->grid.phase[site]].density;
+            const double density = materials_density(materials, body, site);
             for (int a = 0; a < 3; a++)
                 bound[a * unknowns->n_nodes + node] =
                     scale * density * (body_volume(body, site) / body->volume);

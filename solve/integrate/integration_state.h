@@ -33,18 +33,25 @@ void integration_force(struct integration *integration, struct model *model, str
 /* stored + plastic + stabilisation of the sums that a force has filled [J].  Collective. */
 double integration_held_energy(const struct force_energy *energy);
 
+static inline double integration_inverse_density(const struct integration *integration,
+                                                 const struct body *body, int64_t site)
+{
+    return body->densities ? 1 / body->densities[site]
+                           : integration->inverse_density[body->grid.phase[site]];
+}
+
 static inline void integration_strip_density(const struct integration *integration,
                                              const struct body *body, const struct strip *strip,
                                              double inverse_density[LANES])
 {
     for (int i = 0; i < strip->count; i++)
-        inverse_density[i] = integration->inverse_density[body->grid.phase[strip->site + i]];
+        inverse_density[i] = integration_inverse_density(integration, body, strip->site + i);
 }
 
 static inline double integration_node_mass(const struct integration *integration,
                                            const struct body *body, int64_t site)
 {
-    return body_volume(body, site) / integration->inverse_density[body->grid.phase[site]];
+    return body_volume(body, site) / integration_inverse_density(integration, body, site);
 }
 
 #endif

@@ -38,7 +38,7 @@ static void vector_free(struct vector *vector)
     for (int a = 0; a < 3; a++) free(vector->component[a]);
 }
 
-/* The mass-weighted product sum rho a . b, in which M^-1 K is symmetric. */
+/* The mass-weighted product sum m a . b, in which M^-1 K is symmetric, in mean volumes. */
 static double product(const struct lanczos *l, const struct vector *x, const struct vector *y,
                       double bound)
 {
@@ -51,7 +51,8 @@ static double product(const struct lanczos *l, const struct vector *x, const str
             int64_t site = strip->site + i;
             terms[i] = 0;
             for (int a = 0; a < 3; a++) terms[i] += x->component[a][site] * y->component[a][site];
-            terms[i] *= l->materials->items[body->grid.phase[site]].density;
+            terms[i] *= materials_density(l->materials, body, site);
+            if (body->volumes) terms[i] *= body->volumes[site] / body->volume;
         }
         exact_sum_add_strip(&sum, strip->count, terms, 1);
     }
@@ -103,7 +104,7 @@ static void apply(const struct lanczos *l, double amplitude)
              i++)
             for (int a = 0; a < 3; a++)
                 l->image.component[a][i] = (l->force.component[a][i] - body->f[a][i]) / amplitude /
-                                           l->materials->items[body->grid.phase[i]].density;
+                                           materials_density(l->materials, body, i);
 }
 
 /* Largest Ritz value of the tridiagonal matrix, and the norm of its residual. */
@@ -140,7 +141,7 @@ static double largest_eigenvalue(struct lanczos *l)
     start_vector(l);
     double norm = sqrt(product(l, &l->current, &l->current, 3 * nodes * heaviest));
     combine(l->body, 0, &l->current, 1 / norm, &l->current);
-    /* Unit vectors have a root mean square of 1/sqrt(3 nodes density). */
+    /* Unit vectors have a root mean square of about 1/sqrt(3 nodes density). */
     const double amplitude = 1e-7 * l->body->lattice->spacing * sqrt(3 * nodes * heaviest);
     const double speed = materials_wave_speed(l->materials), spacing = l->body->lattice->spacing;
     const double scale = 1e4 * speed * speed / (spacing * spacing); /* far above any eigenvalue */

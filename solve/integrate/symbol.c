@@ -1,6 +1,7 @@
 #include "symbol.h"
 
 #include "bond_search.h"
+#include "corners.h"
 #include "material.h"
 #include "memory.h"
 
@@ -12,16 +13,20 @@ static struct lattice block_new(const struct lattice *like, int reach, int phase
 {
     struct lattice block = *like;
     block.volume = NULL;
+    block.corner = NULL;
     for (int a = 0; a < 3; a++) block.point[a] = NULL;
     block.n_sites = 1;
     for (int a = 0; a < 3; a++) {
         block.size[a] = a == 2 && like->dimensions == 2 ? 1 : 2 * (4 * reach + 2) + 1;
         block.n_sites *= block.size[a];
     }
-    block.n_nodes = block.n_sites;
+    block.n_nodes = block.n_particles = block.n_sites;
     block.phase = memory_new((size_t)block.n_sites, 1);
     for (int64_t i = 0; i < block.n_sites; i++) block.phase[i] = (uint8_t)phase;
-    return block;
+    if (!like->corner) return block;
+    const struct lattice corners = corners_lattice(&block);
+    lattice_free(&block);
+    return corners;
 }
 
 static int64_t corner(const struct symbol *symbol, int x, int y, int z)
@@ -55,11 +60,12 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
                          int phase)
 {
     struct symbol symbol = {{0}, {0}};
-    struct lattice block = block_new(lattice, family->reach, phase);
+    const int reach = lattice->corner ? 1 : 3 * family->reach;
+    struct lattice block = block_new(lattice, lattice->corner ? 1 : family->reach, phase);
     size_t room = 1;
     for (int a = 0; a < 3; a++) {
         /* Force to stress, along a bond of the stabilisation, and to strain. */
-        symbol.reach[a] = block.size[a] > 1 ? 3 * family->reach : 0;
+        symbol.reach[a] = block.size[a] > 1 ? reach : 0;
         room *= (size_t)symbol.reach[a] + 1;
     }
     const struct offset *near;
@@ -67,6 +73,10 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
     const int n_near = model_near(model, family, &near);
     /* Each rank has a block of its own. */
     struct body body = body_new(&block, family, near, n_near, (struct ranks){0, 1});
+    if (lattice->corner) {
+        const double density[ABSENT] = {0};
+        corners_fill(&body, density);
+    }
     struct bonds *bonds = bonds_new(&body);
     model_start(model, &body, bonds);
     for (int a = 0; a < 3; a++) {

@@ -2,7 +2,7 @@
 #ifndef HS_MATERIAL_H
 #define HS_MATERIAL_H
 
-#include "lattice.h"
+#include "body.h"
 
 struct formulation;
 struct law;
@@ -44,6 +44,14 @@ const void *materials_pairs(const struct materials *materials, const struct law 
 
 /* K, or in a plane K_2: E/(2(1 - nu)) in plane stress, E/(2(1 + nu)(1 - 2 nu)) in plane strain [Pa]. */
 double material_bulk_modulus(const struct material *material, enum plane plane);
+
+/* Of a node [kg/m^3]. */
+static inline double materials_density(const struct materials *materials, const struct body *body,
+                                       int64_t site)
+{
+    return body->densities ? body->densities[site]
+                           : materials->items[body->grid.phase[site]].density;
+}
 
 /* Fastest longitudinal wave [m/s] and largest Young's modulus [Pa]. */
 double materials_wave_speed(const struct materials *materials);

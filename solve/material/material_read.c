@@ -11,6 +11,7 @@
 
 /* The models a material may name. */
 enum {
+    CORNER,
     CORRESPONDENCE,
     CORRESPONDENCE_ELASTIC,
     BOND_BASED,
@@ -20,8 +21,8 @@ enum {
     MODELS
 };
 static const char *const models[] = {
-    "correspondence",   "correspondence_elastic", "bond_based", "ordinary",
-    "ordinary_plastic", "madenci_oterkus",        NULL};
+    "corner",   "correspondence",   "correspondence_elastic", "bond_based",
+    "ordinary", "ordinary_plastic", "madenci_oterkus",        NULL};
 static const struct kind {
     const struct formulation *formulation;
     const struct law *law; /* NULL: that of the key law */
@@ -29,6 +30,7 @@ static const struct kind {
     bool spatial;          /* not in a plane */
     bool strained;         /* not in plane stress: its strain across the plane is zero */
 } kinds[MODELS] = {
+    [CORNER] = {&formulation_corner, NULL, .strained = true},
     [CORRESPONDENCE] = {&formulation_correspondence, NULL, .strained = true},
     [CORRESPONDENCE_ELASTIC] = {&formulation_correspondence, &law_elastic, .strained = true},
     [BOND_BASED] = {&formulation_bond_based, &law_elastic, .central = true},
@@ -53,8 +55,9 @@ struct given {
 
 static const struct key keys[] = {
     {"model", KEY_CHOICE, AT(model), .required = true, .names = models,
-     .help = "all phases of a body take models of one formulation: correspondence (a law of its "
-             "nodes; correspondence_elastic is that with law: elastic), bond_based (central "
+     .help = "all phases of a body take models of one formulation: corner (a law of particles "
+             "whose corners move), correspondence (a law of its nodes; correspondence_elastic is "
+             "that with law: elastic), bond_based (central "
              "forces), ordinary (linear peridynamic solid; ordinary_plastic with Mitchell's "
              "plasticity, in three dimensions), madenci_oterkus (ordinary with the constants a, b, "
              "d of the continuum)"},

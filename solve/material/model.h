@@ -46,8 +46,10 @@ enum stress_of { STRESS_OF_BONDS, STRESS_OF_NODES };
 struct formulation {
     const char *name;
     enum stress_of stress_of;
-    const char *influence;   /* the function it takes where the deck names none */
-    double horizon;          /* the same, in spacings; 0: a deck names one */
+    const char *influence; /* the function it takes where the deck names none */
+    double horizon;        /* the same, in spacings; 0: a deck names one */
+    bool
+        corners; /* the corners of the particles' cells are the nodes (corners.h); it has no bonds */
     const char *const *keys; /* of the deck's solver section that only some formulations have */
     /* Reads what the deck's solver section says to it. */
     void *(*read)(struct deck_node solver, const struct family *family,
@@ -82,8 +84,8 @@ struct formulation {
     void (*free)(void *self);
 };
 
-extern const struct formulation formulation_correspondence, formulation_bond_based,
-    formulation_ordinary, formulation_madenci_oterkus;
+extern const struct formulation formulation_corner, formulation_correspondence,
+    formulation_bond_based, formulation_ordinary, formulation_madenci_oterkus;
 
 struct model {
     const struct formulation *formulation;

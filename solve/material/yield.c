@@ -130,7 +130,7 @@ void yield_start(struct body *body, const struct materials *materials)
         const struct yield *yield = phase == ABSENT ? NULL : yield_of_phase(materials, phase);
         if (!yield) continue;
         double x[3];
-        body_position(body, site, x);
+        body_particle_position(body, site, x);
         body->yield_shift[site] =
             (factor(yield, materials->items[phase].name, x, (uint64_t)body_number(body, site)) -
              1) *

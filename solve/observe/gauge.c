@@ -37,9 +37,11 @@ static int layers(const struct lattice *lattice)
 {
     return (int)lround(lattice_extent(lattice, 0) / lattice->spacing) + 1;
 }
-static int layer(const struct lattice *lattice, double x)
+/* x, at: of a particle and of its site. */
+static int layer(const struct lattice *lattice, double x, int at)
 {
-    return (int)lround((x - lattice->origin[0]) / lattice->spacing);
+    return lattice_is_scattered(lattice) ? (int)lround((x - lattice->origin[0]) / lattice->spacing)
+                                         : at;
 }
 
 /* Volume of a node over the mean one. */
@@ -57,8 +59,8 @@ static void count_phases(struct gauge *gauge, const struct body *body)
         double x[3];
         if (lattice->phase[site] == ABSENT) continue;
         lattice_position(lattice, site, at);
-        lattice_coordinates(lattice, at, x);
-        gauge->layer[layer(lattice, x[0])]++;
+        lattice_particle(lattice, at, x);
+        gauge->layer[layer(lattice, x[0], at[0])]++;
         if (!between(gauge, lattice, x[0])) continue;
         const double volume = relative_volume(lattice, site);
         gauge->volume[lattice->phase[site]] += volume;
@@ -138,12 +140,14 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         int64_t site = strip->site + i;
         if (!(body->grid.flags[site] & SITE_OWNED)) continue;
         double x[3];
-        body_position(body, site, x);
+        int at[3];
+        body_particle_position(body, site, x);
+        grid_position(&body->grid, site, at);
         double section = (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
-        exact_sum_add(&sections[layer(body->lattice, x[0])], section);
+        exact_sum_add(&sections[layer(body->lattice, x[0], at[0])], section);
         if (!between(gauge, body->lattice, x[0])) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * MEANS;
-        const double volume = body_volume(body, site) / body->volume;
+        const double volume = body_particle_volume(body, site) / body->volume;
         for (int k = 0; k < MEANS; k++)
             exact_sum_add(&phase[k], volume * member(node, gauge_means[k].member)[i]);
     }
@@ -154,11 +158,12 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
 {
     const struct lattice *lattice = body->lattice;
     struct gauge_section smallest = {INFINITY, 0};
+    const double first = lattice->origin[0] + (lattice->corner ? 0.5 * lattice->spacing : 0);
     for (int x = 0; x < layers(lattice); x++) {
         const int64_t nodes = gauge->layer[x];
         if (nodes == 0 || sections[x] / (double)nodes >= smallest.ratio) continue;
-        smallest = (struct gauge_section){sections[x] / (double)nodes,
-                                          lattice->origin[0] + x * lattice->spacing};
+        smallest =
+            (struct gauge_section){sections[x] / (double)nodes, first + x * lattice->spacing};
     }
     return smallest;
 }
@@ -168,7 +173,7 @@ void gauge_measure(const struct gauge *gauge, struct model *model, const struct 
 {
     const int n_sums = gauge->n_phases * MEANS, n_layers = layers(body->lattice);
     struct exact_sum *sums = memory_new((size_t)(n_sums + n_layers), sizeof *sums);
-    const double nodes = (double)body->lattice->n_nodes;
+    const double nodes = (double)body->lattice->n_particles;
     for (int k = 0; k < n_sums; k++) sums[k] = exact_sum_new(nodes * gauge_means[k % MEANS].most);
     /* Ratios of sections stay below 1e3. */
     for (int k = 0; k < n_layers; k++) sums[n_sums + k] = exact_sum_new(nodes * 1e3);

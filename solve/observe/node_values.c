@@ -1,5 +1,6 @@
 #include "node_values.h"
 
+#include "corners.h"
 #include "damage.h"
 #include "laws.h"
 #include "memory.h"
@@ -15,29 +16,29 @@
 static const double *displacement(const struct body *body, const struct damage *damage,
                                   int component, double *room)
 {
-    (void)damage, (void)room;
-    return body->u[component];
+    (void)damage;
+    return corners_mean(body, body->u[component], room);
 }
 
 static const double *velocity(const struct body *body, const struct damage *damage, int component,
                               double *room)
 {
-    (void)damage, (void)room;
-    return body->v[component];
+    (void)damage;
+    return corners_mean(body, body->v[component], room);
 }
 
 static const double *force(const struct body *body, const struct damage *damage, int component,
                            double *room)
 {
-    (void)damage, (void)room;
-    return body->f[component];
+    (void)damage;
+    return corners_mean(body, body->f[component], room);
 }
 
 static const double *external_force(const struct body *body, const struct damage *damage,
                                     int component, double *room)
 {
     (void)damage;
-    if (body->b[component]) return body->b[component];
+    if (body->b[component]) return corners_mean(body, body->b[component], room);
     body_clear(body, &room, 1);
     return room;
 }

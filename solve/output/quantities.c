@@ -32,7 +32,7 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
         struct quantity *item = &quantities->items[k];
         item->which = node_component(wanted->value);
         item->reduction = wanted->reduction;
-        item->members = members_of_nodes(body, wanted->nodes.numbers, wanted->nodes.count);
+        item->members = members_of_particles(body, wanted->nodes.numbers, wanted->nodes.count);
         item->values = memory_new((size_t)item->members.count, sizeof *item->values);
         quantities->states |= item->which.value.observe != NULL;
     }
@@ -80,7 +80,7 @@ static struct range find_range(struct quantity *quantity, const struct body *bod
     struct range range = {INFINITY, INFINITY, INFINITY, INFINITY};
     for (int64_t i = 0; i < quantity->members.count; i++) {
         const int64_t site = quantity->members.sites[i];
-        const double volume = body_volume(body, site),
+        const double volume = body_particle_volume(body, site),
                      value = field[site] * (quantity->which.value.density ? volume : 1);
         quantity->values[i] = value;
         const double t = term(quantity, i, volume);
@@ -100,7 +100,7 @@ static void add_up(const struct quantity *quantity, const struct body *body,
     sums[0] = exact_sum_new((double)quantity->members.n_all * largest);
     sums[1] = exact_sum_new(1.001 * body->volume * (double)body->n_nodes);
     for (int64_t i = 0; i < quantity->members.count; i++) {
-        const double volume = body_volume(body, quantity->members.sites[i]);
+        const double volume = body_particle_volume(body, quantity->members.sites[i]);
         exact_sum_add(&sums[0], term(quantity, i, volume));
         exact_sum_add(&sums[1], volume);
     }

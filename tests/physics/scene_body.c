@@ -42,7 +42,7 @@ void scene_body_new(struct scene_body *it, const struct small_case *wanted, cons
     it->deck = deck_parse(text, strlen(text), "test");
     it->scene = scene_read(it->deck);
     it->domain = domain_of(&it->small.lattice);
-    scene_resolve(&it->scene, &it->domain, SMALL_SPACING);
+    scene_resolve(&it->scene, &it->domain, &it->domain, &it->small.lattice);
     it->boundary = boundary_new(&it->scene, &it->small.body, 1e12);
     initial_set(&it->scene, &it->small.body, SCENE_DISPLACEMENT);
     initial_set(&it->scene, &it->small.body, SCENE_VELOCITY);

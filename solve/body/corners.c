@@ -1,0 +1,139 @@
+#include "corners.h"
+
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool has_corner(const struct lattice *lattice, int x, int y, int z)
+{
+    for (int k = 0; k < lattice_corners(lattice); k++) {
+        int step[3];
+        lattice_corner_step(k, step);
+        if (lattice_phase(lattice, x - step[0], y - step[1], z - step[2]) != ABSENT) return true;
+    }
+    return false;
+}
+
+static void mark_corners(struct lattice *lattice)
+{
+    lattice->corner = memory_new((size_t)lattice->n_sites, 1);
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        int at[3];
+        lattice_position(lattice, site, at);
+        lattice->corner[site] = has_corner(lattice, at[0], at[1], at[2]);
+        lattice->n_nodes += lattice->corner[site];
+    }
+}
+
+struct lattice corners_lattice(const struct lattice *particles)
+{
+    struct lattice lattice = *particles;
+    lattice.n_nodes = 0;
+    lattice.n_sites = 1;
+    for (int a = 0; a < 3; a++) {
+        const bool flat = a == 2 && lattice.dimensions == 2;
+        lattice.size[a] += flat ? 0 : 1;
+        lattice.origin[a] -= flat ? 0 : 0.5 * lattice.spacing;
+        lattice.n_sites *= lattice.size[a];
+    }
+    lattice.phase = memory_new((size_t)lattice.n_sites, 1);
+    memset(lattice.phase, ABSENT, (size_t)lattice.n_sites);
+    for (int64_t site = 0; site < particles->n_sites; site++) {
+        int at[3];
+        lattice_position(particles, site, at);
+        lattice.phase[lattice_site(&lattice, at[0], at[1], at[2])] = particles->phase[site];
+    }
+    mark_corners(&lattice);
+    return lattice;
+}
+
+struct domain corners_domain(const struct lattice *lattice)
+{
+    const size_t n = (size_t)lattice->n_nodes;
+    struct domain domain = {.n_nodes = lattice->n_nodes,
+                            .x = memory_new(n, sizeof(double)),
+                            .y = memory_new(n, sizeof(double)),
+                            .z = memory_new(n, sizeof(double))};
+    double *const position[] = {domain.x, domain.y, domain.z};
+    int64_t node = 0;
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        int at[3];
+        double x[3];
+        if (!lattice->corner[site]) continue;
+        lattice_position(lattice, site, at);
+        lattice_coordinates(lattice, at, x);
+        for (int a = 0; a < 3; a++) position[a][node] = x[a];
+        node++;
+    }
+    return domain;
+}
+
+int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *particles,
+                              int64_t *count)
+{
+    uint8_t *chosen = memory_new((size_t)lattice->n_sites, 1);
+    int64_t particle = 0, next = 0, node = 0, found = 0;
+    for (int64_t site = 0; site < lattice->n_sites && next < *count; site++) {
+        if (lattice->phase[site] == ABSENT || particle++ != particles[next]) continue;
+        int at[3], step[3];
+        lattice_position(lattice, site, at);
+        for (int k = 0; k < lattice_corners(lattice); k++) {
+            lattice_corner_step(k, step);
+            chosen[lattice_site(lattice, at[0] + step[0], at[1] + step[1], at[2] + step[2])] = 1;
+        }
+        next++;
+    }
+    int64_t *nodes = memory_new((size_t)lattice->n_nodes, sizeof *nodes);
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        if (chosen[site]) nodes[found++] = node;
+        node += lattice->corner[site];
+    }
+    free(chosen);
+    *count = found;
+    return nodes;
+}
+
+void corners_fill(struct body *body, const double density[])
+{
+    const struct lattice *lattice = body->lattice;
+    const struct grid *grid = &body->grid;
+    const int each = lattice_corners(lattice);
+    body->volumes = memory_new((size_t)grid->n_sites, sizeof *body->volumes);
+    body->densities = memory_new((size_t)grid->n_sites, sizeof *body->densities);
+    for (int64_t site = 0; site < grid->n_sites; site++) {
+        double mass = 0, volume = 0;
+        int at[3], step[3];
+        grid_position(grid, site, at);
+        for (int k = 0; k < each; k++) {
+            lattice_corner_step(k, step);
+            const int phase =
+                lattice_phase(lattice, at[0] - step[0], at[1] - step[1], at[2] - step[2]);
+            if (phase == ABSENT) continue;
+            volume += lattice->node_volume / each;
+            mass += density[phase] * lattice->node_volume / each;
+        }
+        body->volumes[site] = volume;
+        body->densities[site] = volume > 0 ? mass / volume : 0;
+    }
+}
+
+const double *corners_mean(const struct body *body, double *field, double *out)
+{
+    const struct grid *grid = &body->grid;
+    const int each = lattice_corners(body->lattice);
+    if (!body->lattice->corner) return field;
+    halo_exchange(body->displacement_halo, &field, 1);
+    for (int64_t s = 0; s < body->near.count; s++)
+        for (int i = 0; i < body->near.items[s].count; i++) {
+            const int64_t site = body->near.items[s].site + i;
+            double sum = 0;
+            for (int k = 0; k < each; k++) {
+                int step[3];
+                lattice_corner_step(k, step);
+                sum += field[site + grid_shift(grid, step)];
+            }
+            out[site] = sum / each;
+        }
+    return out;
+}

@@ -1,0 +1,299 @@
+/* corner.c - particles between their corners: a classical law at every particle, whose family are its corners.
+ *
+ *   F_p = 1 + sum_c u_c (x) g_c,  g_c = w V_c K^-1 xi_c = s_c/(4 dx)                       (corner.1)
+ *   h_m = sum_c s_m(c) u_c/8                                                               (corner.2)
+ *   f_c V_c = - sum_p (A_p g_c + sum_m s_m(c) m_m/8),  A = V_p P(F_p) + residual           (corner.3)
+ *
+ * c: the eight corners of a particle's cell (in a plane four, and the factors 1/2 and 1/4), s_c their signs along the
+ * axes, xi_c = s_c dx/2 the bonds from the particle to them, K their shape tensor, s_m the products of signs that F
+ * does not see (residual.h).  (corner.1) is the gradient of Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007)
+ * 151, section 18, with the constant influence function, its points of stress apart from those that move (Luo,
+ * Sundararaghavan, Int. J. Solids Struct. 150 (2018) 197), and (corner.3) the derivative of the energy sum_p V_p psi.
+ *
+ * Why corners: sum_p V_p g_c is zero at a corner inside a body of one spacing and the outward area at one of its
+ * surface, whatever its shape.  So tractions act where the surface is, a surface and an interface need no correction, a
+ * family never reaches over one, and one pressure a particle against three unknowns a corner does not lock.  On a cube
+ * it is the hexahedron of one point with the mean strain of Flanagan, Belytschko (1981): what of peridynamics is left,
+ * and what not, says docs/theory.md. */
+#include "integrity.h"
+#include "memory.h"
+#include "model.h"
+#include "points.h"
+#include "residual.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct corner {
+    const struct materials *materials;
+    const struct residual *residual;
+    void *self; /* the residual's parameters and state */
+    struct point_store *points;
+    double *nominal; /* box field: stress xx of particles, as of the last force to be recorded */
+    int64_t row[4];  /* shifts to the corners' rows (0, 0), (1, 0), (0, 1), (1, 1) along y and z */
+    double slope[3]; /* 1/(4 dx) */
+};
+
+static void *corner_read(struct deck_node solver, const struct family *family,
+                         const struct materials *materials)
+{
+    struct corner *model = memory_new(1, sizeof *model);
+    (void)family;
+    model->materials = materials;
+    model->residual = residual_read(deck_find(solver, "residual"), &model->self);
+    return model;
+}
+
+static void corner_start(void *self, const struct body *body, struct bonds *bonds)
+{
+    struct corner *model = self;
+    const int64_t y = body->grid.step[1],
+                  z = body->lattice->dimensions == 2 ? 0 : body->grid.step[2];
+    const int64_t row[4] = {0, y, z, y + z};
+    (void)bonds;
+    memcpy(model->row, row, sizeof row);
+    for (int a = 0; a < 3; a++) model->slope[a] = 0.25 / body->lattice->spacing;
+    model->points = points_new(body, model->materials, &body->near, 0);
+    model->nominal = memory_new((size_t)body->grid.n_sites, sizeof *model->nominal);
+    model->residual->start(model->self, body, model->materials, &body->near);
+}
+
+static void corner_free(void *self)
+{
+    struct corner *model = self;
+    if (model->residual) model->residual->free(model->self);
+    points_free(model->points);
+    free(model->nominal);
+    free(model);
+}
+
+/* Over the four rows of corners, a node of each: the sum, and the products with their signs along y, z and both. */
+struct rows {
+    double sum[LANES + 1], y[LANES + 1], z[LANES + 1], yz[LANES + 1];
+};
+
+/* In a plane the rows of z are those without: z and yz come out zero. */
+HS_SIMD static void combine_rows(int count, const double *restrict a, const double *restrict b,
+                                 const double *restrict c, const double *restrict d,
+                                 struct rows *restrict out)
+{
+    for (int i = 0; i < count; i++) {
+        const double lower = a[i] + b[i], upper = c[i] + d[i], below = b[i] - a[i],
+                     above = d[i] - c[i];
+        out->sum[i] = lower + upper;
+        out->y[i] = below + above;
+        out->z[i] = upper - lower;
+        out->yz[i] = above - below;
+    }
+}
+
+/* (corner.1): a row of H */
+HS_SIMD static void gradient_row(int count, const struct rows *restrict r, double x, double y,
+                                 double z, double *restrict hx, double *restrict hy,
+                                 double *restrict hz)
+{
+    for (int i = 0; i < count; i++) {
+        hx[i] = x * (r->sum[i + 1] - r->sum[i]);
+        hy[i] = y * (r->y[i] + r->y[i + 1]);
+        hz[i] = z * (r->z[i] + r->z[i + 1]);
+    }
+}
+
+/* (corner.2): one component of each mode */
+HS_SIMD static void amplitudes(int count, const struct rows *restrict r, double *restrict xy,
+                               double *restrict yz, double *restrict zx, double *restrict xyz)
+{
+    for (int i = 0; i < count; i++) {
+        xy[i] = 0.125 * (r->y[i + 1] - r->y[i]);
+        yz[i] = 0.125 * (r->yz[i] + r->yz[i + 1]);
+        zx[i] = 0.125 * (r->z[i + 1] - r->z[i]);
+        xyz[i] = 0.125 * (r->yz[i + 1] - r->yz[i]);
+    }
+}
+
+/* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry nothing are switched
+ * off. */
+static void load(const struct corner *model, const struct body *body, const struct strip *strip,
+                 struct points *points, struct cells *cells)
+{
+    const struct integrity *integrity = body->integrity;
+    points_load(model->points, strip, points);
+    for (int a = 0; a < 3; a++) {
+        struct rows rows;
+        const double *u = body->u[a] + strip->site;
+        combine_rows(strip->count + 1, u + model->row[0], u + model->row[1], u + model->row[2],
+                     u + model->row[3], &rows);
+        gradient_row(strip->count, &rows, model->slope[0], model->slope[1], model->slope[2],
+                     points->H[3 * a], points->H[3 * a + 1], points->H[3 * a + 2]);
+        if (cells)
+            amplitudes(strip->count, &rows, cells->h[0][a], cells->h[1][a], cells->h[2][a],
+                       cells->h[MODE_XYZ][a]);
+    }
+    if (!integrity || integrity->whole) return;
+    for (int i = 0; i < strip->count; i++)
+        if (!(integrity->node[strip->site + i] > 0)) points_switch_off(points, i);
+}
+
+HS_SIMD static void weigh_stress(int count, double share, const double *restrict volume,
+                                 const double *restrict P, double *restrict A)
+{
+    for (int i = 0; i < count; i++) A[i] = share * volume[i] * P[i];
+}
+
+/* (corner.3), one component: what the corners' rows get, combined as in struct rows.  From each array the element before
+ * the first and the one behind the last are zero. */
+HS_SIMD static void combine_forces(int count, double x, double y, double z,
+                                   const double *restrict ax, const double *restrict ay,
+                                   const double *restrict az, const double *restrict xy,
+                                   const double *restrict yz, const double *restrict zx,
+                                   const double *restrict xyz, struct rows *restrict out)
+{
+    for (int i = 0; i <= count; i++) {
+        out->sum[i] = x * (ax[i] - ax[i + 1]);
+        out->y[i] = y * (ay[i] + ay[i + 1]) + 0.125 * (xy[i] - xy[i + 1]);
+        out->z[i] = z * (az[i] + az[i + 1]) + 0.125 * (zx[i] - zx[i + 1]);
+        out->yz[i] = 0.125 * ((yz[i] + yz[i + 1]) + (xyz[i] - xyz[i + 1]));
+    }
+}
+
+HS_SIMD static void scatter_row(int count, const struct rows *restrict r, double sign_y,
+                                double sign_z, double sign_yz, double *restrict f)
+{
+    for (int i = 0; i < count; i++)
+        f[i] -= (r->sum[i] + sign_y * r->y[i]) + (sign_z * r->z[i] + sign_yz * r->yz[i]);
+}
+
+static void copy_padded(int count, const double *from, double to[LANES + 2])
+{
+    to[0] = to[count + 1] = 0;
+    memcpy(to + 1, from, (size_t)count * sizeof *to);
+}
+
+static void scatter(const struct corner *model, struct body *body, const struct cells *cells)
+{
+    const int n = cells->strip->count;
+    for (int a = 0; a < 3; a++) {
+        double padded[3 + MODES][LANES + 2], *f = body->f[a] + cells->strip->site;
+        struct rows rows;
+        for (int b = 0; b < 3; b++) copy_padded(n, cells->A[3 * a + b], padded[b]);
+        for (int m = 0; m < MODES; m++) copy_padded(n, cells->m[m][a], padded[3 + m]);
+        combine_forces(n, model->slope[0], model->slope[1], model->slope[2], padded[0], padded[1],
+                       padded[2], padded[3], padded[4], padded[5], padded[6], &rows);
+        scatter_row(n + 1, &rows, -1, -1, 1, f + model->row[0]);
+        scatter_row(n + 1, &rows, 1, -1, -1, f + model->row[1]);
+        scatter_row(n + 1, &rows, -1, 1, -1, f + model->row[2]);
+        scatter_row(n + 1, &rows, 1, 1, 1, f + model->row[3]);
+    }
+}
+
+static void sum_energies(const struct body *body, const struct cells *cells, double share,
+                         struct force_energy *energy)
+{
+    struct points *points = cells->points;
+    const struct strip *strip = cells->strip;
+    for (int i = 0; i < strip->count; i++) {
+        points->stored[i] *= cells->volume[i];
+        points->dissipated[i] *= cells->volume[i];
+    }
+    body_only_owned(body, strip->site, strip->count, points->stored);
+    body_only_owned(body, strip->site, strip->count, points->dissipated);
+    exact_sum_add_strip(&energy->stored, strip->count, points->stored, share);
+    exact_sum_add_strip(&energy->plastic, strip->count, points->dissipated, share);
+}
+
+static void strip_force(struct corner *model, struct body *body, const struct strip *strip,
+                        struct force_mode mode, struct force_energy *energy)
+{
+    struct points points;
+    struct cells cells = {.strip = strip, .points = &points};
+    double flow[LANES];
+    const double share = model->residual->share(model->self);
+    load(model, body, strip, &points, &cells);
+    for (int i = 0; i < strip->count; i++)
+        cells.volume[i] = body_particle_volume(body, strip->site + i);
+    cells.left = integrity_of_nodes(body, strip->site, strip->count);
+    memcpy(flow, points_flow_stress(model->points, strip, flow),
+           (size_t)strip->count * sizeof *flow);
+    points_update(model->points, strip, &points, mode, cells.left);
+    for (int k = 0; k < TENSOR; k++)
+        weigh_stress(strip->count, share, cells.volume, points.P[k], cells.A[k]);
+    for (int m = 0; m < MODES; m++)
+        for (int a = 0; a < 3; a++) memset(cells.m[m][a], 0, (size_t)strip->count * sizeof(double));
+    if (mode.energy) sum_energies(body, &cells, share, energy);
+    model->residual->add(model->self, body, &cells, flow, mode, energy);
+    if (mode.record)
+        for (int i = 0; i < strip->count; i++)
+            model->nominal[strip->site + i] = cells.A[0][i] / cells.volume[i];
+    scatter(model, body, &cells);
+}
+
+HS_SIMD static void divide(int count, const double *restrict volume, double *restrict f)
+{
+    for (int i = 0; i < count; i++) f[i] = volume[i] > 0 ? f[i] / volume[i] : 0;
+}
+
+static void corner_force(void *self, struct body *body, struct force_mode mode,
+                         struct force_energy *energy)
+{
+    struct corner *model = self;
+    halo_exchange(body->displacement_halo, body->u, 3);
+    body_clear(body, body->f, 3);
+    for (int64_t s = 0; s < body->near.count; s++)
+        strip_force(model, body, &body->near.items[s], mode, energy);
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        for (int a = 0; a < body->lattice->dimensions; a++)
+            divide(strip->count, body->volumes + strip->site, body->f[a] + strip->site);
+        if (body->lattice->dimensions ==
+            2) /* what is left of stress across the plane is rounding */
+            memset(body->f[2] + strip->site, 0, (size_t)strip->count * sizeof(double));
+    }
+}
+
+static void corner_observe(void *self, const struct body *body, const struct strip *strip,
+                           struct node_state *node)
+{
+    struct corner *model = self;
+    const double *P[TENSOR];
+    struct points points;
+    load(model, body, strip, &points, NULL);
+    points_update(model->points, strip, &points, (struct force_mode){.frozen = true},
+                  integrity_of_nodes(body, strip->site, strip->count));
+    const size_t bytes = (size_t)strip->count * sizeof(double);
+    node->count = strip->count;
+    for (int k = 0; k < TENSOR; k++) {
+        memcpy(node->H[k], points.H[k], bytes);
+        P[k] = points.P[k];
+    }
+    node_state_cauchy(node, P);
+    memcpy(node->nominal, model->nominal + strip->site, bytes);
+}
+
+static const struct strips *corner_strips(const void *self, const struct body *body)
+{
+    (void)self;
+    return &body->near;
+}
+
+static const double *corner_state(const void *self, const struct strip *strip, int number,
+                                  int component, double *buffer)
+{
+    return points_state(((const struct corner *)self)->points, strip, number, component, buffer);
+}
+
+/* The radius of a family, sqrt(3)/2: no two corners see each other, there are no bonds. */
+const struct formulation formulation_corner = {
+    .name = "corner",
+    .stress_of = STRESS_OF_NODES,
+    .influence = "constant",
+    .horizon = 0.8660254037844386,
+    .corners = true,
+    .keys = (const char *const[]){"residual", NULL},
+    .read = corner_read,
+    .start = corner_start,
+    .force = corner_force,
+    .observe = corner_observe,
+    .strips = corner_strips,
+    .state = corner_state,
+    .free = corner_free,
+};

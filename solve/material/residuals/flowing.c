@@ -1,0 +1,276 @@
+/* flowing.c - a residual energy that flows at a share of the particle's own flow stress.
+ *
+ *   e_m = w_m F^-1 h_m,  w_m^2 = mean over the cell of |grad s_m|^2                       (flowing.1)
+ *   Pi = V a mu phi(|e - e'|),  d phi/dr = r up to r_c, beyond it r_c + eta (r - r_c)     (flowing.2)
+ *   r_c = f sigma_y(p)/(sqrt(3) mu) + eta/(1 - eta) alpha                                 (flowing.3)
+ *
+ * e: the deviation of the gradient over the cell, all modes and components of it one vector (12 numbers), seen from the
+ * material (F^-1: a superposed rotation leaves it alone).  a mu e^2/2 is Silling's energy of the non-affine part of a
+ * family's motion (Comput. Methods Appl. Mech. Engrg. 322 (2017) 42) for the family of eight corners, and on cubes the
+ * hourglass stiffness of Flanagan, Belytschko (Int. J. Numer. Methods Engrg. 17 (1981) 679) as large as the material's
+ * own.  An elastic one of that size would lock what flows: so it flows like J2, with e' for the plastic strain and
+ * alpha = sum |de'| for the equivalent one, the radial return in one step as it hardens linearly.  Within a step r_c
+ * stands still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as plastic. */
+#include "degradation.h"
+#include "logarithmic.h"
+#include "memory.h"
+#include "residual.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { COMPONENTS = 3 * MODES, ALPHA = COMPONENTS, WORK, STATE };
+
+struct flowing {
+    double modulus, limit, hardening; /* a, f, eta */
+    double weight[MODES];             /* w_m [1/m] */
+    double *state;   /* strip by strip: e', alpha, work over V a mu; NULL: nothing ever flows */
+    double *records; /* of degradation, strip by strip; NULL: none degrades */
+};
+#define AT(member) offsetof(struct flowing, member)
+
+static const struct key keys[] = {
+    {"modulus", KEY_NUMBER, AT(modulus), "1", 0.01, 10, .usual = 1,
+     .help = "a: its stiffness over the shear modulus; sets bending of bodies of few particles"},
+    {"limit", KEY_NUMBER, AT(limit), "1", 0, 10, .usual = 0.03,
+     .help = "f: the stress at which it flows over the particle's own; between 0.02 and 0.05 the "
+             "stress of a harmonic structure moves by 1.3 per cent"},
+    {"hardening", KEY_NUMBER, AT(hardening), "1", 0, 0.5, .usual = 0.005,
+     .help = "eta: slope beyond the limit over that before; keeps motions of no energy away"},
+};
+
+static void start(void *self, const struct body *body, const struct materials *materials,
+                  const struct strips *strips)
+{
+    struct flowing *flowing = self;
+    const double dx[3] = {body->lattice->spacing, body->lattice->spacing, body->lattice->spacing};
+    bool flows = false;
+    for (int m = 0; m < MODES; m++) {
+        double square = 0;
+        /* Each coordinate of a product has the mean square 1/3: that of 1/sqrt(3). */
+        for (int a = 0; a < 3; a++)
+            square += pow(
+                residual_slope(m, a, (double[]){sqrt(1. / 3), sqrt(1. / 3), sqrt(1. / 3)}, dx), 2);
+        flowing->weight[m] = sqrt(square);
+    }
+    for (int k = 0; k < materials->n_laws; k++) flows |= materials->laws[k].law->flow_stress >= 0;
+    if (flows) flowing->state = memory_new((size_t)strips->points * STATE, sizeof(double));
+    if (body->integrity) flowing->records = degradation_new(strips);
+}
+
+static void release(void *self)
+{
+    struct flowing *flowing = self;
+    free(flowing->state);
+    free(flowing->records);
+    free(flowing);
+}
+
+static double share(const void *self)
+{
+    (void)self;
+    return 1;
+}
+
+/* What lies between e and the forces. */
+struct work {
+    double G[TENSOR][LANES]; /* F^-1 */
+    double e[COMPONENTS][LANES];
+    double square[LANES];                                        /* |e - e'|^2 */
+    double scale[LANES];                                         /* a mu V d, times the integrity */
+    double factor[LANES];                                        /* d */
+    double stored[LANES], dissipated[LANES], dissipating[LANES]; /* [J/m^3] */
+};
+
+HS_SIMD static void find_inverse(int count, const struct points *restrict s,
+                                 struct work *restrict w)
+{
+    for (int i = 0; i < count; i++) {
+        const struct tensor G = inverse_tensor(deformation_gradient(s, i));
+        w->G[0][i] = G.xx, w->G[1][i] = G.xy, w->G[2][i] = G.xz;
+        w->G[3][i] = G.yx, w->G[4][i] = G.yy, w->G[5][i] = G.yz;
+        w->G[6][i] = G.zx, w->G[7][i] = G.zy, w->G[8][i] = G.zz;
+        w->square[i] = 0;
+    }
+}
+
+/* (flowing.1) of one mode; e' at x, y, z or NULL. */
+HS_SIMD static void find_strain(int count, double weight, double (*restrict h)[LANES],
+                                const double (*restrict G)[LANES], double (*restrict e)[LANES])
+{
+    for (int i = 0; i < count; i++) {
+        const double x = weight * h[0][i], y = weight * h[1][i], z = weight * h[2][i];
+        e[0][i] = G[0][i] * x + G[1][i] * y + G[2][i] * z;
+        e[1][i] = G[3][i] * x + G[4][i] * y + G[5][i] * z;
+        e[2][i] = G[6][i] * x + G[7][i] * y + G[8][i] * z;
+    }
+}
+HS_SIMD static void add_squares(int count, const double *restrict e, double *restrict square)
+{
+    for (int i = 0; i < count; i++) square[i] += e[i] * e[i];
+}
+HS_SIMD static void add_elastic_squares(int count, const double *restrict e,
+                                        const double *restrict plastic, double *restrict square)
+{
+    for (int i = 0; i < count; i++) square[i] += (e[i] - plastic[i]) * (e[i] - plastic[i]);
+}
+
+/* d, and at a commit the state's alpha and work. */
+HS_SIMD static void flow(int count, const struct flowing *restrict f, const double *restrict mu,
+                         const double *restrict stress, struct work *restrict w,
+                         double *restrict alpha, double *restrict work, double commit)
+{
+    const double slope = f->hardening / (1 - f->hardening), to_strain = f->limit / sqrt(3.);
+    for (int i = 0; i < count; i++) {
+        const double r = sqrt(w->square[i]),
+                     limit = to_strain * stress[i] / mu[i] + slope * alpha[i],
+                     beyond = r > limit ? r - limit : 0;
+        const double increment = (1 - f->hardening) * beyond;
+        w->factor[i] = beyond > 0 ? 1 - increment / r : 1;
+        w->dissipating[i] = beyond > 0 ? commit * increment * (limit + 0.5 * slope * increment) : 0;
+        alpha[i] += commit * increment;
+        work[i] += w->dissipating[i];
+        w->dissipated[i] = work[i];
+    }
+}
+
+HS_SIMD static void commit_strain(int count, const double *restrict e,
+                                  const double *restrict factor, double *restrict plastic)
+{
+    for (int i = 0; i < count; i++)
+        plastic[i] += factor[i] < 1 ? (1 - factor[i]) * (e[i] - plastic[i]) : 0;
+}
+
+/* e becomes e - e' before the step. */
+HS_SIMD static void subtract(int count, const double *restrict plastic, double *restrict e)
+{
+    for (int i = 0; i < count; i++) e[i] -= plastic[i];
+}
+
+HS_SIMD static void find_scale(int count, double modulus, const double *restrict mu,
+                               const double *restrict volume, struct work *restrict w)
+{
+    for (int i = 0; i < count; i++) w->scale[i] = modulus * mu[i] * volume[i] * w->factor[i];
+}
+
+/* tau = F^-T t of one mode; what it gives to A and to the mode.  E: all of e, e: e - e'. */
+HS_SIMD static void add_forces(int count, double weight, const struct work *restrict w,
+                               const double (*restrict E)[LANES], const double (*restrict e)[LANES],
+                               double (*restrict A)[LANES], double (*restrict m)[LANES])
+{
+    for (int i = 0; i < count; i++) {
+        const double x = w->scale[i] * e[0][i], y = w->scale[i] * e[1][i],
+                     z = w->scale[i] * e[2][i];
+        const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
+                     ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
+                     tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
+        for (int b = 0; b < 3; b++) {
+            A[b][i] -= tx * E[b][i];
+            A[3 + b][i] -= ty * E[b][i];
+            A[6 + b][i] -= tz * E[b][i];
+        }
+        m[0][i] += weight * tx;
+        m[1][i] += weight * ty;
+        m[2][i] += weight * tz;
+    }
+}
+
+HS_SIMD static void find_energies(int count, double modulus, const double *restrict mu,
+                                  struct work *restrict w)
+{
+    for (int i = 0; i < count; i++) {
+        const double density = modulus * mu[i];
+        w->stored[i] = 0.5 * density * w->factor[i] * w->factor[i] * w->square[i];
+        w->dissipated[i] *= density;
+        w->dissipating[i] *= density;
+    }
+}
+
+/* Of particles that lose their stress by degrees, what their energies and forces become. */
+static void degrade(struct flowing *flowing, const struct cells *cells, bool commit, struct work *w)
+{
+    const struct strip *strip = cells->strip;
+    double *record = flowing->records + DEGRADATION * strip->store;
+    if (commit)
+        degradation_book(strip->count, cells->left, w->dissipating, w->stored, record,
+                         strip->stride);
+    for (int i = 0; i < strip->count; i++) {
+        w->scale[i] *= cells->left[i];
+        w->stored[i] *= cells->left[i];
+        w->dissipated[i] -= record[WITHHELD * strip->stride + i];
+    }
+}
+
+static void sum_energies(const struct body *body, const struct cells *cells, struct work *w,
+                         struct force_energy *energy)
+{
+    const struct strip *strip = cells->strip;
+    for (int i = 0; i < strip->count; i++) {
+        w->stored[i] *= cells->volume[i];
+        w->dissipated[i] *= cells->volume[i];
+    }
+    body_only_owned(body, strip->site, strip->count, w->stored);
+    body_only_owned(body, strip->site, strip->count, w->dissipated);
+    exact_sum_add_strip(&energy->stabilisation, strip->count, w->stored, 1);
+    exact_sum_add_strip(&energy->plastic, strip->count, w->dissipated, 1);
+}
+
+static void no_flow(int count, struct work *w)
+{
+    for (int i = 0; i < count; i++) {
+        w->factor[i] = 1;
+        w->dissipated[i] = w->dissipating[i] = 0;
+    }
+}
+
+static void add(void *self, const struct body *body, struct cells *cells, const double *stress,
+                struct force_mode mode, struct force_energy *energy)
+{
+    struct flowing *flowing = self;
+    const struct strip *strip = cells->strip;
+    const int n = strip->count, modes = body->lattice->dimensions == 2 ? 1 : MODES;
+    double *state = flowing->state ? flowing->state + STATE * strip->store : NULL;
+    const double *mu = cells->points->mu;
+    struct work w;
+    find_inverse(n, cells->points, &w);
+    for (int m = 0; m < modes; m++)
+        find_strain(n, flowing->weight[m], cells->h[m], (const double(*)[LANES])w.G, w.e + 3 * m);
+    for (int k = 0; k < 3 * modes; k++)
+        if (state)
+            add_elastic_squares(n, w.e[k], state + k * strip->stride, w.square);
+        else
+            add_squares(n, w.e[k], w.square);
+    if (state && !mode.frozen)
+        flow(n, flowing, mu, stress, &w, state + ALPHA * strip->stride,
+             state + WORK * strip->stride, mode.commit);
+    else
+        no_flow(n, &w);
+    find_scale(n, flowing->modulus, mu, cells->volume, &w);
+    if (mode.energy || cells->left) find_energies(n, flowing->modulus, mu, &w);
+    if (cells->left) degrade(flowing, cells, mode.commit, &w);
+    for (int m = 0; m < modes; m++) {
+        double e[3][LANES];
+        for (int a = 0; a < 3; a++) {
+            for (int i = 0; i < n; i++) e[a][i] = w.e[3 * m + a][i];
+            if (!state) continue;
+            double *plastic = state + (3 * m + a) * strip->stride;
+            subtract(n, plastic, e[a]);
+            if (mode.commit && !mode.frozen) commit_strain(n, w.e[3 * m + a], w.factor, plastic);
+        }
+        add_forces(n, flowing->weight[m], &w, (const double(*)[LANES])w.e + 3 * m,
+                   (const double(*)[LANES])e, cells->A, cells->m[m]);
+    }
+    if (mode.energy) sum_energies(body, cells, &w, energy);
+}
+
+const struct residual residual_flowing = {
+    .words = {"flowing",
+              "Silling's energy of the non-affine motion, which flows at a share of the particle's "
+              "flow stress; one update of the law for each particle.",
+              KEYS(keys)},
+    .size = sizeof(struct flowing),
+    .start = start,
+    .share = share,
+    .add = add,
+    .free = release,
+};

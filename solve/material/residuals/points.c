@@ -1,0 +1,117 @@
+/* points.c - the law once more at four points of the cell, which carry a share of the stress.
+ *
+ *   Pi = (1 - a) V psi(F) + a V/4 sum_q psi(F + sum_m h_m (x) grad s_m(r_q))               (four_points.1)
+ *
+ * r_q: (1,1,1), (1,-1,-1), (-1,1,-1), (-1,-1,1), each over sqrt 3: they integrate the squares of all s_m as the eight
+ * points of Gauss do, and in a plane are his four.  Nothing but the law acts, at five updates of it for each particle:
+ * the reference that the flowing residual is measured against. */
+#include "memory.h"
+#include "residual.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS = 4 };
+
+struct four_points {
+    double share;                   /* a */
+    double slope[POINTS][MODES][3]; /* [1/m] */
+    struct point_store *points[POINTS];
+};
+
+static const struct key keys[] = {
+    {"share", KEY_NUMBER, offsetof(struct four_points, share), "1", 0.001, 1, .usual = 0.1,
+     .help = "a, of the stress: the rest is that of the particle's own gradient"},
+};
+
+static void start(void *self, const struct body *body, const struct materials *materials,
+                  const struct strips *strips)
+{
+    static const int sign[POINTS][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    struct four_points *four = self;
+    const double dx[3] = {body->lattice->spacing, body->lattice->spacing, body->lattice->spacing};
+    for (int q = 0; q < POINTS; q++) {
+        double r[3];
+        for (int a = 0; a < 3; a++) r[a] = sign[q][a] / sqrt(3);
+        for (int m = 0; m < MODES; m++)
+            for (int a = 0; a < 3; a++) four->slope[q][m][a] = residual_slope(m, a, r, dx);
+        four->points[q] = points_new(body, materials, strips, 0);
+    }
+}
+
+static void release(void *self)
+{
+    struct four_points *four = self;
+    for (int q = 0; q < POINTS; q++) points_free(four->points[q]);
+    free(four);
+}
+
+static double share(const void *self)
+{
+    return 1 - ((const struct four_points *)self)->share;
+}
+
+HS_SIMD static void add_scaled(int count, double factor, const double *restrict x,
+                               double *restrict y)
+{
+    for (int i = 0; i < count; i++) y[i] += factor * x[i];
+}
+
+HS_SIMD static void add_stress(int count, double factor, const double *restrict volume,
+                               const double *restrict P, double *restrict out)
+{
+    for (int i = 0; i < count; i++) out[i] += factor * volume[i] * P[i];
+}
+
+static void sum_energies(const struct body *body, const struct cells *cells, double weight,
+                         struct points *points, struct force_energy *energy)
+{
+    const struct strip *strip = cells->strip;
+    for (int i = 0; i < strip->count; i++) {
+        points->stored[i] *= cells->volume[i];
+        points->dissipated[i] *= cells->volume[i];
+    }
+    body_only_owned(body, strip->site, strip->count, points->stored);
+    body_only_owned(body, strip->site, strip->count, points->dissipated);
+    exact_sum_add_strip(&energy->stored, strip->count, points->stored, weight);
+    exact_sum_add_strip(&energy->plastic, strip->count, points->dissipated, weight);
+}
+
+static void add(void *self, const struct body *body, struct cells *cells, const double *flow,
+                struct force_mode mode, struct force_energy *energy)
+{
+    const struct four_points *four = self;
+    const struct strip *strip = cells->strip;
+    const int n = strip->count, modes = body->lattice->dimensions == 2 ? 1 : MODES;
+    const double weight = four->share / POINTS;
+    (void)flow;
+    for (int q = 0; q < POINTS; q++) {
+        struct points points = *cells->points;
+        for (int m = 0; m < modes; m++)
+            for (int k = 0; k < TENSOR; k++)
+                add_scaled(n, four->slope[q][m][k % 3], cells->h[m][k / 3], points.H[k]);
+        for (int i = 0; i < n; i++)
+            if (!(points.mu[i] > 0)) points_switch_off(&points, i);
+        points_update(four->points[q], strip, &points, mode, cells->left);
+        for (int k = 0; k < TENSOR; k++)
+            add_stress(n, weight, cells->volume, points.P[k], cells->A[k]);
+        for (int m = 0; m < modes; m++)
+            for (int k = 0; k < TENSOR; k++)
+                add_stress(n, weight * four->slope[q][m][k % 3], cells->volume, points.P[k],
+                           cells->m[m][k / 3]);
+        if (mode.energy) sum_energies(body, cells, weight, &points, energy);
+    }
+}
+
+const struct residual residual_points = {
+    .words = {"points",
+              "The law at four points of the cell beside its middle: five updates of it for each "
+              "particle, the reference.",
+              KEYS(keys)},
+    .size = sizeof(struct four_points),
+    .start = start,
+    .share = share,
+    .add = add,
+    .free = release,
+};
