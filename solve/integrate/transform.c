@@ -11,12 +11,14 @@
 
 /* The box around the free components along one axis, on the rank whose work it is. */
 struct box {
-    int low[3], size[3];
+    int dimensions, low[3], size[3];
+    bool corners;
     bool held[3][2]; /* whether there is something of the body below, above */
     int64_t count;
     double *values, *inverse; /* [count]; FFTW's scale is in the inverse */
     fftw_plan forward, backward;
     int64_t *place; /* [n_nodes] in the box, or -1 */
+    double *weight; /* [n_nodes] of corners; NULL: 1 */
     double *all;    /* [n_nodes] */
 };
 
@@ -54,6 +56,8 @@ static void find_box(struct box *box, const struct lattice *lattice, const int64
         }
     }
     box->count = 1;
+    box->corners = lattice->corner != NULL;
+    box->dimensions = lattice->dimensions;
     for (int b = 0; b < 3; b++) {
         box->size[b] = high[b] >= box->low[b] ? high[b] - box->low[b] + 1 : 0;
         box->held[b][0] = body_low[b] < box->low[b];
@@ -62,12 +66,23 @@ static void find_box(struct box *box, const struct lattice *lattice, const int64
     }
 }
 
+/* 1 over the share of a whole corner's volume that the waves give to a place: a half at each free end. */
+static double weight_at(const struct box *box, const int at[3])
+{
+    double weight = 1;
+    for (int b = 0; b < box->dimensions; b++)
+        if ((at[b] == 0 && !box->held[b][0]) || (at[b] == box->size[b] - 1 && !box->held[b][1]))
+            weight *= 2;
+    return weight;
+}
+
 /* Whether two nodes have one place. */
 static bool find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
                         int64_t n, const double *free_nodes)
 {
     bool *taken = memory_new((size_t)box->count + 1, sizeof *taken), crowded = false;
     box->place = memory_new((size_t)n, sizeof *box->place);
+    if (box->corners) box->weight = memory_new((size_t)n, sizeof *box->weight);
     for (int64_t i = 0; i < n; i++) {
         int at[3];
         find_position(lattice, sites[i], at);
@@ -78,23 +93,52 @@ static bool find_places(struct box *box, const struct lattice *lattice, const in
         crowded |= taken[place];
         taken[place] = true;
         box->place[i] = place;
+        if (box->corners) box->weight[i] = weight_at(box, at);
     }
     free(taken);
     return crowded;
 }
 
-/* Waves along one axis of a box: FFTW's names for them, and their wave numbers per site. */
-static double *waves_new(const struct box *box, int axis, fftw_r2r_kind *forward,
-                         fftw_r2r_kind *backward)
+/* Waves along one axis: FFTW's names for them, their wave numbers per site, and FFTW's scale. */
+struct waves {
+    fftw_r2r_kind forward, backward;
+    double *k; /* [n] */
+    double scale;
+};
+
+/* n: sites; period: those of half a period of the longest wave; shift: the first wave number, of pi/period. */
+static struct waves waves_of(fftw_r2r_kind forward, fftw_r2r_kind backward, int n, int period,
+                             double shift)
 {
-    const int n = box->size[axis];
-    const bool low = box->held[axis][0], high = box->held[axis][1];
-    double *k = memory_new((size_t)n, sizeof *k);
-    *forward = low ? (high ? FFTW_RODFT10 : FFTW_RODFT11) : (high ? FFTW_REDFT11 : FFTW_REDFT10);
-    *backward = low ? (high ? FFTW_RODFT01 : FFTW_RODFT11) : (high ? FFTW_REDFT11 : FFTW_REDFT01);
-    const double shift = low && high ? 1 : low || high ? 0.5 : 0;
-    for (int i = 0; i < n; i++) k[i] = M_PI * (i + shift) / n;
-    return k;
+    struct waves waves = {forward, backward, memory_new((size_t)n, sizeof(double)), 2 * period};
+    for (int i = 0; i < n; i++) waves.k[i] = M_PI * (i + shift) / period;
+    return waves;
+}
+
+/* Ends half a spacing beyond the outermost nodes. */
+static struct waves waves_of_particles(int n, bool low, bool high)
+{
+    if (low && high) return waves_of(FFTW_RODFT10, FFTW_RODFT01, n, n, 1);
+    if (low) return waves_of(FFTW_RODFT11, FFTW_RODFT11, n, n, 0.5);
+    if (high) return waves_of(FFTW_REDFT11, FFTW_REDFT11, n, n, 0.5);
+    return waves_of(FFTW_REDFT10, FFTW_REDFT01, n, n, 0);
+}
+
+/* Free ends at the outermost nodes, which have half the volume of others, held ones a spacing beyond. */
+static struct waves waves_of_corners(int n, bool low, bool high)
+{
+    if (low && high) return waves_of(FFTW_RODFT00, FFTW_RODFT00, n, n + 1, 1);
+    if (low) return waves_of(FFTW_RODFT01, FFTW_RODFT10, n, n, 0.5);
+    if (high) return waves_of(FFTW_REDFT01, FFTW_REDFT10, n, n, 0.5);
+    return waves_of(FFTW_REDFT00, FFTW_REDFT00, n, n - 1, 0);
+}
+
+/* Across the one layer of a plane there are no corners. */
+static struct waves waves_new(const struct box *box, int axis)
+{
+    const bool corners = box->corners && axis < box->dimensions;
+    return (corners ? waves_of_corners : waves_of_particles)(box->size[axis], box->held[axis][0],
+                                                             box->held[axis][1]);
 }
 
 static void find_inverse(struct box *box, const struct symbol *symbol, int a)
@@ -102,8 +146,11 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
     fftw_r2r_kind forward[3], backward[3];
     double *k[3], scale = 1;
     for (int b = 0; b < 3; b++) {
-        k[b] = waves_new(box, b, &forward[2 - b], &backward[2 - b]);
-        scale *= 2 * box->size[b];
+        const struct waves waves = waves_new(box, b);
+        forward[2 - b] = waves.forward;
+        backward[2 - b] = waves.backward;
+        k[b] = waves.k;
+        scale *= waves.scale;
     }
     const int n[3] = {box->size[2], box->size[1], box->size[0]};
     box->values = fftw_alloc_real((size_t)box->count);
@@ -159,6 +206,7 @@ void transform_free(struct transform *transform)
         fftw_free(box->values);
         fftw_free(box->inverse);
         free(box->place);
+        free(box->weight);
         free(box->all);
     }
     collection_free(transform->collection);
@@ -175,7 +223,8 @@ static void invert(struct box *box, int64_t n)
     if (box->count == 0) return;
     memset(box->values, 0, (size_t)box->count * sizeof *box->values);
     for (int64_t i = 0; i < n; i++)
-        if (box->place[i] >= 0) box->values[box->place[i]] += box->all[i];
+        if (box->place[i] >= 0)
+            box->values[box->place[i]] += (box->weight ? box->weight[i] : 1) * box->all[i];
     fftw_execute(box->forward);
     for (int64_t i = 0; i < box->count; i++) box->values[i] *= box->inverse[i];
     fftw_execute(box->backward);

@@ -1,6 +1,7 @@
 #include "small_body.h"
 
 #include "bond_search.h"
+#include "corners.h"
 #include "yield.h"
 
 #include "check.h"
@@ -59,6 +60,7 @@ static struct lattice lattice_of(const struct small_case *wanted)
                 *phase = wanted->phase ? wanted->phase(wanted->size, (int[]){x, y, z}) : 0;
                 lattice.n_nodes += *phase != ABSENT;
             }
+    lattice.n_particles = lattice.n_nodes;
     return lattice;
 }
 
@@ -100,13 +102,14 @@ static struct lattice scattered(struct lattice *lattice, double jitter)
 void small_body_new(struct small_body *small, const struct small_case *wanted)
 {
     char *names[] = {"A", "B"};
-    char *text =
-        memory_print("{materials: %s%s%s%s%s%s%s}", wanted->materials,
-                     wanted->stabilisation ? ", stabilisation: " : "",
-                     wanted->stabilisation ? wanted->stabilisation : "",
-                     wanted->surface_correction ? ", surface_correction: " : "",
-                     wanted->surface_correction ? wanted->surface_correction : "",
-                     wanted->breaking ? ", " : "", wanted->breaking ? wanted->breaking : "");
+    char *text = memory_print(
+        "{materials: %s%s%s%s%s%s%s%s%s}", wanted->materials,
+        wanted->residual ? ", residual: " : "", wanted->residual ? wanted->residual : "",
+        wanted->stabilisation ? ", stabilisation: " : "",
+        wanted->stabilisation ? wanted->stabilisation : "",
+        wanted->surface_correction ? ", surface_correction: " : "",
+        wanted->surface_correction ? wanted->surface_correction : "", wanted->breaking ? ", " : "",
+        wanted->breaking ? wanted->breaking : "");
     small->deck = deck_parse(text, strlen(text), "test");
     free(text);
     struct deck_node root = deck_root(small->deck);
@@ -119,10 +122,22 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     small->family = family_new(wanted->horizon, wanted->influence, wanted->partial);
     small->materials = materials_read(
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
+    if (small->materials.formulation->corners) {
+        const struct lattice particles = small->lattice;
+        small->lattice = corners_lattice(&particles);
+        free(particles.phase);
+        small->family = family_new(small->materials.formulation->horizon, 0, false);
+    }
     small->model = model_new(root, &small->family, &small->materials);
     const struct offset *near;
     int n_near = model_near(small->model, &small->family, &near);
     small->body = body_new(&small->lattice, &small->family, near, n_near, (struct ranks){0, 1});
+    if (small->lattice.corner) {
+        double density[2];
+        for (int p = 0; p < small->materials.count; p++)
+            density[p] = small->materials.items[p].density;
+        corners_fill(&small->body, density);
+    }
     yield_start(&small->body, &small->materials);
     small->bonds = bonds_new(&small->body);
     small->damage = damage_new(root, small->model, &small->materials, &small->body, small->bonds);
@@ -147,7 +162,7 @@ void small_body_free(struct small_body *small)
 
 bool small_body_has(const struct small_body *small, int64_t site)
 {
-    return small->body.grid.phase[site] != ABSENT;
+    return small->body.grid.flags[site] & SITE_OWNED;
 }
 
 void small_body_position(const struct small_body *small, int64_t site, int at[3])

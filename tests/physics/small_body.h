@@ -17,6 +17,7 @@ struct small_case {
     double horizon;            /* spacings */
     int influence;             /* 0 constant, 1 steep, ... as in family.c */
     const char *stabilisation; /* NULL: not a correspondence material */
+    const char *residual;      /* of corner; NULL: the default */
     const char *materials;     /* a mapping; the phases are its first "A", "B", ... */
     int n_phases;              /* 0: one */
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */

@@ -1,0 +1,295 @@
+/* Particles between their corners: against exact states and laws of conservation. */
+#include "small_body.h"
+
+#include "check.h"
+#include "law.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define ELASTICITY "density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31"
+#define VOCE       "hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}"
+#define NICKEL     "{A: {model: corner, " ELASTICITY ", " VOCE "}}"
+#define ELASTIC    "{A: {model: corner, law: elastic, " ELASTICITY "}}"
+
+static const double young = 210e9, poisson = 0.31, spacing = SMALL_SPACING;
+static const char *const residuals[] = {"{form: flowing}", "{form: points}"};
+enum { RESIDUALS_TESTED = 2 };
+
+/* A staircase without two of its edges. */
+static uint8_t staircase(const int size[3], const int at[3])
+{
+    (void)size;
+    return (at[1] == 0 && at[2] == 0) || (at[1] == 2 && at[0] > 2) ? ABSENT : 0;
+}
+
+static double force_on(const struct body *body, int a, int64_t site)
+{
+    return body->f[a][site] * body->volumes[site];
+}
+
+/* A uniform uniaxial stress to 20 % of strain: the corners inside and on faces along the load are at rest, and each
+ * particle with nothing before it along the load pulls at its four corners there with a quarter of P dx^2.  Exact but
+ * for rounding: 1e-11 of the largest force. */
+static void test_uniaxial_stress_in_a_staircase(void **state)
+{
+    (void)state;
+    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+        struct small_body small;
+        small_body_new(&small, &(struct small_case){.size = {5, 4, 3},
+                                                    .residual = residuals[k],
+                                                    .materials = NICKEL,
+                                                    .phase = staircase});
+        struct small_point point = small_point_new(&small.materials);
+        for (int step = 1; step <= 20; step++) {
+            small_point_stretch(&point, &small.materials, 0.01 * step);
+            small_body_deform(&small, point.H);
+            small_body_force(&small, true, false);
+        }
+        const struct body *body = &small.body;
+        const struct lattice *l = &small.lattice;
+        const double face = point.stress * spacing * spacing;
+        for (int64_t site = 0; site < body->grid.n_sites; site++) {
+            int at[3];
+            double expected = 0;
+            if (!small_body_has(&small, site)) continue;
+            small_body_position(&small, site, at);
+            for (int c = 0; c < 4; c++) {
+                const int y = at[1] - (c & 1), z = at[2] - (c >> 1);
+                expected += (lattice_phase(l, at[0], y, z) != ABSENT) -
+                            (lattice_phase(l, at[0] - 1, y, z) != ABSENT);
+            }
+            assert_near(force_on(body, 0, site), expected * face / 4, 1e-11 * face);
+            assert_near(force_on(body, 1, site), 0, 1e-11 * face);
+            assert_near(force_on(body, 2, site), 0, 1e-11 * face);
+        }
+        small_body_free(&small);
+    }
+}
+
+/* A body that has flowed at random, strains of 3 %. */
+static void shaken(struct small_body *small, const char *residual, const char *materials,
+                   enum plane plane)
+{
+    const double H[9] = {0.02, 0.01, 0, 0, -0.01, plane ? 0 : 0.005, 0, 0, plane ? 0 : 0.01};
+    small_body_new(small, &(struct small_case){.size = {4, 3, plane ? 1 : 3},
+                                               .residual = residual,
+                                               .materials = materials,
+                                               .phase = staircase,
+                                               .plane = plane});
+    small_body_deform(small, H);
+    small_body_force(small, true, false);
+    small_body_shake(small, 0.03, 7);
+    small_body_force(small, true, false);
+    small_body_shake(small, 0.01, 8);
+    if (!plane) return;
+    for (int64_t site = 0; site < small->body.grid.n_sites; site++) small->body.u[2][site] = 0;
+}
+
+/* Sums of forces and of moments vanish to rounding. */
+static void test_momentum(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2 * RESIDUALS_TESTED; k++) {
+        struct small_body small;
+        const enum plane plane = k % 2 ? PLANE_STRAIN : SPACE;
+        shaken(&small, residuals[k / 2], NICKEL, plane);
+        small_body_force(&small, false, false);
+        const struct body *body = &small.body;
+        double sum[3] = {0}, moment[3] = {0}, largest = 0;
+        for (int64_t site = 0; site < body->grid.n_sites; site++) {
+            double x[3], F[3];
+            if (!small_body_has(&small, site)) continue;
+            body_position(body, site, x);
+            for (int a = 0; a < 3; a++) {
+                x[a] += body->u[a][site];
+                F[a] = force_on(body, a, site);
+                sum[a] += F[a];
+                largest = fmax(largest, fabs(F[a]));
+            }
+            for (int a = 0; a < 3; a++) {
+                const int b = (a + 1) % 3, c = (a + 2) % 3;
+                moment[a] += x[b] * F[c] - x[c] * F[b];
+            }
+        }
+        for (int a = 0; a < 3; a++) {
+            assert_near(sum[a], 0, 1e-13 * largest);
+            assert_near(moment[a], 0, 1e-13 * largest * 4 * spacing);
+        }
+        small_body_free(&small);
+    }
+}
+
+/* The force is the derivative of the energy, by central differences in one direction at random: their error is the
+ * second derivative's, 1e-7 of the force at a step of 1e-4 spacings, against rounding of 1e-16 over it. */
+static void test_force_is_the_gradient(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2 * RESIDUALS_TESTED; k++) {
+        struct small_body small;
+        shaken(&small, residuals[k / 2], NICKEL, k % 2 ? PLANE_STRAIN : SPACE);
+        const struct body *body = &small.body;
+        const double step = 1e-4 * spacing;
+        double energy[2], work = 0, size = 0;
+        small_body_force(&small, false, true);
+        for (int end = 0; end < 2; end++) {
+            for (int64_t site = 0; site < body->grid.n_sites; site++)
+                for (int a = 0; a < body->lattice->dimensions; a++) {
+                    const double way = step * sin(12.9898 * (double)(3 * site + a));
+                    if (end == 0 && small_body_has(&small, site)) {
+                        work += way * force_on(body, a, site);
+                        size += fabs(way * force_on(body, a, site));
+                    }
+                    body->u[a][site] += end ? 2 * way : -way;
+                }
+            energy[end] = small_body_elastic_energy(&small);
+        }
+        assert_near(0.5 * (energy[0] - energy[1]), work, 1e-6 * size);
+        small_body_free(&small);
+    }
+}
+
+/* A rotation on top of a state that has flowed turns the forces and nothing else. */
+static void test_objectivity(void **state)
+{
+    const double angle = 0.7, c = cos(angle), s = sin(angle), R[9] = {c, -s, 0, s, c, 0, 0, 0, 1};
+    (void)state;
+    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+        struct small_body small;
+        shaken(&small, residuals[k], NICKEL, SPACE);
+        const struct body *body = &small.body;
+        small_body_force(&small, false, false);
+        double *before = memory_new(3 * (size_t)body->grid.n_sites, sizeof *before), largest = 0;
+        for (int64_t site = 0; site < body->grid.n_sites; site++) {
+            double x[3];
+            if (!small_body_has(&small, site)) continue;
+            body_position(body, site, x);
+            double y[3];
+            for (int a = 0; a < 3; a++) {
+                before[3 * site + a] = body->f[a][site];
+                largest = fmax(largest, fabs(body->f[a][site]));
+                y[a] = x[a] + body->u[a][site];
+            }
+            for (int a = 0; a < 3; a++)
+                body->u[a][site] =
+                    R[3 * a] * y[0] + R[3 * a + 1] * y[1] + R[3 * a + 2] * y[2] - x[a];
+        }
+        small_body_force(&small, false, false);
+        for (int64_t site = 0; site < body->grid.n_sites; site++)
+            for (int a = 0; a < 3 && small_body_has(&small, site); a++) {
+                const double *f = before + 3 * site;
+                const double turned = R[3 * a] * f[0] + R[3 * a + 1] * f[1] + R[3 * a + 2] * f[2];
+                assert_near(body->f[a][site], turned, 1e-10 * largest);
+            }
+        free(before);
+        small_body_free(&small);
+    }
+}
+
+static uint8_t layers(const int size[3], const int at[3])
+{
+    (void)size;
+    return (uint8_t)(at[0] % 2);
+}
+
+/* Layers of one particle, stiffnesses 1:10, in series under uniaxial strain: with strains as 10:1 each corner between
+ * them is at rest. The difference is that of the finite strains: exact for the stress that each layer's law gives, so
+ * the strain of the stiff layers is found for it by bisection; rounding 1e-11. */
+static void test_layers_in_series(void **state)
+{
+    (void)state;
+    struct small_body small;
+    small_body_new(&small, &(struct small_case){
+                               .size = {6, 2, 2},
+                               .materials = "{A: {model: corner, law: elastic, " ELASTICITY "}, "
+                                            "B: {model: corner, law: elastic, density: 8900, "
+                                            "youngs_modulus: 2100 GPa, poissons_ratio: 0.31}}",
+                               .n_phases = 2,
+                               .phase = layers});
+    const double M = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
+    /* P = M ln(F)/F in uniaxial logarithmic strain */
+    const double soft = 0.01, stress = M * log(1 + soft) / (1 + soft);
+    double low = 0, high = soft;
+    for (int k = 0; k < 100; k++) {
+        const double middle = 0.5 * (low + high);
+        *(10 * M * log(1 + middle) / (1 + middle) < stress ? &low : &high) = middle;
+    }
+    const struct body *body = &small.body;
+    for (int64_t site = 0; site < body->grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(&small, site)) continue;
+        small_body_position(&small, site, at);
+        body->u[0][site] = spacing * ((at[0] + 1) / 2 * soft + at[0] / 2 * low);
+    }
+    small_body_force(&small, false, false);
+    for (int64_t site = 0; site < body->grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(&small, site)) continue;
+        small_body_position(&small, site, at);
+        if (at[0] > 0 && at[0] < 6)
+            assert_near(force_on(body, 0, site), 0, 1e-9 * stress * spacing * spacing);
+    }
+    small_body_free(&small);
+}
+
+/* One cell whose corners move by s_x s_y h along x alone: F stays 1, nothing but the residual acts, and its force and
+ * work are those of a linear spring with a linear hardening slider, (flowing.1) to (flowing.3). */
+static void test_flow_of_the_residual(void **state)
+{
+    (void)state;
+    struct small_body small;
+    small_body_new(&small,
+                   &(struct small_case){.size = {1, 1, 1},
+                                        .residual = "{modulus: 0.5, limit: 0.1, hardening: 0.02}",
+                                        .materials = NICKEL});
+    const struct body *body = &small.body;
+    const double mu = young / (2 * (1 + poisson)), w = sqrt(8. / 3) / spacing,
+                 limit = 0.1 * 182.1e6 / (sqrt(3) * mu), volume = spacing * spacing * spacing;
+    double plastic = 0, alpha = 0, dissipated = 0;
+    for (int step = 1; step <= 40; step++) {
+        const double e = (step < 25 ? step : 50 - step) * 0.2 * limit,
+                     yield = limit + 0.02 / 0.98 * alpha, trial = e - plastic,
+                     beyond = fmax(fabs(trial) - yield, 0), increment = 0.98 * beyond;
+        dissipated += 0.5 * mu * (yield * increment + 0.5 * 0.02 / 0.98 * increment * increment);
+        plastic += copysign(increment, trial);
+        alpha += increment;
+        for (int64_t site = 0; site < body->grid.n_sites; site++) {
+            int at[3];
+            if (!small_body_has(&small, site)) continue;
+            small_body_position(&small, site, at);
+            body->u[0][site] = (2 * at[0] - 1) * (2 * at[1] - 1) * e / w;
+        }
+        const struct exact_sum zero = exact_sum_new(1e9 * volume);
+        struct force_energy energy = {zero, zero, zero};
+        model_force(small.model, &small.body, (struct force_mode){.commit = true, .energy = true},
+                    &energy);
+        double values[3];
+        exact_sum_finish(
+            (const struct exact_sum[]){energy.stored, energy.plastic, energy.stabilisation}, 3,
+            values);
+        /* e = w F^-1 h: beside what s_x s_y gets, A = - t e, of which a corner gets a quarter over dx. */
+        const double stress = 0.5 * mu * (e - plastic),
+                     corner = stress * volume * (w / 8 + e / (4 * spacing));
+        const int64_t first = grid_site(&body->grid, (const int[]){0, 0, 0});
+        assert_near(force_on(body, 0, first), -corner, 1e-12 * mu * spacing * spacing * limit);
+        assert_near(values[1], dissipated * volume, 1e-12 * mu * volume * limit * limit);
+        assert_near(values[2], 0.5 * stress * (e - plastic) * volume,
+                    1e-12 * mu * volume * limit * limit);
+    }
+    assert_true(plastic < 0.8 * alpha); /* it has flowed back, too */
+    small_body_free(&small);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_uniaxial_stress_in_a_staircase),
+        cmocka_unit_test(test_momentum),
+        cmocka_unit_test(test_force_is_the_gradient),
+        cmocka_unit_test(test_objectivity),
+        cmocka_unit_test(test_layers_in_series),
+        cmocka_unit_test(test_flow_of_the_residual),
+    };
+    return cmocka_run_group_tests(tests, small_ranks_start, small_ranks_stop);
+}
