@@ -124,6 +124,10 @@ static void take_bond_law(struct damage_rules *rules, const struct damage_law *l
     const int n = rules->n_phases;
     const struct deck_node energy = deck_find(entry, "fracture_energy");
     int a, b;
+    if (see->materials->formulation->corners)
+        deck_error(deck_get(entry, "law"),
+                   "corner has no bonds that could break: its particles are removed by ductile or "
+                   "plastic_strain");
     read_pair(said->pair, see->materials, &a, &b);
     if (rules->law[a * n + b])
         deck_error(entry, "the pair '%s', '%s' is named twice", see->materials->items[a].name,

@@ -150,6 +150,40 @@ END
     compare_with_one 2 3
 }
 
+# corner SPECIMEN [RESIDUAL]: the study with particles between corners
+corner() {
+    study "$1" 1 mix
+    sed -i -e 's/model: correspondence/model: corner/' -e '/horizon:/d' -e 's/50 m/60 m/' \
+        -e "s/  stabilisation: .*/  residual: {form: ${2:-flowing}}/" study.yaml
+    hsgen -q study.yaml -o domain.g
+}
+
+@test "dog-bone, corner: 2, 3, 4 and 8 ranks give the bits of one" {
+    corner "$dogbone"
+    compare 2 3 4 8
+}
+
+@test "plate, corner, the law at four points more: 3 ranks give the bits of one" {
+    corner "$plate" points
+    compare 3
+}
+
+@test "sheet, corner, plane strain: 3 ranks give the bits of one" {
+    corner '  specimen: plate
+  dimensions: 2
+  size: [0.6 mm, 0.3 mm, 25 um]
+  gauge: {length: 0.3 mm}'
+    sed -i 's/  type: explicit/&\n  plane: strain/' study.yaml
+    hsgen -q study.yaml -o domain.g
+    compare 3
+}
+
+@test "dog-bone, corner, at rest: 2, 3 and 8 ranks give the bits of one" {
+    corner "$dogbone"
+    at_rest lbfgs
+    compare 2 3 8
+}
+
 # at_rest METHOD [MORE]: the study by load steps
 at_rest() {
     sed -i -e "s/  type: explicit/  type: quasi_static\n  method: $1\n  step: 0.1 us\n${2:-}/" -e '/damping/d' -e '/velocity, /s///' study.yaml

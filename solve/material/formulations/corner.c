@@ -137,22 +137,21 @@ static void load(const struct corner *model, const struct body *body, const stru
 HS_SIMD static void weigh_stress(int count, double share, const double *restrict volume,
                                  const double *restrict P, double *restrict A)
 {
-    for (int i = 0; i < count; i++) A[i] = share * volume[i] * P[i];
+    for (int i = 0; i < count; i++) A[PAD + i] = share * volume[i] * P[i];
 }
 
-/* (corner.3), one component: what the corners' rows get, combined as in struct rows.  From each array the element before
- * the first and the one behind the last are zero. */
+/* (corner.3), one component: what the corners' rows get, combined as in struct rows. */
 HS_SIMD static void combine_forces(int count, double x, double y, double z,
-                                   const double *restrict ax, const double *restrict ay,
-                                   const double *restrict az, const double *restrict xy,
+                                   double (*restrict A)[PADDED], const double *restrict xy,
                                    const double *restrict yz, const double *restrict zx,
                                    const double *restrict xyz, struct rows *restrict out)
 {
     for (int i = 0; i <= count; i++) {
-        out->sum[i] = x * (ax[i] - ax[i + 1]);
-        out->y[i] = y * (ay[i] + ay[i + 1]) + 0.125 * (xy[i] - xy[i + 1]);
-        out->z[i] = z * (az[i] + az[i + 1]) + 0.125 * (zx[i] - zx[i + 1]);
-        out->yz[i] = 0.125 * ((yz[i] + yz[i + 1]) + (xyz[i] - xyz[i + 1]));
+        const int p = PAD + i, q = p - 1;
+        out->sum[i] = x * (A[0][q] - A[0][p]);
+        out->y[i] = y * (A[1][q] + A[1][p]) + 0.125 * (xy[q] - xy[p]);
+        out->z[i] = z * (A[2][q] + A[2][p]) + 0.125 * (zx[q] - zx[p]);
+        out->yz[i] = 0.125 * ((yz[q] + yz[p]) + (xyz[q] - xyz[p]));
     }
 }
 
@@ -163,22 +162,22 @@ HS_SIMD static void scatter_row(int count, const struct rows *restrict r, double
         f[i] -= (r->sum[i] + sign_y * r->y[i]) + (sign_z * r->z[i] + sign_yz * r->yz[i]);
 }
 
-static void copy_padded(int count, const double *from, double to[LANES + 2])
+static void close_row(int count, double row[PADDED])
 {
-    to[0] = to[count + 1] = 0;
-    memcpy(to + 1, from, (size_t)count * sizeof *to);
+    row[PAD - 1] = row[PAD + count] = 0;
 }
 
-static void scatter(const struct corner *model, struct body *body, const struct cells *cells)
+static void scatter(const struct corner *model, struct body *body, struct cells *cells)
 {
     const int n = cells->strip->count;
+    const double *slope = model->slope;
+    for (int k = 0; k < TENSOR; k++) close_row(n, cells->A[k]);
+    for (int k = 0; k < 3 * MODES; k++) close_row(n, cells->m[k / 3][k % 3]);
     for (int a = 0; a < 3; a++) {
-        double padded[3 + MODES][LANES + 2], *f = body->f[a] + cells->strip->site;
+        double *f = body->f[a] + cells->strip->site;
         struct rows rows;
-        for (int b = 0; b < 3; b++) copy_padded(n, cells->A[3 * a + b], padded[b]);
-        for (int m = 0; m < MODES; m++) copy_padded(n, cells->m[m][a], padded[3 + m]);
-        combine_forces(n, model->slope[0], model->slope[1], model->slope[2], padded[0], padded[1],
-                       padded[2], padded[3], padded[4], padded[5], padded[6], &rows);
+        combine_forces(n, slope[0], slope[1], slope[2], cells->A + 3 * a, cells->m[0][a],
+                       cells->m[1][a], cells->m[2][a], cells->m[MODE_XYZ][a], &rows);
         scatter_row(n + 1, &rows, -1, -1, 1, f + model->row[0]);
         scatter_row(n + 1, &rows, 1, -1, -1, f + model->row[1]);
         scatter_row(n + 1, &rows, -1, 1, -1, f + model->row[2]);
@@ -205,9 +204,11 @@ static void strip_force(struct corner *model, struct body *body, const struct st
                         struct force_mode mode, struct force_energy *energy)
 {
     struct points points;
-    struct cells cells = {.strip = strip, .points = &points};
+    struct cells cells;
     double flow[LANES];
     const double share = model->residual->share(model->self);
+    cells.strip = strip;
+    cells.points = &points;
     load(model, body, strip, &points, &cells);
     for (int i = 0; i < strip->count; i++)
         cells.volume[i] = body_particle_volume(body, strip->site + i);
@@ -217,13 +218,12 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     points_update(model->points, strip, &points, mode, cells.left);
     for (int k = 0; k < TENSOR; k++)
         weigh_stress(strip->count, share, cells.volume, points.P[k], cells.A[k]);
-    for (int m = 0; m < MODES; m++)
-        for (int a = 0; a < 3; a++) memset(cells.m[m][a], 0, (size_t)strip->count * sizeof(double));
+    if (body->lattice->dimensions == 2) memset(cells.m, 0, sizeof cells.m);
     if (mode.energy) sum_energies(body, &cells, share, energy);
     model->residual->add(model->self, body, &cells, flow, mode, energy);
     if (mode.record)
         for (int i = 0; i < strip->count; i++)
-            model->nominal[strip->site + i] = cells.A[0][i] / cells.volume[i];
+            model->nominal[strip->site + i] = cells.A[0][PAD + i] / cells.volume[i];
     scatter(model, body, &cells);
 }
 

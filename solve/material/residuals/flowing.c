@@ -18,6 +18,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { COMPONENTS = 3 * MODES, ALPHA = COMPONENTS, WORK, STATE };
 
@@ -94,25 +95,23 @@ HS_SIMD static void find_inverse(int count, const struct points *restrict s,
     }
 }
 
-/* (flowing.1) of one mode; e' at x, y, z or NULL. */
+/* (flowing.1) of one mode, and what it adds to |e - e'|^2. */
 HS_SIMD static void find_strain(int count, double weight, double (*restrict h)[LANES],
-                                const double (*restrict G)[LANES], double (*restrict e)[LANES])
+                                const double (*restrict G)[LANES], const double *restrict px,
+                                const double *restrict py, const double *restrict pz,
+                                double (*restrict e)[LANES], double *restrict square)
 {
     for (int i = 0; i < count; i++) {
         const double x = weight * h[0][i], y = weight * h[1][i], z = weight * h[2][i];
-        e[0][i] = G[0][i] * x + G[1][i] * y + G[2][i] * z;
-        e[1][i] = G[3][i] * x + G[4][i] * y + G[5][i] * z;
-        e[2][i] = G[6][i] * x + G[7][i] * y + G[8][i] * z;
+        const double ex = G[0][i] * x + G[1][i] * y + G[2][i] * z,
+                     ey = G[3][i] * x + G[4][i] * y + G[5][i] * z,
+                     ez = G[6][i] * x + G[7][i] * y + G[8][i] * z;
+        const double dx = ex - px[i], dy = ey - py[i], dz = ez - pz[i];
+        e[0][i] = ex;
+        e[1][i] = ey;
+        e[2][i] = ez;
+        square[i] += dx * dx + dy * dy + dz * dz;
     }
-}
-HS_SIMD static void add_squares(int count, const double *restrict e, double *restrict square)
-{
-    for (int i = 0; i < count; i++) square[i] += e[i] * e[i];
-}
-HS_SIMD static void add_elastic_squares(int count, const double *restrict e,
-                                        const double *restrict plastic, double *restrict square)
-{
-    for (int i = 0; i < count; i++) square[i] += (e[i] - plastic[i]) * (e[i] - plastic[i]);
 }
 
 /* d, and at a commit the state's alpha and work. */
@@ -134,44 +133,41 @@ HS_SIMD static void flow(int count, const struct flowing *restrict f, const doub
     }
 }
 
-HS_SIMD static void commit_strain(int count, const double *restrict e,
-                                  const double *restrict factor, double *restrict plastic)
-{
-    for (int i = 0; i < count; i++)
-        plastic[i] += factor[i] < 1 ? (1 - factor[i]) * (e[i] - plastic[i]) : 0;
-}
-
-/* e becomes e - e' before the step. */
-HS_SIMD static void subtract(int count, const double *restrict plastic, double *restrict e)
-{
-    for (int i = 0; i < count; i++) e[i] -= plastic[i];
-}
-
 HS_SIMD static void find_scale(int count, double modulus, const double *restrict mu,
                                const double *restrict volume, struct work *restrict w)
 {
     for (int i = 0; i < count; i++) w->scale[i] = modulus * mu[i] * volume[i] * w->factor[i];
 }
 
-/* tau = F^-T t of one mode; what it gives to A and to the mode.  E: all of e, e: e - e'. */
+/* tau = F^-T t of one mode, what it gives to A and to the mode; and e' moves on, at a commit (1, else 0). */
 HS_SIMD static void add_forces(int count, double weight, const struct work *restrict w,
-                               const double (*restrict E)[LANES], const double (*restrict e)[LANES],
-                               double (*restrict A)[LANES], double (*restrict m)[LANES])
+                               const double (*restrict e)[LANES], double commit,
+                               double *restrict px, double *restrict py, double *restrict pz,
+                               double (*restrict A)[PADDED], double (*restrict m)[PADDED])
 {
     for (int i = 0; i < count; i++) {
-        const double x = w->scale[i] * e[0][i], y = w->scale[i] * e[1][i],
-                     z = w->scale[i] * e[2][i];
+        const double ex = e[0][i], ey = e[1][i], ez = e[2][i];
+        const double dx = ex - px[i], dy = ey - py[i], dz = ez - pz[i];
+        const double x = w->scale[i] * dx, y = w->scale[i] * dy, z = w->scale[i] * dz,
+                     flown = commit * (1 - w->factor[i]);
         const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
                      ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
                      tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
-        for (int b = 0; b < 3; b++) {
-            A[b][i] -= tx * E[b][i];
-            A[3 + b][i] -= ty * E[b][i];
-            A[6 + b][i] -= tz * E[b][i];
-        }
-        m[0][i] += weight * tx;
-        m[1][i] += weight * ty;
-        m[2][i] += weight * tz;
+        A[0][PAD + i] -= tx * ex;
+        A[1][PAD + i] -= tx * ey;
+        A[2][PAD + i] -= tx * ez;
+        A[3][PAD + i] -= ty * ex;
+        A[4][PAD + i] -= ty * ey;
+        A[5][PAD + i] -= ty * ez;
+        A[6][PAD + i] -= tz * ex;
+        A[7][PAD + i] -= tz * ey;
+        A[8][PAD + i] -= tz * ez;
+        m[0][PAD + i] = weight * tx;
+        m[1][PAD + i] = weight * ty;
+        m[2][PAD + i] = weight * tz;
+        px[i] += flown * dx;
+        py[i] += flown * dy;
+        pz[i] += flown * dz;
     }
 }
 
@@ -227,38 +223,35 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                 struct force_mode mode, struct force_energy *energy)
 {
     struct flowing *flowing = self;
-    const struct strip *strip = cells->strip;
-    const int n = strip->count, modes = body->lattice->dimensions == 2 ? 1 : MODES;
-    double *state = flowing->state ? flowing->state + STATE * strip->store : NULL;
+    const int n = cells->strip->count, modes = body->lattice->dimensions == 2 ? 1 : MODES;
+    const int64_t stride = flowing->state ? cells->strip->stride : LANES;
+    double none[3 * MODES][LANES], *state = none[0];
     const double *mu = cells->points->mu;
+    const bool flows = flowing->state && !mode.frozen;
     struct work w;
+    if (flowing->state)
+        state = flowing->state + STATE * cells->strip->store;
+    else
+        memset(none, 0, sizeof none);
     find_inverse(n, cells->points, &w);
-    for (int m = 0; m < modes; m++)
-        find_strain(n, flowing->weight[m], cells->h[m], (const double(*)[LANES])w.G, w.e + 3 * m);
-    for (int k = 0; k < 3 * modes; k++)
-        if (state)
-            add_elastic_squares(n, w.e[k], state + k * strip->stride, w.square);
-        else
-            add_squares(n, w.e[k], w.square);
-    if (state && !mode.frozen)
-        flow(n, flowing, mu, stress, &w, state + ALPHA * strip->stride,
-             state + WORK * strip->stride, mode.commit);
+    for (int m = 0; m < modes; m++) {
+        double *plastic = state + 3 * m * stride;
+        find_strain(n, flowing->weight[m], cells->h[m], (const double(*)[LANES])w.G, plastic,
+                    plastic + stride, plastic + 2 * stride, w.e + 3 * m, w.square);
+    }
+    if (flows)
+        flow(n, flowing, mu, stress, &w, state + ALPHA * stride, state + WORK * stride,
+             mode.commit);
     else
         no_flow(n, &w);
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
     if (mode.energy || cells->left) find_energies(n, flowing->modulus, mu, &w);
     if (cells->left) degrade(flowing, cells, mode.commit, &w);
     for (int m = 0; m < modes; m++) {
-        double e[3][LANES];
-        for (int a = 0; a < 3; a++) {
-            for (int i = 0; i < n; i++) e[a][i] = w.e[3 * m + a][i];
-            if (!state) continue;
-            double *plastic = state + (3 * m + a) * strip->stride;
-            subtract(n, plastic, e[a]);
-            if (mode.commit && !mode.frozen) commit_strain(n, w.e[3 * m + a], w.factor, plastic);
-        }
+        double *plastic = state + 3 * m * stride;
         add_forces(n, flowing->weight[m], &w, (const double(*)[LANES])w.e + 3 * m,
-                   (const double(*)[LANES])e, cells->A, cells->m[m]);
+                   flows && mode.commit, plastic, plastic + stride, plastic + 2 * stride, cells->A,
+                   cells->m[m]);
     }
     if (mode.energy) sum_energies(body, cells, &w, energy);
 }

@@ -61,7 +61,7 @@ HS_SIMD static void add_scaled(int count, double factor, const double *restrict 
 HS_SIMD static void add_stress(int count, double factor, const double *restrict volume,
                                const double *restrict P, double *restrict out)
 {
-    for (int i = 0; i < count; i++) out[i] += factor * volume[i] * P[i];
+    for (int i = 0; i < count; i++) out[PAD + i] += factor * volume[i] * P[i];
 }
 
 static void sum_energies(const struct body *body, const struct cells *cells, double weight,
@@ -86,6 +86,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     const int n = strip->count, modes = body->lattice->dimensions == 2 ? 1 : MODES;
     const double weight = four->share / POINTS;
     (void)flow;
+    memset(cells->m, 0, sizeof cells->m);
     for (int q = 0; q < POINTS; q++) {
         struct points points = *cells->points;
         for (int m = 0; m < modes; m++)

@@ -13,15 +13,18 @@
 /* s = xy, yz, zx, xyz, the coordinates of a cell running from -1 to 1; in a plane the first alone is not zero. */
 enum { MODES = 4, MODE_XYZ = 3 };
 
+/* Rows of particles whose neighbours are asked for: particle i is element PAD + i, the elements beside them are zero. */
+enum { PAD = 8, PADDED = PAD + LANES + 8 };
+
 /* A strip of particles between their corners. */
 struct cells {
     const struct strip *strip;
     struct points *points;     /* in: H, moduli; of particles that carry nothing zero */
     double volume[LANES];      /* in [m^3] */
     const double *left;        /* in: integrities; NULL: all are sound */
-    double h[MODES][3][LANES]; /* in: amplitudes [m] */
-    double A[TENSOR][LANES];   /* in and out: conjugate to H [J] */
-    double m[MODES][3][LANES]; /* in and out: conjugate to h [N] */
+    double h[MODES][3][LANES];  /* in: amplitudes [m] */
+    double A[TENSOR][PADDED];   /* in and out: conjugate to H [J] */
+    double m[MODES][3][PADDED]; /* out: conjugate to h [N] */
 };
 
 struct residual {
