@@ -142,7 +142,9 @@ static void test_known_critical_stretches(void **state)
     (void)state;
     const double pi = acos(-1), E = 210e9;
     const struct family family = family_new(3, 0, false);
-    struct lattice lattice = {.dimensions = 3, .spacing = SMALL_SPACING};
+    struct lattice lattice = {.dimensions = 3,
+                              .spacing = SMALL_SPACING,
+                              .edge = {SMALL_SPACING, SMALL_SPACING, SMALL_SPACING}};
     const double delta = 3 * SMALL_SPACING;
     struct material m = {.youngs_modulus = E, .poissons_ratio = 0.25, .bulk_modulus = E / 1.5};
     /* The moments are integrals by Simpson's rule, exact to round-off for powers up to the third. */

@@ -52,7 +52,7 @@ static void corner_start(void *self, const struct body *body, struct bonds *bond
     const int64_t row[4] = {0, y, z, y + z};
     (void)bonds;
     memcpy(model->row, row, sizeof row);
-    for (int a = 0; a < 3; a++) model->slope[a] = 0.25 / body->lattice->spacing;
+    for (int a = 0; a < 3; a++) model->slope[a] = 0.25 / body->lattice->edge[a];
     model->points = points_new(body, model->materials, &body->near, 0);
     model->nominal = memory_new((size_t)body->grid.n_sites, sizeof *model->nominal);
     model->residual->start(model->self, body, model->materials, &body->near);

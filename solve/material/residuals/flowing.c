@@ -44,7 +44,7 @@ static void start(void *self, const struct body *body, const struct materials *m
                   const struct strips *strips)
 {
     struct flowing *flowing = self;
-    const double dx[3] = {body->lattice->spacing, body->lattice->spacing, body->lattice->spacing};
+    const double *dx = body->lattice->edge;
     bool flows = false;
     for (int m = 0; m < MODES; m++) {
         double square = 0;

@@ -30,7 +30,7 @@ static void start(void *self, const struct body *body, const struct materials *m
 {
     static const int sign[POINTS][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
     struct four_points *four = self;
-    const double dx[3] = {body->lattice->spacing, body->lattice->spacing, body->lattice->spacing};
+    const double *dx = body->lattice->edge;
     for (int q = 0; q < POINTS; q++) {
         double r[3];
         for (int a = 0; a < 3; a++) r[a] = sign[q][a] / sqrt(3);
