@@ -1,15 +1,11 @@
-#The same bits on any number of ranks, more than there are cores among them : histories and fields
-#compared with cmp, in plastic flow.The files differ in one place, the recorded command's number of
-#ranks, which is made equal first.
+# The same bits on any number of ranks, more than there are cores among them: histories and fields
+# compared with cmp, in plastic flow.  The files differ in one place, the recorded command's number of
+# ranks, which is made equal first.
 
-setup()
-{
-    cd "$BATS_TEST_TMPDIR";
-}
+setup() { cd "$BATS_TEST_TMPDIR"; }
 
-#study SPECIMEN HORIZON STABILISATION[LAW OF UFG] : domain.g;                                      \
-    torn at 50 m / s, so that grips, waves, gauge, damping
-#and both phases take part within some hundred steps.
+# study SPECIMEN HORIZON STABILISATION [LAW OF UFG]: domain.g; torn at 50 m/s, so that grips, waves, gauge, damping
+# and both phases take part within some hundred steps.
 study() {
     cat >study.yaml <<END
 title: Ranks
@@ -56,172 +52,186 @@ END
 }
 
 voce='{law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}'
-#Kinks within what a step can add : Newton's method then takes more steps at some points than at others.
+# Kinks within what a step can add: Newton's method then takes more steps at some points than at others.
 kinked='{law: tabulated, points: [[0, 600 MPa], [0.0001, 900 MPa], [0.0002, 901 MPa], [0.001, 902 MPa],
-      [0.0011, 1300 MPa], [0.01, 1310 MPa], [0.0101, 1600 MPa], [1, 1700 MPa]]
-}
-' plate ='  specimen: plate size : [ 0.6 mm, 0.3 mm, 0.2 mm ] gauge:
-{
-length:
-    0.3 mm
-}
-' dogbone ='  specimen: dogbone size : [ 1 mm, 0.4 mm, 0.1 mm ] gauge:
-{
-length:
-    0.3 mm, width : 0.2 mm, fillet : 0.1 mm
-}
-'
+      [0.0011, 1300 MPa], [0.01, 1310 MPa], [0.0101, 1600 MPa], [1, 1700 MPa]]}'
+plate='  specimen: plate
+  size: [0.6 mm, 0.3 mm, 0.2 mm]
+  gauge: {length: 0.3 mm}'
+dogbone='  specimen: dogbone
+  size: [1 mm, 0.4 mm, 0.1 mm]
+  gauge: {length: 0.3 mm, width: 0.2 mm, fillet: 0.1 mm}'
 
-#run RANKS : history.e and fields.e in a directory of that name, the number of ranks blotted out
-    solve(){mkdir "$1"(cd "$1" && hssolve - q - j "$1" - i../ domain.g - o fields.e - H history.e)
-                LC_ALL = C sed - i "s/ -j $1 / -j N /g"
-                                   "$1/fields.e"
-                                   "$1/history.e"}
-
-#Largest mean plastic strain of a phase in the history, in per cent.
-plastic(){hspost - q "$1" | awk - F,
-          -v name = "$2_plastic_strain" ' / ^# /
-                    {
-                        next} !column{for (i = 1; i <= NF; i++) if ($i == name) column = i;
-next
-}
-$column > most{most = $column} END
-{
-    printf "%d\n", 100 * most
-}
-'
+# run RANKS: history.e and fields.e in a directory of that name, the number of ranks blotted out
+solve() {
+    mkdir "$1"
+    (cd "$1" && hssolve -q -j "$1" -i ../domain.g -o fields.e -H history.e)
+    LC_ALL=C sed -i "s/ -j $1 / -j N /g" "$1/fields.e" "$1/history.e"
 }
 
-#compare RANKS... : each with one rank, where much of both phases has flowed.
-compare(){solve 1 ["$(plastic 1/history.e CG)" - ge 2]
-                  ["$(plastic 1/history.e UFG)" - ge 1] compare_with_one "$@"}
-
-compare_with_one()
-{
-    for
-        ranks in "$@";
-    do solve "$ranks" cmp 1 / history.e "$ranks/history.e" cmp 1 / fields.e "$ranks/fields.e" done
+# Largest mean plastic strain of a phase in the history, in per cent.
+plastic() {
+    hspost -q "$1" | awk -F, -v name="$2_plastic_strain" '
+        /^#/ { next }
+        !column { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
+        $column > most { most = $column }
+        END { printf "%d\n", 100 * most }'
 }
 
-@test "plate, mix, horizon 1: 2, 3, 4 and 8 ranks give the bits of one"
-{
-    study "$plate" 1 mix compare 2 3 4 8
+# compare RANKS...: each with one rank, where much of both phases has flowed.
+compare() {
+    solve 1
+    [ "$(plastic 1/history.e CG)" -ge 2 ]
+    [ "$(plastic 1/history.e UFG)" -ge 1 ]
+    compare_with_one "$@"
 }
 
-@test "dog-bone, capped, horizon 2: 3 and 8 ranks give the bits of one"
-{
-    study "$dogbone" 2 capped compare 3 8
+compare_with_one() {
+    for ranks in "$@"; do
+        solve "$ranks"
+        cmp 1/history.e "$ranks/history.e"
+        cmp 1/fields.e "$ranks/fields.e"
+    done
 }
 
-@test "plate, mix, horizon 3, steep influence: 2 ranks give the bits of one"
-{
-    study "$plate" '3 influence : steep' mix compare 2
+@test "plate, mix, horizon 1: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "$plate" 1 mix
+    compare 2 3 4 8
+}
+
+@test "dog-bone, capped, horizon 2: 3 and 8 ranks give the bits of one" {
+    study "$dogbone" 2 capped
+    compare 3 8
+}
+
+@test "plate, mix, horizon 3, steep influence: 2 ranks give the bits of one" {
+    study "$plate" '3
+  influence: steep' mix
+    compare 2
 }
 
 @test "plate, mix, horizon 1, a tabulated law with kinks: 3 ranks give the bits of one" {
-    study "$plate" 1 mix "$kinked" compare 3}
-
-#along_bonds SOLVER : the plate, its materials changed by a sed script on standard input;          \
-    three spacings a horizon
-along_bonds()
-{
-    study "$plate" 3.015 mix sed - i - f - -e "s/  stabilisation: .*/  $1/" study.yaml hsgen -
-        q study.yaml - o domain.g
+    study "$plate" 1 mix "$kinked"
+    compare 3
 }
 
-@test "plate, bond-based, surface correction: 2 and 3 ranks give the bits of one"
-{
-    along_bonds 'surface_correction: energy'
-        << 'END' s / model : correspondence / model : bond_based / / poissons_ratio / d /
-                                                      hardening / d END solve 1 compare_with_one 2 3
+# along_bonds SOLVER: the plate, its materials changed by a sed script on standard input; three spacings a horizon
+along_bonds() {
+    study "$plate" 3.015 mix
+    sed -i -f - -e "s/  stabilisation: .*/  $1/" study.yaml
+    hsgen -q study.yaml -o domain.g
 }
 
-@test "plate, ordinary plastic, surface correction: 2 and 3 ranks give the bits of one"
-{
-    along_bonds 'surface_correction: volume'
-        << 'END' s / model : correspondence / model : ordinary_plastic / END compare 2 3
+@test "plate, bond-based, surface correction: 2 and 3 ranks give the bits of one" {
+    along_bonds 'surface_correction: energy' <<'END'
+s/model: correspondence/model: bond_based/
+/poissons_ratio/d
+/hardening/d
+END
+    solve 1
+    compare_with_one 2 3
+}
+
+@test "plate, ordinary plastic, surface correction: 2 and 3 ranks give the bits of one" {
+    along_bonds 'surface_correction: volume' <<'END'
+s/model: correspondence/model: ordinary_plastic/
+END
+    compare 2 3
 }
 
 @test "bar longer than a strip of bonds, ordinary plastic: 2 and 3 ranks give the bits of one" {
-    plate ='  specimen: plate size : [ 13.5 mm, 0.1 mm, 0.1 mm ]
-           gauge : {length : 0.3 mm} ' along_bonds ' ' <<' END' s /
-           model : correspondence / model : ordinary_plastic / s /
-           stabilisation.* //
-               END solve 1 compare_with_one 2 3
+    plate='  specimen: plate
+  size: [13.5 mm, 0.1 mm, 0.1 mm]
+  gauge: {length: 0.3 mm}' along_bonds '' <<'END'
+s/model: correspondence/model: ordinary_plastic/
+s/stabilisation.*//
+END
+    solve 1
+    compare_with_one 2 3
 }
 
-#corner SPECIMEN[RESIDUAL] : the study with particles between corners
-corner()
-{
-    study "$1" 1 mix sed - i - e 's/model: correspondence/model: corner/' - e '/horizon:/d' -
-        e 's/50 m/60 m/' -
-        e "s/  stabilisation: .*/  residual: {form: ${2:-flowing}}/" study.yaml hsgen -
-        q study.yaml - o domain.g
+# corner SPECIMEN [RESIDUAL]: the study with particles between corners
+corner() {
+    study "$1" 1 mix
+    sed -i -e 's/model: correspondence/model: corner/' -e '/horizon:/d' -e 's/50 m/60 m/' \
+        -e "s/  stabilisation: .*/  residual: {form: ${2:-flowing}}/" study.yaml
+    hsgen -q study.yaml -o domain.g
 }
 
-@test "dog-bone, corner: 2, 3, 4 and 8 ranks give the bits of one"
-{
-    corner "$dogbone" compare 2 3 4 8
+@test "dog-bone, corner: 2, 3, 4 and 8 ranks give the bits of one" {
+    corner "$dogbone"
+    compare 2 3 4 8
 }
 
-@test "plate, corner, the law at four points more: 3 ranks give the bits of one"
-{
-    corner "$plate" points compare 3
+@test "plate, corner, the law at four points more: 3 ranks give the bits of one" {
+    corner "$plate" four_points
+    compare 3
 }
 
-@test "sheet, corner, plane strain: 3 ranks give the bits of one"
-{
-    corner '  specimen: plate dimensions : 2 size : [ 0.6 mm, 0.3 mm, 25 um ] gauge:
-    {
-    length:
-        0.3 mm
-    }
-    ' sed - i 's/  type: explicit/&\n  plane: strain/' study.yaml hsgen - q study.yaml -
-        o domain.g solve 1 ["$(plastic 1/history.e CG)" - ge 1] compare_with_one 3
+@test "sheet, corner, plane strain: 3 ranks give the bits of one" {
+    corner '  specimen: plate
+  dimensions: 2
+  size: [0.6 mm, 0.3 mm, 25 um]
+  gauge: {length: 0.3 mm}'
+    sed -i 's/  type: explicit/&\n  plane: strain/' study.yaml
+    hsgen -q study.yaml -o domain.g
+    solve 1
+    [ "$(plastic 1/history.e CG)" -ge 1 ]
+    compare_with_one 3
 }
 
 @test "dog-bone, corner, at rest: 2, 3 and 8 ranks give the bits of one" {
-    corner "$dogbone" at_rest lbfgs compare 2 3 8}
-
-#at_rest METHOD[MORE] : the study by load steps
-at_rest()
-{
-    sed - i - e "s/  type: explicit/  type: quasi_static\n  method: $1\n  step: 0.1 us\n${2:-}/" -
-        e '/damping/d' - e '/velocity, /s///' study.yaml hsgen - q study.yaml - o domain.g
+    corner "$dogbone"
+    at_rest lbfgs
+    compare 2 3 8
 }
 
-@test "plate at rest by L-BFGS: 2, 3, 4 and 8 ranks give the bits of one"
-{
-    study "$plate" 1 mix at_rest lbfgs compare 2 3 4 8
+# at_rest METHOD [MORE]: the study by load steps
+at_rest() {
+    sed -i -e "s/  type: explicit/  type: quasi_static\n  method: $1\n  step: 0.1 us\n${2:-}/" -e '/damping/d' -e '/velocity, /s///' study.yaml
+    hsgen -q study.yaml -o domain.g
 }
 
-@test "dog-bone at rest by L-BFGS: 2, 3, 4 and 8 ranks give the bits of one"
-{
-    study "$dogbone" 1 mix at_rest lbfgs compare 2 3 4 8
+@test "plate at rest by L-BFGS: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "$plate" 1 mix
+    at_rest lbfgs
+    compare 2 3 4 8
 }
 
-@test "dog-bone at rest by Newton's method and by relaxation: 3 ranks give the bits of one"
-{
-    for
-        method in newton relaxation;
-    do study "$dogbone" 1 capped at_rest $method '  tolerance: 1e-3\n' compare 3 rm - r 1 3 done
+@test "dog-bone at rest by L-BFGS: 2, 3, 4 and 8 ranks give the bits of one" {
+    study "$dogbone" 1 mix
+    at_rest lbfgs
+    compare 2 3 4 8
 }
 
-@test "under mpirun as well"
-{
+@test "dog-bone at rest by Newton's method and by relaxation: 3 ranks give the bits of one" {
+    for method in newton relaxation; do
+        study "$dogbone" 1 capped
+        at_rest $method '  tolerance: 1e-3\n'
+        compare 3
+        rm -r 1 3
+    done
+}
+
+@test "under mpirun as well" {
     study "$plate" 1 capped
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    for ranks in 1 2;
-    do
-        mpirun-- oversubscribe-- bind - to none - n $ranks hssolve - q - i domain.g -
-            o fields.e-- history history.e mkdir $ranks mv fields.e history.e $ranks done cmp 1 /
-                history.e 2 / history.e cmp 1 / fields.e 2 / fields.e
+    for ranks in 1 2; do
+        mpirun --oversubscribe --bind-to none -n $ranks \
+            hssolve -q -i domain.g -o fields.e --history history.e
+        mkdir $ranks
+        mv fields.e history.e $ranks
+    done
+    cmp 1/history.e 2/history.e
+    cmp 1/fields.e 2/fields.e
 }
 
-@test "through the pipe, on several ranks"
-{
-    study "$plate" 1 mix hssolve - q<domain.g> one.e hssolve - q - j 3 < domain.g >
-            three.e hspost - q one.e |
-        grep - v '^#' > one.csv hspost - q three.e |
-        grep - v '^#' > three.csv["$(wc -l <one.csv)" - gt 30] cmp one.csv three.csv
+@test "through the pipe, on several ranks" {
+    study "$plate" 1 mix
+    hssolve -q <domain.g >one.e
+    hssolve -q -j 3 <domain.g >three.e
+    hspost -q one.e | grep -v '^#' >one.csv
+    hspost -q three.e | grep -v '^#' >three.csv
+    [ "$(wc -l <one.csv)" -gt 30 ]
+    cmp one.csv three.csv
 }

@@ -14,7 +14,7 @@
 #define ELASTIC    "{A: {model: corner, law: elastic, " ELASTICITY "}}"
 
 static const double young = 210e9, poisson = 0.31, spacing = SMALL_SPACING;
-static const char *const residuals[] = {"{form: flowing}", "{form: points}"};
+static const char *const residuals[] = {"{form: flowing}", "{form: four_points}"};
 enum { RESIDUALS_TESTED = 2 };
 
 /* A staircase without two of its edges. */

@@ -38,6 +38,11 @@ static void *corner_read(struct deck_node solver, const struct family *family,
                          const struct materials *materials)
 {
     struct corner *model = memory_new(1, sizeof *model);
+    static const char *const of_bonds[] = {"horizon", "influence", "volumes"};
+    for (size_t k = 0; k < sizeof of_bonds / sizeof *of_bonds; k++)
+        if (deck_has(solver, of_bonds[k]))
+            deck_error(deck_get(solver, of_bonds[k]),
+                       "corner has no '%s': the family of a particle is its corners", of_bonds[k]);
     (void)family;
     model->materials = materials;
     model->residual = residual_read(deck_find(solver, "residual"), &model->self);

@@ -41,7 +41,7 @@ struct residual {
 };
 
 /* All of them: residual_NAME, each in a file of its own; the first is the default. */
-#define RESIDUALS(DO)  DO(flowing), DO(points)
+#define RESIDUALS(DO)  DO(flowing), DO(four_points)
 #define RESIDUAL(name) residual_##name
 extern const struct residual RESIDUALS(RESIDUAL);
 

@@ -1,4 +1,4 @@
-/* points.c - the law once more at four points of the cell, which carry a share of the stress.
+/* four_points.c - the law once more at four points of the cell, which carry a share of the stress.
  *
  *   Pi = (1 - a) V psi(F) + a V/4 sum_q psi(F + sum_m h_m (x) grad s_m(r_q))               (four_points.1)
  *
@@ -105,8 +105,8 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     }
 }
 
-const struct residual residual_points = {
-    .words = {"points",
+const struct residual residual_four_points = {
+    .words = {"four_points",
               "The law at four points of the cell beside its middle: five updates of it for each "
               "particle, the reference.",
               KEYS(keys)},
