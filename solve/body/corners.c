@@ -93,8 +93,11 @@ int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *part
         node += lattice->corner[site];
     }
     free(chosen);
+    int64_t *list = memory_new((size_t)found, sizeof *list);
+    memcpy(list, nodes, (size_t)found * sizeof *list);
+    free(nodes);
     *count = found;
-    return nodes;
+    return list;
 }
 
 /* Shares of a corner in the volume and mass of its particles. */
