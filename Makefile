@@ -52,7 +52,7 @@ CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
 MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))
 MPI_LIBS := $(call package,--libs,ompi-c,-lmpi)
 METIS_LIBS ?= -lmetis
-FFTW_LIBS := $(call package,--libs,fftw3,-lfftw3)
+FFTW_LIBS := $(call package,--libs,fftw3f,-lfftw3f)
 CMOCKA_LIBS := $(call package,--libs,cmocka,-lcmocka)
 
 ALL_CFLAGS = $(STANDARD) $(OPTIMISE) $(WARNINGS) $(SANITIZERS) $(LIB_CFLAGS) -Ilib $(CFLAGS)
