@@ -47,7 +47,7 @@ struct key {
     /* For the manual, plain words without markup: */
     const char
         *form; /* of a KEY_NODE or KEY_TEXT, how it is written: "[x, y, z]", "name of a phase" */
-    const char *otherwise; /* a default that is no constant: "of the formulation" */
+    const char *otherwise; /* a default that is no constant: "of the formulation"; "": none */
     const char *help;      /* what it is, one line */
     const char *symbol;    /* in the formula of its variant; NULL: it has none */
 };
