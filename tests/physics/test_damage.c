@@ -373,6 +373,43 @@ static void test_passing_over_strips_changes_no_bit(void **state)
     assert_true(skipped.bits == tested.bits);
 }
 
+static uint8_t third_is_soft(const int size[3], const int at[3])
+{
+    return 3 * at[0] < size[0] ? 0 : 1;
+}
+
+/* All nodes are beyond the limits of their phases, the soft ones by more in plastic strain (0.0048 of 0.0042, 0.0033 of 0.0028:
+ * (q_trial - yield)/(3 mu + modulus) with q_trial = 1.2 GPa), the others by more of their limit: they are the worst. */
+static void test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits(void **state)
+{
+    (void)state;
+    struct small_body small;
+#define PHASE(yield)                                                                               \
+    "{model: correspondence, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31, "       \
+    "hardening: {law: linear, yield: " yield ", modulus: 1 GPa}}"
+    small_body_new(
+        &small,
+        &(struct small_case){.size = {6, 3, 3},
+                             .horizon = 1,
+                             .stabilisation = small_mix,
+                             .materials = "{A: " PHASE("40 MPa") ", B: " PHASE("400 MPa") "}",
+                             .n_phases = 2,
+                             .phase = third_is_soft,
+                             .breaking = "damage: [{phase: A, law: plastic_strain, value: 0.0042}, "
+                                         "{phase: B, law: plastic_strain, value: 0.0028}]"});
+#undef PHASE
+    small_body_deform(&small, (const double[9]){0.005, 0, 0, 0, -0.0025, 0, 0, 0, -0.0025});
+    small_body_force(&small, true, false);
+    assert_true(damage_find(small.damage));
+    damage_choose(small.damage, 36);
+    damage_break(small.damage);
+    assert_near(damage_removed_nodes(small.damage), 36, 0);
+    assert_true(damage_find(small.damage));
+    damage_break(small.damage);
+    assert_near(damage_removed_nodes(small.damage), 54, 0);
+    small_body_free(&small);
+}
+
 /* One soft node flows more than its limit: all bonds of its family break, those that its neighbours begin, too, and no others. */
 static void test_a_removed_node_takes_all_its_bonds(void **state)
 {
@@ -422,6 +459,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_removed_node_takes_all_its_bonds),
+        cmocka_unit_test(test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits),
         cmocka_unit_test(test_two_particles),
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
