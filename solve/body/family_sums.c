@@ -37,7 +37,7 @@ static void add_columns(const struct grid *grid, int b, const struct columns *le
 void family_sums_add(const struct family *family, const struct grid *grid, int b, int count,
                      const double *field, double *out)
 {
-    double room[LANES + 2 * LONGEST_REACH + VECTOR], *const sums = room + LONGEST_REACH;
+    double padded[LANES + 2 * LONGEST_REACH + VECTOR], *const sums = padded + LONGEST_REACH;
     bool empty = true;
     double own = 0; /* weight of the site's own column while there is no other */
     for (int k = family->reach; k > 0; k--) {
@@ -45,7 +45,7 @@ void family_sums_add(const struct family *family, const struct grid *grid, int b
         const int wide = (count + 2 * k + VECTOR - 1) / VECTOR * VECTOR;
         own += level->own;
         const bool first = empty && level->count > 0;
-        if (first) memset(room, 0, sizeof room);
+        if (first) memset(padded, 0, sizeof padded);
         empty &= !first;
         const double added = first ? own : level->own;
         if (!empty && added != 0) add_one(wide, field - k, added, sums - k);

@@ -16,7 +16,7 @@ struct damage {
     double broken, removed; /* bonds and nodes of the whole body */
     double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
-    /* A strip is tested again only when its ends may have closed the room of its closest bond: due is what the way of
+    /* A strip is tested again only when its ends may have closed the margin of its closest bond: due is what the way of
      * its ends must be beyond, soonest the least of all.  No node is farther from where it was at any test than the way
      * has grown since: by the largest distance from one test to the next. */
     double travelled, *due, soonest; /* travelled: the way at the last test */
@@ -165,9 +165,9 @@ static bool may_be_due(struct damage *damage)
     return !(-least[0] * (1 + 0x1p-48) < least[1]);
 }
 
-/* Room of each bond of a strip; INFINITY where it is broken or never breaks. */
-static void find_rooms(const struct damage *damage, const struct bond_strip *strip,
-                       const struct bond_view *view, double *rooms)
+/* Margin of each bond of a strip; INFINITY where it is broken or never breaks. */
+static void find_margins(const struct damage *damage, const struct bond_strip *strip,
+                         const struct bond_view *view, double *margins)
 {
     const struct damage_rules *rules = &damage->rules;
     const uint8_t *phase = damage->body->grid.phase;
@@ -177,15 +177,15 @@ static void find_rooms(const struct damage *damage, const struct bond_strip *str
         const int pair = phase[bond_lower(view, k)] * rules->n_phases + phase[bond_upper(view, k)];
         law[k] = view->weight[k * view->weight_step] > 0 ? rules->law[pair] : NULL;
         value[k] = rules->value[pair];
-        rooms[k] = INFINITY;
+        margins[k] = INFINITY;
     }
     for (int first = 0; first < view->count; first++) {
         const struct damage_law *one = law[first];
         if (!one) continue;
-        one->room(&damage->see, strip, value, some);
+        one->margin(&damage->see, strip, value, some);
         for (int k = first; k < view->count; k++) {
             if (law[k] != one) continue;
-            rooms[k] = some[k];
+            margins[k] = some[k];
             law[k] = NULL;
         }
     }
@@ -203,20 +203,20 @@ static void add_found(struct damage *damage, struct found found)
     damage->found[damage->n_found++] = found;
 }
 
-/* Half of the closest bond's room, less what rounding may hide, is how far a node may go until the next
+/* Half of the closest bond's margin, less what rounding may hide, is how far a node may go until the next
  * test. */
 static void test_strip(struct damage *damage, int64_t s)
 {
     const struct bond_strip *strip = &damage->bonds->strips[s];
     const struct bond_view view = bonds_view(damage->bonds, strip);
-    double rooms[BOND_LANES], least = INFINITY;
-    find_rooms(damage, strip, &view, rooms);
+    double margins[BOND_LANES], least = INFINITY;
+    find_margins(damage, strip, &view, margins);
     for (int k = 0; k < view.count; k++) {
         const double length = view.length[k * view.geometry_step];
-        if (rooms[k] < 0)
+        if (margins[k] < 0)
             add_found(damage,
-                      (struct found){s, k, -rooms[k] / length, count_bond(damage, &view, k)});
-        least = fmin(least, rooms[k] - 1e-13 * length);
+                      (struct found){s, k, -margins[k] / length, count_bond(damage, &view, k)});
+        least = fmin(least, margins[k] - 1e-13 * length);
     }
     damage->due[s] = damage->travelled + 0.5 * least * (1 - 0x1p-48);
 }

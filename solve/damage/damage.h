@@ -28,10 +28,10 @@ enum { DAMAGE_STATES = 4 }; /* at most */
 struct damage_law {
     struct variant words; /* name, help and keys of its own, which fill size bytes: */
     size_t size;          /* of a law of bonds one double, its value, 0 where its entry has none */
-    /* Of bonds: how far [m] the ends of each bond of a strip may still move apart before it breaks, below 0
+    /* Of bonds: the margin [m]: how far the ends of each bond of a strip may still move apart before it breaks, below 0
      * where it has to break now, 0 where only a test can tell. */
-    void (*room)(const struct damage_view *see, const struct bond_strip *strip, const double *value,
-                 double *room);
+    void (*margin)(const struct damage_view *see, const struct bond_strip *strip,
+                   const double *value, double *margin);
     /* The value that a fracture energy [J/m^2] stands for, at bonds between two phases; dies where the
      * material has none. */
     double (*from_fracture_energy)(const struct damage_view *see, int a, int b, double energy,

@@ -136,8 +136,8 @@ static void finish(struct integration *integration, const struct body *body,
     exact_sum_finish(sums, count, all);
     for (int k = 0; k < SUMS; k++) values[k] = all[k];
     for (int b = 0; b < boundary->count; b++) {
-        boundary->sets[b].force_before = boundary->sets[b].total_force;
-        boundary->sets[b].total_force = all[SUMS + b];
+        boundary->sets[b].reaction_before = boundary->sets[b].reaction;
+        boundary->sets[b].reaction = all[SUMS + b];
     }
     free(sums);
     free(all);
@@ -177,7 +177,7 @@ static void add_work_of_sets(struct boundary *boundary, double *work)
         if (set->place[0]) continue;
         set->moved += set->way;
         *work +=
-            0.5 * (set->force_before + set->total_force) * set->way +
+            0.5 * (set->reaction_before + set->reaction) * set->way +
             0.5 * set->mass * (set->speed * set->speed - set->speed_before * set->speed_before);
     }
 }
@@ -219,7 +219,7 @@ void balance_reactions(const struct body *body, struct boundary *boundary)
     double *values = memory_new((size_t)boundary->count, sizeof *values);
     boundary_reactions(boundary, body, sums);
     exact_sum_finish(sums, boundary->count, values);
-    for (int b = 0; b < boundary->count; b++) boundary->sets[b].total_force = values[b];
+    for (int b = 0; b < boundary->count; b++) boundary->sets[b].reaction = values[b];
     free(sums);
     free(values);
 }

@@ -22,8 +22,8 @@ struct boundary_set {
     /* Where the value is the same at all nodes: */
     double moved, way;          /* along its direction so far, and in this step, m */
     double speed, speed_before; /* at the end of this step and of the one before, m/s */
-    /* Reaction: the force on the body along the direction, over all ranks, N; now and a step earlier. */
-    double total_force, force_before;
+    /* Reaction force: the force on the body along the direction, over all ranks, N; now and a step earlier. */
+    double reaction, reaction_before;
 };
 
 struct boundary {

@@ -86,8 +86,8 @@ enum { BLOCK = 512 };
 
 static int block_length(const struct unknowns *unknowns, int64_t from)
 {
-    const int64_t left = unknowns->length - from;
-    return (int)(left < BLOCK ? left : BLOCK);
+    const int64_t remaining = unknowns->length - from;
+    return (int)(remaining < BLOCK ? remaining : BLOCK);
 }
 
 void vector_add_all(const struct unknowns *unknowns, int count, const double a[], double *const x[],

@@ -13,50 +13,50 @@
 /* --- sources ---------------------------------------------------------------------------------- */
 
 static const double *displacement(const struct body *body, const struct damage *damage,
-                                  int component, double *room)
+                                  int component, double *buffer)
 {
-    (void)damage, (void)room;
+    (void)damage, (void)buffer;
     return body->u[component];
 }
 
 static const double *velocity(const struct body *body, const struct damage *damage, int component,
-                              double *room)
+                              double *buffer)
 {
-    (void)damage, (void)room;
+    (void)damage, (void)buffer;
     return body->v[component];
 }
 
 static const double *force(const struct body *body, const struct damage *damage, int component,
-                           double *room)
+                           double *buffer)
 {
-    (void)damage, (void)room;
+    (void)damage, (void)buffer;
     return body->f[component];
 }
 
 static const double *external_force(const struct body *body, const struct damage *damage,
-                                    int component, double *room)
+                                    int component, double *buffer)
 {
     (void)damage;
     if (body->b[component]) return body->b[component];
-    body_clear(body, &room, 1);
-    return room;
+    body_clear(body, &buffer, 1);
+    return buffer;
 }
 
 static const double *phase(const struct body *body, const struct damage *damage, int component,
-                           double *room)
+                           double *buffer)
 {
     (void)damage, (void)component;
     for (int64_t i = 0; i < body->grid.n_sites; i++)
-        if (body->grid.flags[i] & SITE_OWNED) room[i] = body->grid.phase[i];
-    return room;
+        if (body->grid.flags[i] & SITE_OWNED) buffer[i] = body->grid.phase[i];
+    return buffer;
 }
 
 static const double *damage_of(const struct body *body, const struct damage *damage, int component,
-                               double *room)
+                               double *buffer)
 {
     (void)body, (void)component;
-    damage_index(damage, room);
-    return room;
+    damage_index(damage, buffer);
+    return buffer;
 }
 
 static void stress(const struct node_state *state, int component, double *values)
@@ -181,21 +181,21 @@ int node_component_read(struct deck_node word)
 
 struct node_values {
     const struct damage *damage;
-    double *room; /* box field */
+    double *buffer; /* box field */
 };
 
 struct node_values *node_values_new(const struct body *body, const struct damage *damage)
 {
     struct node_values *values = memory_new(1, sizeof *values);
     values->damage = damage;
-    values->room = memory_new((size_t)body->grid.n_sites, sizeof *values->room);
+    values->buffer = memory_new((size_t)body->grid.n_sites, sizeof *values->buffer);
     return values;
 }
 
 void node_values_free(struct node_values *values)
 {
     if (!values) return;
-    free(values->room);
+    free(values->buffer);
     free(values);
 }
 
@@ -203,20 +203,20 @@ const double *node_values_field(struct node_values *values, struct node_componen
                                 struct model *model, const struct body *body)
 {
     if (which.value.field)
-        return which.value.field(body, values->damage, which.component, values->room);
+        return which.value.field(body, values->damage, which.component, values->buffer);
     const int state = which.value.observe ? -1 : law_state_number(which.value.name);
     const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         struct node_state seen;
-        double buffer[LANES], *out = values->room + strip->site;
+        double lanes[LANES], *out = values->buffer + strip->site;
         if (state >= 0) {
-            memcpy(out, model_state(model, strip, state, which.component, buffer),
+            memcpy(out, model_state(model, strip, state, which.component, lanes),
                    (size_t)strip->count * sizeof *out);
             continue;
         }
         model_observe(model, body, strip, &seen);
         which.value.observe(&seen, which.component, out);
     }
-    return values->room;
+    return values->buffer;
 }

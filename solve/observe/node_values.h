@@ -22,10 +22,10 @@ struct node_value {
     bool density;     /* per volume: as a quantity it is that of the whole node, unit * m3 */
     bool label;       /* no quantity: it says which, not how much */
     const char *help; /* one line for the manual */
-    /* One of the two: where a component is as a box field, in *room where it has to be made; or its values in a
+    /* One of the two: where a component is as a box field, in *buffer where it has to be made; or its values in a
      * state of nodes, [state->count].  Neither: it is the state of that name of a law (laws.h). */
     const double *(*field)(const struct body *body, const struct damage *damage, int component,
-                           double *room);
+                           double *buffer);
     void (*observe)(const struct node_state *state, int component, double *values);
 };
 

@@ -44,9 +44,9 @@ static void add_test(struct list *columns, const struct record *record)
     const struct energy_balance *energy = &record->integration->balance;
     const double internal = energy_internal(energy), per_internal = internal > 0 ? 1 / internal : 0;
     const struct record_column rows[] = {
-        {"force_left", "N", NEEDS_GRIPS, left->total_force,
+        {"force_left", "N", NEEDS_GRIPS, left->reaction,
          "axial force that the left grip exerts on the specimen, along +x: below 0 in tension"},
-        {"force_right", "N", NEEDS_GRIPS, right->total_force,
+        {"force_right", "N", NEEDS_GRIPS, right->reaction,
          "axial force that the right grip exerts on the specimen: above 0 in tension"},
         {"extension", "m", NEEDS_GAUGE, planes.right - planes.left,
          "growth of the distance of the gauge planes"},

@@ -83,7 +83,7 @@ struct slip {
 };
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
 /* Makes them where there are none. */
-void ordinary_plastic_room(struct ordinary *model, int64_t strip);
+void ordinary_plastic_make_slip(struct ordinary *model, int64_t strip);
 /* Whether an end of a bond of the strip is about to flow. */
 bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
 

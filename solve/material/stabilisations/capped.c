@@ -247,24 +247,24 @@ static void add_to_end(const struct springs *s, struct body *body, const struct 
     }
 }
 
-static void degrade(struct springs *s, const double *left)
+static void degrade(struct springs *s, const double *integrity)
 {
     for (int k = 0; k < s->count; k++) {
-        s->stiffness[k] *= left[k];
-        s->at_lower[k] *= left[k];
-        s->at_upper[k] *= left[k];
+        s->stiffness[k] *= integrity[k];
+        s->at_lower[k] *= integrity[k];
+        s->at_upper[k] *= integrity[k];
     }
 }
 
 /* What degrading since the last commit has released, as (degradation.2); sound: stiffness without damage. */
-static void add_released(const struct springs *s, const double *sound, const double *left,
+static void add_released(const struct springs *s, const double *sound, const double *integrity,
                          double *before, double *lost)
 {
     for (int k = 0; k < s->count; k++) {
         const double square =
             s->z[0][k] * s->z[0][k] + s->z[1][k] * s->z[1][k] + s->z[2][k] * s->z[2][k];
-        lost[k] += 0.5 * sound[k] * square * (before[k] - left[k]);
-        before[k] = left[k];
+        lost[k] += 0.5 * sound[k] * square * (before[k] - integrity[k]);
+        before[k] = integrity[k];
     }
 }
 
@@ -293,14 +293,14 @@ static void add_part(const struct capped *c, struct body *body, const struct bon
     struct springs s = {.count = view->count};
     find_caps(c, &s, body, view, flow);
     double buffer[LANES], sound[LANES];
-    const double *left = integrity_of_bonds(body, view, buffer);
+    const double *integrity = integrity_of_bonds(body, view, buffer);
     memcpy(sound, s.stiffness, (size_t)s.count * sizeof *sound);
-    if (left) degrade(&s, left);
+    if (integrity) degrade(&s, integrity);
     find_z(&s, body, view, zeta);
     int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
     add_to_end(&s, body, view, false, zeta);
     add_to_end(&s, body, view, true, zeta);
-    if (left && mode.commit) add_released(&s, sound, left, before, lost);
+    if (integrity && mode.commit) add_released(&s, sound, integrity, before, lost);
     if (any && mode.commit) commit_slip(&s, body, view, zeta);
     if (mode.energy) capped_energy(body, &s, view, lost, energy);
 }
