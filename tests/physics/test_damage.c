@@ -233,6 +233,25 @@ static void test_bonds_obey_their_pair(void **state)
     small_body_free(&small);
 }
 
+/* Of a bond alone, w = c s^2 |xi|/2 with c = 18 K/(4 pi M |dx|^4), M = 1/4 at a horizon of one spacing and K = E/1.5 at Poisson's
+ * ratio 1/4: s = 0.02 holds the value.  Pushed together it holds as much and stays whole. */
+static void test_bonds_hold_an_energy_only_pulled(void **state)
+{
+    (void)state;
+    struct small_body small;
+    const double modulus = 18 * (210e9 / 1.5) / (acos(-1) * pow(SMALL_SPACING, 4));
+    char *text = memory_print("damage: [{pair: [A, A], law: bond_energy, value: %.17g}]",
+                              0.5 * modulus * 0.02 * 0.02 * SMALL_SPACING);
+    start(&small, text, 2, 1, 1, 1);
+    assert_false(pull(&small, 0.02 * (1 - 1e-9)));
+    assert_false(pull(&small, -0.02 * (1 + 1e-9)));
+    assert_false(pull(&small, -0.5));
+    assert_true(pull(&small, 0.02 * (1 + 1e-9)));
+    assert_near(damage_broken_bonds(small.damage), 1, 0);
+    small_body_free(&small);
+    free(text);
+}
+
 static void read_wrong(const void *breaking)
 {
     struct small_body small;
@@ -461,6 +480,7 @@ int main(void)
         cmocka_unit_test(test_a_removed_node_takes_all_its_bonds),
         cmocka_unit_test(test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits),
         cmocka_unit_test(test_two_particles),
+        cmocka_unit_test(test_bonds_hold_an_energy_only_pulled),
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
         cmocka_unit_test(test_rules_of_pairs),
