@@ -1,3 +1,9 @@
+/* broken.c - families that have lost bonds: shape tensor, gradient and divergence, bond by bond (broken.h).
+ *
+ * The sums by columns (family_sums.h) take whole families for granted; here is what they leave to the nodes beside a crack.
+ * A bit a bond and lower end is asked from both ends.  Shapes change where bonds have broken alone, so a run pays for
+ * the nodes beside its cracks and no others.  What remains of a family may span no space, or so little of it that the node
+ * would be stiffer than the step allows: then the node is given up as one without a gradient. */
 #include "broken.h"
 
 #include "bonds.h"

@@ -1,3 +1,10 @@
+/* damage.c - finds what has to break, and breaks it (damage.h).
+ *
+ * Testing every bond at every step would cost as much as a force.  But a bond's margin shrinks at most by the ways of its two
+ * ends: each strip notes how far nodes may move until its closest bond could be due, and is passed over until they have.
+ * How far they have moved is bounded from above twice, by the distance since the last test and by the steps' own
+ * ways, with factors that outweigh the rounding: a strip is passed over only where no bond of it can break, so the bits
+ * are those of testing all.  What is found and what breaks are two calls: an equilibrium breaks the worst alone, and then looks again. */
 #include "damage.h"
 
 #include "broken.h"

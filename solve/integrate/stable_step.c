@@ -1,3 +1,9 @@
+/* stable_step.c - the critical time step by Lanczos' method (stable_step.h).
+ *
+ * A formula of wave speed and spacing knows nothing of formulation, influence, stabilisation, surface and damage, each of which
+ * moves the limit.  Lanczos needs no matrix, only forces of small displacements, so whatever the force is made of is seen.
+ * The force is that of frozen states: plastic flow and slip only soften.  No reorthogonalisation: what it
+ * loses are copies of values found already, and the largest is found first. */
 #include "stable_step.h"
 
 #include "material.h"

@@ -1,3 +1,10 @@
+/* verlet.c - one explicit step (verlet.h).
+ *
+ * Second order, one force a step, and symplectic: the error of the energy stays bounded instead of adding up, which makes the
+ * balance of energies a check of the run.  Written with half kicks, since velocities are known at full steps then,
+ * where energies, records and damping need them, and since a bond that breaks in the middle of a step gives its
+ * first half the old force and its second half the new one.  Motion is prescribed at half steps, the positions
+ * follow; so work is force times the way actually gone.  The largest way goes to damage.h, which passes over bonds by it. */
 #include "verlet.h"
 
 #include "balance.h"

@@ -1,3 +1,8 @@
+/* degradation.c - stress and energies of degraded points (degradation.h).
+ *
+ * Wrapped around the answer of any law instead of written into one: laws go on with the sound material's stress and state.  What a
+ * growing D releases is booked when a state is accepted, by the trapezoidal rule, so that energy, plastic work and the
+ * work of the forces balance to second order of the step; forces that are only tried read the books alone. */
 #include "degradation.h"
 
 #include "memory.h"

@@ -40,8 +40,7 @@ static const struct key scatter_keys[] = {
 static const struct section section_scatter = {
     .path = "materials.NAME.yield_scatter",
     .help = "A yield stress that varies from node to node: it is multiplied by 1 + d g, g a number "
-            "of the "
-            "normal distribution, cut at three deviations.",
+            "of the normal distribution, cut at three deviations.",
     .keys = KEYS(scatter_keys),
 };
 

@@ -88,8 +88,7 @@ static const struct node_value table[] = {
     {"von_mises", "Pa", 1, .observe = von_mises, .help = "of the Cauchy stress"},
     {"damage", "1", 1, .field = damage_of,
      .help = "0 to 1: share of the family's volume that bonds no longer reach, or the loss of "
-             "stress by "
-             "ductile damage where that is more"},
+             "stress by ductile damage where that is more"},
     {"phase", "1", 1, .label = true, .field = phase,
      .help = "number of the material, in the order of the domain's blocks, from 0"},
 };

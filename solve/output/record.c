@@ -124,9 +124,9 @@ const struct section *record_section(void)
     static struct section section = {
         .path = "output.history",
         .help = "The columns of a history, which are no keys. Those of forces and grip_extension "
-                "need two "
-                "grips, those of the gauge, its phases and sections the node sets gauge_left and "
-                "gauge_right; without them they are absent. Behind them stand output.quantities."};
+                "need two grips, those of the gauge, its phases and sections the node sets "
+                "gauge_left and gauge_right; without them they are absent. Behind them stand "
+                "output.quantities."};
     const struct record empty = record_empty();
     int count;
     struct record_column *columns = record_columns(&empty, ~0u, &count);

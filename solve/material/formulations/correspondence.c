@@ -6,7 +6,12 @@
  * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18; total Lagrangian.  The
  * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
  * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
- * deformation gradient carries no stress and keeps its plastic state. */
+ * deformation gradient carries no stress and keeps its plastic state.
+ *
+ * Any law of a point serves, at the price of motions that every gradient misses (zero-energy modes), which a stabilisation
+ * controls.  Gradient, law and division by K read and write the fields of the same nodes, so they go
+ * through the body in one walk, plane by plane, while the caches still hold what a plane needs; the divergence, which waits for
+ * the neighbours, comes after it.  S K^-1 is put in the place of S, since each neighbour reads Q and nobody S again. */
 #include "broken.h"
 #include "die.h"
 #include "family_sums.h"

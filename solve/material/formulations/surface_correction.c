@@ -1,3 +1,9 @@
+/* surface_correction.c - weights of bonds near a surface, raised by what the families of their ends lack (surface_correction.h).
+ *
+ * The constants of bond-based and ordinary materials are those of a full family; a node with half a family is too soft.  The
+ * correction is made once, at the start, and goes into the weights: the loops over bonds know nothing of it, and strips
+ * of the interior, whose factors are 1, keep their one weight in a register.  Both ends give the bond one factor, so
+ * that the forces at its ends stay opposite.  Correspondence needs none of it: its shape tensor does the same. */
 #include "surface_correction.h"
 
 #include "bond_loop.h"
@@ -68,8 +74,7 @@ static double full_family(const struct bonds *bonds, int power, int axis)
               family_moment(family, power + (flat ? 1 : 2)) * pow(dx, 3 + power);
         if (!isfinite(sum))
             die_user("no surface correction of scattered particles with the steep influence "
-                     "function: its "
-                     "continuum has no full family");
+                     "function: its continuum has no full family");
         return sum;
     }
     for (int o = 0; o < family->n_half; o++) {

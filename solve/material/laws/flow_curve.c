@@ -1,3 +1,9 @@
+/* flow_curve.c - hardening laws put into tables of cubics (flow_curve.h).
+ *
+ * The return asks for sigma_y and its slope several times a point; powers and exponentials would set its pace, and those of a
+ * library differ by the width of vectors.  Filled once, with the law's own functions, a table costs a few products a look,
+ * with the same bits at any width.  The work up to each cell is the integral of the very cubics, so that stored energy, plastic
+ * work and stress of a point belong to one potential.  Bonds between phases have the mean law of their ends. */
 #include "flow_curve.h"
 
 #include "memory.h"

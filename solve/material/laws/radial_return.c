@@ -1,3 +1,10 @@
+/* radial_return.c - the plastic multiplier of a strip of points (radial_return.h).
+ *
+ * All points of the strip take the same steps of Newton's method in one vector loop, whether they are beyond yield or not:
+ * those that have settled keep their value by a mask (open = 0), and the loop ends with the last one.  The start, along
+ * the tangent of the flow curve, is exact for linear hardening, and near for smooth laws.  The mask
+ * makes a point's result depend on its own numbers alone, so strips may be cut anywhere without a change of bits.
+ * Bisection, point by point, is for kinks of tabulated curves, between which Newton's steps may go to and fro. */
 #include "radial_return.h"
 
 #include "flow_curve.h"

@@ -13,7 +13,11 @@
  *
  * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
- * it does not act as a strain-gradient stiffness in plastic flow. */
+ * it does not act as a strain-gradient stiffness in plastic flow.
+ *
+ * The springs are made of all bonds of the family, so that longer horizons, whose gradient sees less of short waves, have more
+ * of them.  One strip of bonds is worked on at a time, its springs in buffers: stiffness, cap, z, slip, and then the
+ * forces at lower ends before those at upper ones, which fixes the order of each node's terms. */
 #include "broken.h"
 #include "integrity.h"
 #include "memory.h"
