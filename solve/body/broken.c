@@ -109,7 +109,7 @@ static void new_gradient(const struct body *body, int64_t site, double F[9])
     }
 }
 
-/* A of (broken.1), remaining being 1 + H over the remaining bonds; false where the remaining bonds see another volume altogether. */
+/* A of (broken.1), remaining being 1 + H over the remaining bonds; false where these see another volume altogether. */
 static bool keep_gradient(const struct body *body, int64_t site, const double remaining[9])
 {
     enum { MOST_CHANGE = 5 };
@@ -140,7 +140,7 @@ static bool still_spans(const struct body *body, int64_t site)
     return now > 0 && now < MOST_STIFFENING * body->broken->whole[site];
 }
 
-/* The node has no deformation gradient any more. */
+/* Gives the node up as one without a deformation gradient. */
 static void lose(struct body *body, int64_t site)
 {
     for (int k = 0; k < 6; k++) body->inverse[k][site] = 0;
@@ -174,7 +174,7 @@ static void lattice_shapes(struct body *body, bool keep)
         }
 }
 
-/* The same where families are lists of bonds; every rank does it for its near nodes. */
+/* Shape tensors of nodes that have lost bonds where families are lists of bonds; every rank finds those of its near nodes. */
 static void list_shapes(struct body *body, bool keep)
 {
     struct broken *broken = body->broken;

@@ -403,7 +403,7 @@ void damage_choose(struct damage *damage, double most)
     ranks_minimum(&low, 1);
     ranks_minimum(&high, 1);
     high = -high;
-    /* Those at low or beyond are enough, those at high or beyond are too few or the last of one value. */
+    /* An excess of low or more have enough, of high or more too few, or all have one value. */
     for (int halving = 0; halving < 60 && low < high; halving++) {
         const double middle = 0.5 * (low + high);
         *(count_beyond(damage, middle) >= most ? &low : &high) = middle;

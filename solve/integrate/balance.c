@@ -101,9 +101,9 @@ static double affine_energy(const struct integration *integration, const struct 
     return body_mass(integration, body) * speed * speed / 24;
 }
 
-/* The same for a body that sets with these speeds stretch against its rest. */
-static double held_energy(const struct integration *integration, const struct body *body,
-                          const struct boundary *boundary)
+/* Kinetic energy of a body stretched uniformly about its middle, by held sets that move at their speeds of now. */
+static double set_energy(const struct integration *integration, const struct body *body,
+                         const struct boundary *boundary)
 {
     double kinetic = integration->held, mass = 0;
     for (int b = 0; b < boundary->count; b++) {
@@ -154,7 +154,7 @@ static void take_energies(struct integration *integration, const struct body *bo
     balance->stabilisation = values[STABILISATION];
     balance->reference = fmax(balance->reference, values[LOADED]);
     if (!boundary_has_grips(boundary) || affine_energy(integration, body, boundary) == 0)
-        balance->reference = fmax(balance->reference, held_energy(integration, body, boundary));
+        balance->reference = fmax(balance->reference, set_energy(integration, body, boundary));
 }
 
 void balance_start(struct integration *integration, const struct body *body,
@@ -166,7 +166,7 @@ void balance_start(struct integration *integration, const struct body *body,
     integration->held = values[HELD];
     integration->balance.reference = affine_energy(integration, body, boundary);
     take_energies(integration, body, boundary, values);
-    integration->balance.initial = energy_held(&integration->balance);
+    integration->balance.initial = energy_total(&integration->balance);
 }
 
 /* Work of the sets over a step: mean force times way, and what their own mass has gained. */
@@ -210,7 +210,7 @@ void balance_motion(struct integration *integration, const struct body *body,
     const bool gained = values[0] > balance->kinetic;
     balance->kinetic = values[0];
     integration->held = values[1];
-    if (gained) balance->initial = energy_held(balance) - balance->work;
+    if (gained) balance->initial = energy_total(balance) - balance->work;
 }
 
 void balance_reactions(const struct body *body, struct boundary *boundary)

@@ -51,7 +51,7 @@ void boundary_set_displacements(const struct boundary *boundary, struct body *bo
 void boundary_set_velocities(struct boundary *boundary, struct body *body, double time, double dt);
 /* The sets have no speed any more. */
 void boundary_stop(struct boundary *boundary);
-/* As boundary_set_velocities, for the step from time on: v becomes the way over dt. */
+/* As boundary_set_velocities, for the step from time on: v becomes the displacement of the step over dt. */
 void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt);
 
 /* This rank's part of the reactions, the force each set exerts on the body along its direction:
@@ -64,7 +64,7 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
 void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
                        struct exact_sum *work);
 
-/* The part of the sets alone. */
+/* The work of the sets alone. */
 void boundary_add_set_work(const struct boundary *boundary, const struct body *body,
                            double duration, struct exact_sum *work);
 
@@ -78,7 +78,7 @@ double boundary_speed(const struct boundary_set *set, double time, double dt);
 
 /* Strain rate between the grips at such a time [1/s]; 0 without grips. */
 double boundary_strain_rate(const struct boundary *boundary, double time, double dt);
-/* That at full speed; 0 where the grips' velocities are not given as numbers. */
+/* Strain rate between the grips at full speed [1/s]; 0 where the grips' velocities are not given as numbers. */
 double boundary_full_strain_rate(const struct boundary *boundary);
 
 static inline bool boundary_has_grips(const struct boundary *boundary)

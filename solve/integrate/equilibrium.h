@@ -70,7 +70,7 @@ double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, do
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
-/* Those that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */
+/* The methods that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */
 #define EQUILIBRIUM_METHOD(name) equilibrium_##name
 extern const struct equilibrium_method EQUILIBRIUM_METHODS(EQUILIBRIUM_METHOD);
 

@@ -31,7 +31,7 @@ void integration_force(struct integration *integration, struct model *model, str
                        struct force_mode mode, struct force_energy *energy);
 
 /* stored + plastic + stabilisation of the sums that a force has filled [J].  Collective. */
-double integration_held_energy(const struct force_energy *energy);
+double integration_internal_energy(const struct force_energy *energy);
 
 static inline void integration_strip_density(const struct integration *integration,
                                              const struct body *body, const struct strip *strip,

@@ -19,7 +19,7 @@ HS_SIMD static void kick(int count, const double *restrict f,
 {
     for (int i = 0; i < count; i++) v[i] += half_step * f[i] * inverse_density[i];
 }
-/* The same with a force from outside. */
+/* v += half_step (f + b)/rho, b the force from outside. */
 HS_SIMD static void kick_loaded(int count, const double *restrict f, const double *restrict b,
                                 const double *restrict inverse_density, double half_step,
                                 double *restrict v)
@@ -96,14 +96,14 @@ static void break_bonds(struct integration *integration, struct body *body, stru
         *energy = integration->zero;
         integration_force(integration, model, body, (struct force_mode){.energy = true}, energy);
     }
-    const double before = integration_held_energy(energy) + half_step_power(integration, body);
+    const double before = integration_internal_energy(energy) + half_step_power(integration, body);
     damage_break(integration->damage);
     *energy = integration->zero;
     integration_force(integration, model, body,
                       (struct force_mode){.commit = true, .energy = true, .record = record},
                       energy);
     integration->balance.fracture +=
-        before - integration_held_energy(energy) - half_step_power(integration, body);
+        before - integration_internal_energy(energy) - half_step_power(integration, body);
 }
 
 void verlet_step(struct integration *integration, struct body *body, struct boundary *boundary,

@@ -40,7 +40,7 @@ struct record_column *record_columns(const struct record *record, unsigned has, 
 /* All columns that a run may write, for the manual: one row each, with its unit.  Lives as long as the program. */
 const struct section *record_section(void);
 
-/* Its title in the file, a new text: force_left_N.  A pure number's is its name. */
+/* Title of a column in the file, a new text: force_left_N; of a pure number the name alone. */
 char *column_title(const char *name, const char *unit);
 
 #endif

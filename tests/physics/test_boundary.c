@@ -254,8 +254,8 @@ static double imbalance_of(const char *sections, double step, double *drift)
     while (it.integration.time < 0.2e-6) {
         scene_body_step(&it);
         const struct energy_balance *balance = &it.integration.balance;
-        most = fmax(most, fabs(energy_held(balance) - balance->initial - balance->work));
-        energy = fmax(energy, energy_held(balance));
+        most = fmax(most, fabs(energy_total(balance) - balance->initial - balance->work));
+        energy = fmax(energy, energy_total(balance));
         *drift = fmax(*drift, fabs(energy_drift(balance)));
     }
     scene_body_free(&it);

@@ -296,7 +296,8 @@ static void walk(struct correspondence *model, struct body *body, struct force_m
     divide_by_shape(body, divided, body->owned.count);
 }
 
-/* The same where bonds reach farther, or are listed: the flow stress of both ends must be known before their bond. */
+/* Gradients, laws and Q where bonds of the stabilisation reach farther, or are listed: the flow stress of both ends must be known
+ * before their bond. */
 static void near_nodes_first(struct correspondence *model, struct body *body,
                              struct force_mode mode, struct force_energy *energy)
 {

@@ -29,7 +29,7 @@ HS_INLINE double weighted(double weight, double length, double power, double n)
     return power > 1 ? once * length : once;
 }
 
-/* The same of a bond, times the volume of the other end; the pass's number is the power. */
+/* Adds to each end w |xi|^power n^4 times the volume of the other end; the pass's number is the power. */
 HS_INLINE void add_weighted_volume(const struct bond_pass *p, int k, struct bond b, double n)
 {
     const double one = weighted(b.weight, b.length, p->number, n);
@@ -59,7 +59,7 @@ void surface_add_weighted_volumes(const struct bonds *bonds, int power, double *
     add_weighted_volumes(bonds, power, -1, sum);
 }
 
-/* The same sum of a full family. */
+/* Sum of w |xi|^power n^4 V over a full family; axis as of add_weighted_volumes. */
 static double full_family(const struct bonds *bonds, int power, int axis)
 {
     const struct body *body = bonds->body;

@@ -79,7 +79,7 @@ HS_SIMD static void stress(int count, struct points *restrict s, const struct tr
         point_stress(s, t, i, inverse_tensor(deformation_gradient(s, i)));
 }
 
-/* The same, and (j2.4) where the point has flowed; the others keep their state to the last bit. */
+/* P, and (j2.4) where the point has flowed; points that have not keep their state to the last bit. */
 HS_SIMD static void stress_and_state(int count, struct points *restrict s,
                                      const struct trial *restrict t, double *restrict xx,
                                      double *restrict yy, double *restrict zz, double *restrict xy,
