@@ -60,6 +60,5 @@ struct hardening hardening_none(void);
 /* Flow stress [Pa] and its slope [Pa] at p >= 0; the slope of a tabulated law is that to the right. */
 double hardening_stress(const struct hardening *hardening, double p);
 double hardening_slope(const struct hardening *hardening, double p);
-const char *hardening_name(const struct hardening *hardening);
 
 #endif

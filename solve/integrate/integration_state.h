@@ -11,7 +11,7 @@ struct integration {
     bool moving;     /* with inertia */
     double dt, time; /* of the steps from here on; s */
     double force_time,
-        committed_time; /* which the next force is of; of the last one with mode.commit; s */
+        committed_time; /* time of the next force; of the last one with mode.commit; s */
     int64_t step;
     int64_t evaluations;      /* of the force so far */
     double residual;          /* of the last equilibrium, relative; 0 after an explicit step */

@@ -167,18 +167,3 @@ double vector_product(const struct unknowns *unknowns, double *x, const double *
     vector_products(unknowns, 1, &x, &x_norm, y, y_norm, &product);
     return product;
 }
-
-double held_norm(const struct unknowns *unknowns, double *const fields[3])
-{
-    const struct strips *owned = &unknowns->body->owned;
-    double *held = vector_new(unknowns);
-    for (int a = 0; a < 3; a++) {
-        int64_t at = a * unknowns->n_nodes;
-        for (int64_t s = 0; s < owned->count; s++)
-            for (int i = 0; i < owned->items[s].count; i++, at++)
-                held[at] = unknowns->free[at] > 0 ? 0 : fields[a][owned->items[s].site + i];
-    }
-    const double norm = vector_norm(unknowns, held);
-    free(held);
-    return norm;
-}

@@ -12,36 +12,6 @@
 
 /* --- sources ---------------------------------------------------------------------------------- */
 
-static const double *displacement(const struct body *body, const struct damage *damage,
-                                  int component, double *buffer)
-{
-    (void)damage, (void)buffer;
-    return body->u[component];
-}
-
-static const double *velocity(const struct body *body, const struct damage *damage, int component,
-                              double *buffer)
-{
-    (void)damage, (void)buffer;
-    return body->v[component];
-}
-
-static const double *force(const struct body *body, const struct damage *damage, int component,
-                           double *buffer)
-{
-    (void)damage, (void)buffer;
-    return body->f[component];
-}
-
-static const double *external_force(const struct body *body, const struct damage *damage,
-                                    int component, double *buffer)
-{
-    (void)damage;
-    if (body->b[component]) return body->b[component];
-    body_clear(body, &buffer, 1);
-    return buffer;
-}
-
 static const double *phase(const struct body *body, const struct damage *damage, int component,
                            double *buffer)
 {
@@ -78,11 +48,12 @@ static void von_mises(const struct node_state *state, int component, double *val
 /* --- table ------------------------------------------------------------------------------------ */
 
 static const struct node_value table[] = {
-    {"displacement", "m", 3, .field = displacement, .help = "from the reference position"},
-    {"velocity", "m/s", 3, .field = velocity, .help = "0 in equilibria"},
-    {"force", "N/m3", 3, .density = true, .field = force,
+    {"displacement", "m", 3, .member = offsetof(struct body, u),
+     .help = "from the reference position"},
+    {"velocity", "m/s", 3, .member = offsetof(struct body, v), .help = "0 in equilibria"},
+    {"force", "N/m3", 3, .density = true, .member = offsetof(struct body, f),
      .help = "inner force on a node, per volume"},
-    {"external_force", "N/m3", 3, .density = true, .field = external_force,
+    {"external_force", "N/m3", 3, .density = true, .member = offsetof(struct body, b),
      .help = "loads on a node, per volume"},
     {"stress", "Pa", 6, .observe = stress, .help = "Cauchy stress"},
     {"von_mises", "Pa", 1, .observe = von_mises, .help = "of the Cauchy stress"},
@@ -201,14 +172,19 @@ void node_values_free(struct node_values *values)
 const double *node_values_field(struct node_values *values, struct node_component which,
                                 struct model *model, const struct body *body)
 {
-    if (which.value.field)
-        return which.value.field(body, values->damage, which.component, values->buffer);
+    double *buffer = values->buffer;
+    if (which.value.member) {
+        double *const *fields = (double *const *)((const char *)body + which.value.member);
+        if (!fields[which.component]) body_clear(body, &buffer, 1);
+        return fields[which.component] ? fields[which.component] : buffer;
+    }
+    if (which.value.field) return which.value.field(body, values->damage, which.component, buffer);
     const int state = which.value.observe ? -1 : law_state_number(which.value.name);
     const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         struct node_state seen;
-        double lanes[LANES], *out = values->buffer + strip->site;
+        double lanes[LANES], *out = buffer + strip->site;
         if (state >= 0) {
             memcpy(out, model_state(model, strip, state, which.component, lanes),
                    (size_t)strip->count * sizeof *out);
@@ -217,5 +193,5 @@ const double *node_values_field(struct node_values *values, struct node_componen
         model_observe(model, body, strip, &seen);
         which.value.observe(&seen, which.component, out);
     }
-    return values->buffer;
+    return buffer;
 }

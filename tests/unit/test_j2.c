@@ -122,7 +122,7 @@ static long double law_stress(const struct hardening *law, long double p)
  * infinite at first yield, what a cell's width does to it. */
 static double table_error(const struct hardening *law)
 {
-    const char *name = hardening_name(law);
+    const char *name = law->law->variant.name;
     bool kinked = strcmp(name, "hollomon") == 0 || strcmp(name, "tabulated") == 0;
     return kinked ? 1e-4 : 1e-9;
 }
