@@ -364,7 +364,8 @@ static void test_errors_are_told(void **state)
     static const char elastic[] = "{A: {model: ordinary, density: 8900, youngs_modulus: 210 GPa, "
                                   "poissons_ratio: 0.31}}";
     static const struct wrong wrongs[] = {
-        {small_nickel, WRONG("{phase: A, law: ductile, onset: 0.4, full: 0.4}"), "beyond 'onset'"},
+        {small_nickel, WRONG("{phase: A, law: ductile, onset: 0.4, full: 0.4}"),
+         "more than 'onset'"},
         {small_nickel, WRONG("{phase: A, law: ductile, full: 0.4}"), "onset"},
         {small_nickel, WRONG("{phase: A, law: ductile, onset: 0.4}"), "full"},
         {small_nickel, WRONG("{phase: A, law: ductile, onset: 0.1, full: 0.4, length: 0}"),
