@@ -216,6 +216,25 @@ static void test_rules_of_pairs(void **state)
     }
 }
 
+/* A crack along an interface opens bonds that the springs of both phases make: the energy at one stretch is the mean of
+ * theirs, and 1/s^2 of a fracture energy, which is that over it, too. */
+static void test_fracture_energy_of_an_interface(void **state)
+{
+    (void)state;
+    struct small_body small;
+    struct damage_rules rules;
+#define FRACTURE(pair) "{pair: " pair ", law: critical_stretch, fracture_energy: 1 kJ/m2}"
+    read_rules(&small, &rules,
+               "damage: [" FRACTURE("[A, A]") ", " FRACTURE("[B, B]") ", " FRACTURE("[A, B]") "]");
+#undef FRACTURE
+    const double *s = rules.value; /* of AA, AB, BA, BB */
+    assert_relative(s[3] / s[0], sqrt(210.0 / 70), 1e-12);
+    assert_relative(1 / (s[1] * s[1]), 0.5 / (s[0] * s[0]) + 0.5 / (s[3] * s[3]), 1e-12);
+    assert_relative(s[2], s[1], 1e-15);
+    damage_rules_free(&rules);
+    small_body_free(&small);
+}
+
 /* The bond across the interface obeys its own value, those of pairs not named never break. */
 static void test_bonds_obey_their_pair(void **state)
 {
@@ -484,6 +503,7 @@ int main(void)
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
         cmocka_unit_test(test_rules_of_pairs),
+        cmocka_unit_test(test_fracture_energy_of_an_interface),
         cmocka_unit_test(test_bonds_obey_their_pair),
         cmocka_unit_test(test_errors_are_told),
         cmocka_unit_test(test_energy_balance_through_fracture),
