@@ -78,9 +78,9 @@ void *yield_pairs(int count, const void *const first[], const void *const second
         ends[k] = first[k] ? &((const struct yield *)first[k])->hardening : &none;
         ends[count + k] = second[k] ? &((const struct yield *)second[k])->hardening : &none;
     }
-    struct flow_curves curves = flow_curves_new(count, ends, ends + count);
+    double *table = flow_curves_new(count, ends, ends + count);
     free(ends);
-    return curves.table;
+    return table;
 }
 
 static double uniform(uint64_t hash)

@@ -62,16 +62,12 @@ static int compare_tasks(const void *a, const void *b)
 static void append_tasks(struct correspondence *model, const struct grid *grid,
                          const struct strips *strips, int kind)
 {
-    size_t size = (size_t)(model->n_tasks + strips->count) * sizeof *model->tasks;
-    struct task *tasks = memory_new(size, 1);
-    if (model->n_tasks) memcpy(tasks, model->tasks, (size_t)model->n_tasks * sizeof *tasks);
-    free(model->tasks);
-    model->tasks = tasks;
     for (int64_t s = 0; s < strips->count; s++) {
         int at[3];
         grid_position(grid, strips->items[s].site, at);
         const int bond = kind >= 0;
-        tasks[model->n_tasks++] =
+        model->tasks = memory_grow(model->tasks, model->n_tasks, sizeof *model->tasks);
+        model->tasks[model->n_tasks++] =
             (struct task){strips->items[s], {at[2] + bond, bond, at[1], kind}, kind};
     }
 }
@@ -146,7 +142,8 @@ static void correspondence_start(void *self, const struct body *body, struct bon
                  model->stabilisation->words.name);
     model->n_sites = body->grid.n_sites;
     model->nominal = memory_new((size_t)model->n_sites, sizeof *model->nominal);
-    model->node_share = model->stabilisation->node_share(model->self);
+    model->node_share =
+        model->stabilisation->node_share ? model->stabilisation->node_share(model->self) : 1;
     model->near_nodes = model->stabilisation->add_family != NULL;
     model->nodes = model->near_nodes ? &body->near : &body->owned;
     model->points = points_new(body, model->materials, model->nodes, 0);

@@ -23,7 +23,7 @@ struct radial_return {
     const int64_t *curve;      /* index of the flow curve */
     double *increment, *scale; /* out: g, and 1 - 3 mu g/q_trial; 0 and 1 below yield */
     double *open;              /* work */
-    const double *table;       /* struct flow_curves.table */
+    const double *table;       /* flow curves (flow_curve.h) */
 };
 
 void radial_return(const struct radial_return *points);

@@ -72,12 +72,6 @@ static void capped_start(void *self, const struct body *body, const struct mater
     for (size_t k = 0; k < points; k++) c->before[k] = 1;
 }
 
-static double capped_node_share(const void *self)
-{
-    (void)self;
-    return 1;
-}
-
 /* What one strip of bonds works on. */
 struct springs {
     int count;
@@ -340,7 +334,6 @@ const struct stabilisation stabilisation_capped = {
     .size = sizeof(struct capped),
     .bonds = capped_bonds,
     .start = capped_start,
-    .node_share = capped_node_share,
     .add_family = capped_add,
     .free = capped_free,
 };
