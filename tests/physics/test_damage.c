@@ -448,6 +448,31 @@ static void test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits(void 
     small_body_free(&small);
 }
 
+/* Stretched by 5 % along x and by 4.2 % along y, bonds along x are beyond the stretch of 2 % by the most; those along a
+ * diagonal, 1.41 times as long, by the most of a length: 2.6 % of it. */
+static void test_the_worst_bonds_are_most_beyond_in_stretch(void **state)
+{
+    (void)state;
+    struct small_body small;
+    int broken = 0;
+    start(&small, "damage: [{pair: [A, A], law: critical_stretch, value: 0.02}]", 3, 3, 1, 1.5);
+    small_body_deform(&small, (double[9]){0.05, 0, 0, 0, 0.042});
+    assert_true(damage_find(small.damage));
+    damage_choose(small.damage, 6);
+    damage_break(small.damage);
+    assert_near(damage_broken_bonds(small.damage), 6, 0);
+    for (int64_t s = 0; s < small.bonds->count; s++) {
+        const struct bond_view view = bonds_view(small.bonds, &small.bonds->strips[s]);
+        for (int k = 0; k < view.count; k++) {
+            if (view.weight[k * view.weight_step] > 0) continue;
+            assert_near(view.xi[1][k * view.geometry_step], 0, 0);
+            broken++;
+        }
+    }
+    assert_int_equal(broken, 6);
+    small_body_free(&small);
+}
+
 /* One soft node flows more than its limit: all bonds of its family break, those that its neighbours begin, too, and no others. */
 static void test_a_removed_node_takes_all_its_bonds(void **state)
 {
@@ -497,6 +522,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_removed_node_takes_all_its_bonds),
+        cmocka_unit_test(test_the_worst_bonds_are_most_beyond_in_stretch),
         cmocka_unit_test(test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits),
         cmocka_unit_test(test_two_particles),
         cmocka_unit_test(test_bonds_hold_an_energy_only_pulled),
