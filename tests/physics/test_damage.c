@@ -168,6 +168,56 @@ static void test_known_critical_stretches(void **state)
     family_free((struct family *)&family);
 }
 
+/* sum over x > 0 of r^power x, over the sum of all r^power, of the points of a fine grid in a ball or a disc of radius 1: bonds
+ * across a plane, over the whole family. */
+static double share_across(int power, enum plane plane)
+{
+    enum { R = 60 };
+    double across = 0, all = 0;
+    for (int x = -R; x <= R; x++)
+        for (int y = -R; y <= R; y++)
+            for (int z = plane == SPACE ? -R : 0; z <= (plane == SPACE ? R : 0); z++) {
+                const double r = sqrt(x * x + y * y + z * z) / R;
+                if (!(r > 0 && r <= 1)) continue;
+                all += pow(r, power);
+                if (x > 0) across += pow(r, power) * x / R;
+            }
+    return across / all;
+}
+
+/* Of ordinary materials of any Poisson's ratio, by such sums: springs b w e^2/2 at either end with b = 15 mu/m, in a plane 8 mu/m, and k
+ * theta^2/2 of the dilatation that the bonds cut make, theta = n sum w |xi| e V/m, at its mean over the layer on either
+ * side.  w = 1, w = 1/r, and the latter with 1/r in theta, too.  The grid is good to 1e-3. */
+static void test_openings_are_sums_over_the_bonds_cut(void **state)
+{
+    (void)state;
+    const double mu = 80e9, nu = 0.45, delta = 3 * SMALL_SPACING, E = 2 * mu * (1 + nu);
+    const struct material m = {.youngs_modulus = E,
+                               .poissons_ratio = nu,
+                               .shear_modulus = mu,
+                               .bulk_modulus = E / (3 * (1 - 2 * nu))};
+    const double of_plane[] = {[SPACE] = m.bulk_modulus - 5 * mu / 3,
+                               [PLANE_STRESS] = E / (2 * (1 - nu)) - 2 * mu,
+                               [PLANE_STRAIN] = m.bulk_modulus + mu / 3 - 2 * mu};
+    const struct lattice lattice = {.dimensions = 3, .spacing = SMALL_SPACING};
+    for (enum plane plane = SPACE; plane <= PLANE_STRAIN; plane++) {
+        const double n = plane == SPACE ? 3 : 2, spring = (plane == SPACE ? 15 : 8) * mu * delta;
+        double share[3]; /* of w r^2 = 1, r, r^2 */
+        for (int power = 0; power < 3; power++) share[power] = share_across(power, plane);
+#define DILATATION(share) (of_plane[plane] * delta * (n * (share)) * (n * (share)))
+        for (int power = 1; power <= 2; power++) {
+            struct family family =
+                family_new(3, power == 2 ? 0 : family_influence("inverse"), false);
+            assert_relative(opening_ordinary(&m, plane, &family, &lattice),
+                            spring * share[power] + DILATATION(share[power]), 3e-3);
+            assert_relative(opening_madenci_oterkus(&m, plane, &family, &lattice),
+                            spring * share[1] + DILATATION(share[0]), 3e-3);
+            family_free(&family);
+        }
+#undef DILATATION
+    }
+}
+
 static uint8_t halves(const int size[3], const int at[3])
 {
     return at[0] >= size[0] / 2;
@@ -528,6 +578,7 @@ int main(void)
         cmocka_unit_test(test_bonds_hold_an_energy_only_pulled),
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
+        cmocka_unit_test(test_openings_are_sums_over_the_bonds_cut),
         cmocka_unit_test(test_rules_of_pairs),
         cmocka_unit_test(test_fracture_energy_of_an_interface),
         cmocka_unit_test(test_bonds_obey_their_pair),
