@@ -28,7 +28,7 @@ struct broken {
     double *keep[9];  /* box fields: A_i at touched nodes, row by row */
     double *whole;    /* box field: trace of K^-1 before any bond broke */
     double *lost;     /* box field, 1 at near nodes that have no deformation gradient any more */
-    double n_lost;    /* nodes of the whole body with that */
+    double n_lost;    /* nodes of the whole body without a deformation gradient */
 };
 
 void broken_free(struct broken *broken);

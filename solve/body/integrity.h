@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-/* How two numbers become one; the mean of 0 and 0 is 0 in any of them. */
+/* How two numbers become one; 0 and 0 become 0 in each way. */
 enum combination { COMBINE_SMALLER, COMBINE_LARGER, COMBINE_MEAN, COMBINE_HARMONIC, COMBINATIONS };
 double combine(enum combination combination, double a, double b);
 

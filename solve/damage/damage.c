@@ -27,9 +27,10 @@ struct damage {
      * its ends must be beyond, soonest the least of all.  No node is farther from where it was at any test than the way
      * has grown since: by the largest distance from one test to the next. */
     double travelled, *due, soonest; /* travelled: the way at the last test */
-    double *last[3];                 /* box fields: u then */
-    double reach;                    /* no node of the body is farther from there than that */
-    double moved; /* nor has any moved farther since bonds were looked for; below 0: nobody knows */
+    double *last[3];                 /* box fields: u at the last test */
+    double reach;                    /* bound on the distance of any node from last, m */
+    double
+        moved; /* bound on how far any node has moved since the last damage_find, m; below 0: unknown */
     /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at that site; how far
      * it is beyond its limit, as a stretch or a share of it; 1 where this rank counts it. */
     struct found {
@@ -147,7 +148,8 @@ static double distance(const struct damage *damage)
     return sqrt(square) * (1 + 0x1p-48);
 }
 
-/* The way with that distance.  The factors outweigh the rounding: it never grows by less than a node has moved. */
+/* The way at a distance far from the last test.  The factors outweigh the rounding: it never grows by less than a node has
+ * moved. */
 static double way(const struct damage *damage, double far)
 {
     return (damage->travelled + far) * (1 + 0x1p-51);

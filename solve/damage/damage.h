@@ -81,8 +81,8 @@ struct damage_rules {
     int n_node_laws;        /* up to n_phases */
     struct node_law *node_laws;
     enum combination *integrity; /* [n_phases^2] of the bonds between two phases */
-    bool bonds;                  /* whether any of them may break */
-    bool degrading;              /* whether some nodes do so by degrees */
+    bool bonds;                  /* whether some law may break bonds by stretch or energy */
+    bool degrading; /* whether the stress of some nodes degrades before their bonds break */
 };
 
 extern const struct section section_damage, section_damage_rule;

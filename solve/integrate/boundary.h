@@ -76,7 +76,7 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
 /* Velocity of a set with one motion at a time between steps [m/s]. */
 double boundary_speed(const struct boundary_set *set, double time, double dt);
 
-/* Strain rate between the grips at such a time [1/s]; 0 without grips. */
+/* Strain rate between the grips at a time between steps [1/s]; 0 without grips. */
 double boundary_strain_rate(const struct boundary *boundary, double time, double dt);
 /* Strain rate between the grips at full speed [1/s]; 0 where the grips' velocities are not given as numbers. */
 double boundary_full_strain_rate(const struct boundary *boundary);

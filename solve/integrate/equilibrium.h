@@ -20,7 +20,7 @@
 struct equilibrium;
 
 struct equilibrium_method {
-    int64_t usual_evaluations; /* at most, of one solution, where nobody says another number */
+    int64_t usual_evaluations; /* at most, of one solution, where the deck says no other number */
     bool preconditions;        /* else it takes equilibrium->bound */
     const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
     void *(*start)(const struct equilibrium *equilibrium);
@@ -52,7 +52,7 @@ struct equilibrium {
     int64_t last;                /* evaluation at which a method gives up */
 };
 
-/* The method of that number in equilibrium_methods.  Collective. */
+/* method: its number in equilibrium_methods.  Collective. */
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials);

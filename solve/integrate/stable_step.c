@@ -27,7 +27,7 @@ struct lanczos {
     struct model *model;
     struct body *body;
     const struct materials *materials;
-    struct vector rest, force; /* as the body is: displacement, and the force to it */
+    struct vector rest, force; /* displacement of the body as it is, and the force at it */
     struct vector current, before, image;
 };
 

@@ -30,7 +30,7 @@ struct state {
     const char *help; /* one line */
 };
 
-/* What a component of it begins with. */
+/* What a component of a state begins with. */
 static inline double state_initial(const struct state *state, int component)
 {
     const int step = state->components == TENSOR ? 4 : 1;
@@ -61,10 +61,11 @@ struct points {
     int64_t pair[LANES]; /* in: of which phases, first * phases + second, whose means it obeys */
     double shift[LANES]; /* in: what the yield stress has over the law's own (yield.h) [Pa] */
     bool flows;          /* out: some point flows */
-    double P[TENSOR][LANES];   /* out: first Piola-Kirchhoff stress [Pa] */
-    double stored[LANES];      /* out: energy density that comes back [J/m^3] */
-    double dissipated[LANES];  /* out: work density that does not, of all steps up to now [J/m^3] */
-    double dissipating[LANES]; /* out, at a commit: the part of this step in it [J/m^3] */
+    double P[TENSOR][LANES];  /* out: first Piola-Kirchhoff stress [Pa] */
+    double stored[LANES];     /* out: energy density that comes back [J/m^3] */
+    double dissipated[LANES]; /* out: work density that does not, of all steps up to now [J/m^3] */
+    double dissipating
+        [LANES]; /* out, at a commit: the part of dissipated that this step adds [J/m^3] */
 };
 
 struct law {

@@ -29,7 +29,7 @@ struct law_in_use {
 struct materials {
     int count;
     enum plane plane;
-    const struct formulation *formulation; /* of all of them */
+    const struct formulation *formulation; /* of all phases */
     struct material *items;
     double *shear, *bulk; /* [count * count] by pair, Pa */
     int n_laws;

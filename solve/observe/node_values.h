@@ -46,7 +46,7 @@ struct node_component {
 };
 /* Component i of all that can be quantities; the name of its value is NULL beyond the last one. */
 struct node_component node_component(int i);
-/* Which of them a word of the deck means; dies as above. */
+/* Which component a word of the deck means; dies where there is none, naming the nearest. */
 int node_component_read(struct deck_node word);
 
 /* The variable's name in a file, a new text: StressXX. */
