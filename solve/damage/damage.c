@@ -29,8 +29,7 @@ struct damage {
     double travelled, *due, soonest; /* travelled: the way at the last test */
     double *last[3];                 /* box fields: u at the last test */
     double reach;                    /* bound on the distance of any node from last, m */
-    double
-        moved; /* bound on how far any node has moved since the last damage_find, m; below 0: unknown */
+    double moved; /* bound on the motion of any node since damage_find, m; below 0: unknown */
     /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at that site; how far
      * it is beyond its limit, as a stretch or a share of it; 1 where this rank counts it. */
     struct found {

@@ -74,9 +74,9 @@ struct node_law {
 /* The deck's section, read for the phases of the domain. */
 struct damage_rules {
     int n_phases;
-    const struct damage_law *
-        *law;               /* [n_phases^2] of the bonds of each pair, NULL: they never break */
-    double *value;          /* [n_phases^2] */
+    /* [n_phases^2] of the bonds of each pair, NULL: they never break; and the value of the law. */
+    const struct damage_law **law;
+    double *value;
     struct node_rule *node; /* [n_phases] */
     int n_node_laws;        /* up to n_phases */
     struct node_law *node_laws;

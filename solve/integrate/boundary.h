@@ -29,11 +29,10 @@ struct boundary_set {
 struct boundary {
     int count;
     struct boundary_set *sets;
-    uint8_t
-        *held; /* box field: bit a where the component along axis a is prescribed; NULL: nowhere */
-    int left,
-        right; /* the grips: of the sets with one motion along x that with the lowest and that with the
-                        highest mean x, -1 where there are not two, one beside the other */
+    uint8_t *held; /* box field: bit a where component a is prescribed; NULL: nowhere */
+    /* The grips: of the sets with one motion along x that with the lowest and that with the highest mean x; -1 where
+     * there are not two, one beside the other. */
+    int left, right;
     struct loads loads;
 };
 

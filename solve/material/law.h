@@ -61,11 +61,10 @@ struct points {
     int64_t pair[LANES]; /* in: of which phases, first * phases + second, whose means it obeys */
     double shift[LANES]; /* in: what the yield stress has over the law's own (yield.h) [Pa] */
     bool flows;          /* out: some point flows */
-    double P[TENSOR][LANES];  /* out: first Piola-Kirchhoff stress [Pa] */
-    double stored[LANES];     /* out: energy density that comes back [J/m^3] */
-    double dissipated[LANES]; /* out: work density that does not, of all steps up to now [J/m^3] */
-    double dissipating
-        [LANES]; /* out, at a commit: the part of dissipated that this step adds [J/m^3] */
+    double P[TENSOR][LANES];   /* out: first Piola-Kirchhoff stress [Pa] */
+    double stored[LANES];      /* out: energy density that comes back [J/m^3] */
+    double dissipated[LANES];  /* out: work density that does not, of all steps up to now [J/m^3] */
+    double dissipating[LANES]; /* out, at a commit: what this step adds to dissipated [J/m^3] */
 };
 
 struct law {

@@ -47,8 +47,7 @@ struct correspondence {
     struct task *tasks;
     struct point_store *points; /* of the nodes */
     double *flow;               /* [n_sites] flow stress, where the stabilisation wants it */
-    double *
-        nominal; /* [n_sites] stress xx with the share of the bonds, as of the last force to be recorded */
+    double *nominal; /* [n_sites] stress xx, share of the bonds included, at the last record */
 };
 
 static int compare_tasks(const void *a, const void *b)
