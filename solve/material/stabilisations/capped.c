@@ -254,7 +254,8 @@ static void degrade(struct springs *s, const double *integrity)
     }
 }
 
-/* What degrading since the last commit has released, as (degradation.2); sound: stiffness without damage. */
+/* What degrading since the last commit has released: (degradation.2) with the energy of now for the mean of the step, by
+ * which its error is of first order, of energies that the cap keeps small; sound: stiffness without damage. */
 static void add_released(const struct springs *s, const double *sound, const double *integrity,
                          double *before, double *lost)
 {
