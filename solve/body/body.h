@@ -31,7 +31,7 @@ struct body {
     double *volumes;     /* box field where they differ, else NULL */
     int64_t n_nodes;     /* of the whole body */
     int64_t unsupported; /* nodes of the whole body without a deformation gradient */
-    /* Of what damage and cracks do to it (damage.h), which free them. */
+    /* Made and freed by damage and cracks (damage.h). */
     struct broken *broken;       /* NULL: all bonds are whole */
     struct integrity *integrity; /* NULL: no node degrades */
 

@@ -15,7 +15,7 @@ struct members {
 /* domain: rank 0's (NULL elsewhere).  Dies, listing the sets there are, where it has none of that name or
  * an empty one.  Collective. */
 struct members members_new(const struct body *body, const struct domain *domain, const char *name);
-/* The same from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */
+/* Members from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */
 struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count);
 /* Reference positions of the owned ones, three new lists of members->count [m]; the caller frees them. */
 void members_places(const struct members *members, const struct body *body, double *place[3]);
