@@ -33,7 +33,7 @@ struct body {
     double *densities;   /* of corners [kg/m^3], box field; NULL: a node has that of its phase */
     int64_t n_nodes;     /* of the whole body */
     int64_t unsupported; /* nodes of the whole body without a deformation gradient */
-    /* Of what damage and cracks do to it (damage.h), which free them. */
+    /* Made and freed by damage and cracks (damage.h). */
     struct broken *broken;       /* NULL: all bonds are whole */
     struct integrity *integrity; /* NULL: no node degrades */
 

@@ -66,7 +66,7 @@ static inline int64_t lattice_site(const struct lattice *lattice, int x, int y, 
     return ((int64_t)z * lattice->size[1] + y) * lattice->size[0] + x;
 }
 
-/* The reverse. */
+/* Position of a site along the axes. */
 static inline void lattice_position(const struct lattice *lattice, int64_t site, int at[3])
 {
     int64_t line = site / lattice->size[0];

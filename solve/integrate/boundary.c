@@ -138,7 +138,7 @@ void boundary_set_ways(struct boundary *boundary, struct body *body, double time
     }
 }
 
-/* Reaction of a held component: what inner forces and loads leave to it [N]. */
+/* Reaction of a held component: minus the sum of inner force and load [N]. */
 static double reaction(const struct body *body, int direction, int64_t site)
 {
     double density = body->f[direction][site];

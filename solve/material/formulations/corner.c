@@ -217,10 +217,10 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     load(model, body, strip, &points, &cells);
     for (int i = 0; i < strip->count; i++)
         cells.volume[i] = body_particle_volume(body, strip->site + i);
-    cells.left = integrity_of_nodes(body, strip->site, strip->count);
+    cells.integrity = integrity_of_nodes(body, strip->site, strip->count);
     memcpy(flow, points_flow_stress(model->points, strip, flow),
            (size_t)strip->count * sizeof *flow);
-    points_update(model->points, strip, &points, mode, cells.left);
+    points_update(model->points, strip, &points, mode, cells.integrity);
     for (int k = 0; k < TENSOR; k++)
         weigh_stress(strip->count, share, cells.volume, points.P[k], cells.A[k]);
     if (body->lattice->dimensions == 2) memset(cells.m, 0, sizeof cells.m);

@@ -94,7 +94,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                 add_scaled(n, four->slope[q][m][k % 3], cells->h[m][k / 3], points.H[k]);
         for (int i = 0; i < n; i++)
             if (!(points.mu[i] > 0)) points_switch_off(&points, i);
-        points_update(four->points[q], strip, &points, mode, cells->left);
+        points_update(four->points[q], strip, &points, mode, cells->integrity);
         for (int k = 0; k < TENSOR; k++)
             add_stress(n, weight, cells->volume, points.P[k], cells->A[k]);
         for (int m = 0; m < modes; m++)
