@@ -21,10 +21,10 @@ struct lbfgs {
     int count;    /* pairs, oldest first */
     double scale; /* c */
     double *s[MEMORY], *z[MEMORY], *w, *y;
-    double s_norm[MEMORY], z_norm[MEMORY];
-    double sg[MEMORY], zg[MEMORY]; /* s_i.g, z_i.g */
-    double sy[MEMORY][MEMORY];     /* s_i.y_j, i <= j */
-    double zy[MEMORY][MEMORY];     /* z_i.y_j, symmetric */
+    double s_norm[MEMORY], z_norm[MEMORY], y_norm; /* bounds of norms */
+    double sg[MEMORY], zg[MEMORY];                 /* s_i.g, z_i.g */
+    double sy[MEMORY][MEMORY];                     /* s_i.y_j, i <= j */
+    double zy[MEMORY][MEMORY];                     /* z_i.y_j, symmetric */
 };
 
 static void *lbfgs_start(const struct equilibrium *e)
@@ -106,9 +106,8 @@ static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slop
     memcpy(z, self->w, (size_t)unknowns->length * sizeof *z);
     equilibrium_precondition(e, e->g, self->w);
     for (int64_t i = 0; i < unknowns->length; i++) z[i] = self->w[i] - z[i];
-    self->z_norm[k] = vector_norm(unknowns, z);
-    vector_products(unknowns, 1, &z, &self->z_norm[k], self->y, vector_norm(unknowns, self->y),
-                    &self->zy[k][k]);
+    self->z_norm[k] = vector_bound(unknowns, vector_largest(unknowns, z));
+    vector_products(unknowns, 1, &z, &self->z_norm[k], self->y, self->y_norm, &self->zy[k][k]);
     for (int i = 0; i < n; i++) {
         vectors[i] = self->s[i];
         norms[i] = self->s_norm[i];
@@ -137,7 +136,7 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
         if (self->count == MEMORY) drop_oldest(self);
         double *d = self->s[self->count], *y = self->y;
         direction(self, e, d);
-        const double d_norm = vector_norm(unknowns, d), far = vector_largest(unknowns, d);
+        const double far = vector_largest(unknowns, d), d_norm = vector_bound(unknowns, far);
         double slope, end;
         vector_products(unknowns, 1, &d, &d_norm, e->g, e->norm, &slope);
         if (!(slope < 0)) {
@@ -165,9 +164,12 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
         for (int64_t i = 0; i < unknowns->length; i++) y[i] = e->g[i] - y[i];
         vector_scale(unknowns, taken, d);
         self->s_norm[self->count] = fabs(taken) * d_norm;
+        const double y_largest = vector_largest(unknowns, y);
+        self->y_norm = vector_bound(unknowns, y_largest);
         complete_pair(self, e, taken * slope);
         const int k = self->count;
-        if (!(self->sy[k][k] > 1e-10 * self->s_norm[k] * vector_norm(unknowns, y))) continue;
+        /* Curvature, or rounding: the product of the largest numbers is not beyond that of the norms. */
+        if (!(self->sy[k][k] > 1e-10 * fabs(taken) * far * y_largest)) continue;
         if (self->zy[k][k] > 0) self->scale = self->sy[k][k] / self->zy[k][k];
         self->count++;
     }

@@ -172,6 +172,11 @@ void vector_products(const struct unknowns *unknowns, int count, double *const x
     free(sums);
 }
 
+double vector_bound(const struct unknowns *unknowns, double largest)
+{
+    return sqrt(3.000001 * (double)unknowns->body->n_nodes) * largest;
+}
+
 double vector_norm(const struct unknowns *unknowns, const double *x)
 {
     const double largest = vector_largest(unknowns, x);
