@@ -229,6 +229,8 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
                  left_speed = boundary_speed(left, 0, dt);
     double centre[3];
     for (int a = 0; a < 3; a++) centre[a] = lattice_middle(body->lattice, a);
+    const double width =
+        0.5 * fmax(lattice_extent(body->lattice, 1), lattice_extent(body->lattice, 2));
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             int64_t site = body->owned.items[s].site + i;
@@ -236,8 +238,9 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
             body_position(body, site, x);
             double along = fmin(fmax(x[0], left->inner), right->inner);
             body->v[0][site] = left_speed + rate * (along - left->inner);
-            bool gripped = x[0] < left->inner || x[0] > right->inner;
+            const double inside = fmin(along - left->inner, right->inner - along);
             for (int a = 1; a < 3; a++)
-                body->v[a][site] = gripped ? 0 : -poissons_ratio * rate * (x[a] - centre[a]);
+                body->v[a][site] = -poissons_ratio * rate * (x[a] - centre[a]) *
+                                   (inside < width ? inside / width : 1);
         }
 }

@@ -68,7 +68,7 @@ void boundary_add_set_work(const struct boundary *boundary, const struct body *b
                            double duration, struct exact_sum *work);
 
 /* Initial velocity field of the body: along x linear between the grips, across it the contraction of
- * uniaxial stress.  poissons_ratio: of the mean material.  Without grips nothing. */
+ * uniaxial stress, which grows from nothing at the grips over half of the body's width.  poissons_ratio: of the mean material.  Without grips nothing. */
 void boundary_affine_start(const struct boundary *boundary, struct body *body,
                            double poissons_ratio, double dt);
 
