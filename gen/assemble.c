@@ -10,7 +10,11 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
                            struct attributes *attributes)
 {
     const struct specimen *specimen = &recipe->specimen;
-    attributes_set_number(attributes, "spacing_m", specimen->spacing);
+    const double *edge = specimen->spacing;
+    attributes_set_number(attributes, "spacing_m", edge[0]);
+    if (edge[1] != edge[0]) attributes_set_number(attributes, "spacing_y_m", edge[1]);
+    if (edge[2] != edge[0] && !specimen_is_sheet(specimen))
+        attributes_set_number(attributes, "spacing_z_m", edge[2]);
     if (specimen_is_sheet(specimen)) {
         attributes_set_number(attributes, "dimensions", (double)specimen->dimensions);
         attributes_set_number(attributes, "thickness_m", specimen->size[2]);
@@ -20,7 +24,7 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
         int64_t layer[2];
         specimen_gauge_layers(specimen, layer);
         attributes_set_number(attributes, "gauge_length_m",
-                              (double)(layer[1] - layer[0]) * specimen->spacing);
+                              (double)(layer[1] - layer[0]) * edge[0]);
     }
     if (!recipe->topology->single_phase)
         attributes_set_number(attributes, "ufg_fraction", findings->ufg_fraction);

@@ -110,30 +110,35 @@ static bool is_buried(const struct structure *structure, int64_t node, const int
 struct contact clusters_contact(const struct structure *structure, int limit)
 {
     const struct sites *sites = structure->sites;
+    const bool flat = sites->count[2] == 1;
+    const double furthest = limit * steps_unit(sites->spacing, flat);
     int n_steps;
-    struct step *steps = steps_ball(limit + 1, true, &n_steps);
-    struct contact contact = {0};
-    int nearest = INT32_MAX;
+    struct step *steps =
+        steps_ball(sites->spacing, furthest + steps_longest_edge(sites->spacing, flat), true, flat,
+                   STEPS_BY_FILM, &n_steps);
+    struct contact contact = {.film = INFINITY};
     for (int64_t node = 0; node < sites->n_nodes; node++) {
         if (!is_member(structure, node, PHASE_CG)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
-        /* Neighbours (square <= 3) are all counted; beyond them only what is nearer than known.
-         * From a buried node one of its neighbours is nearer to whatever lies beyond. */
-        int reach = is_buried(structure, node, at) ? 4 : INT32_MAX;
-        for (int s = 0; s < n_steps && steps[s].square < reach; s++) {
-            if (steps[s].square > 3 && steps[s].square >= nearest) break;
+        /* Neighbours are all counted; beyond them only what is nearer than known.  From a buried node
+         * its neighbour one step on, along the shortest edge that the step has, is nearer to whatever lies
+         * beyond, and the film is thinner: the direction turns to longer edges. */
+        const bool buried = is_buried(structure, node, at);
+        for (int s = 0; s < n_steps; s++) {
+            const double film = steps_film(&steps[s]);
+            const bool touch = steps_touch(&steps[s]);
+            if (!touch && (buried || film >= contact.film || film > furthest)) break;
             const int *offset = steps[s].offset;
             int64_t other =
                 sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
             if (!is_member(structure, other, PHASE_CG) ||
                 structure->core[other] == structure->core[node])
                 continue;
-            contact.touching += steps[s].square <= 3;
-            nearest = steps[s].square < nearest ? steps[s].square : nearest;
+            contact.touching += touch;
+            contact.film = fmin(contact.film, film);
         }
     }
-    contact.film = nearest == INT32_MAX ? INFINITY : sqrt(nearest) - 1;
     free(steps);
     return contact;
 }

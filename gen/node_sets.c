@@ -53,7 +53,7 @@ static void add_layers(const struct sites *sites, const char *name, int64_t firs
 static int64_t layer_of(const struct sites *sites, int axis, double length, int last)
 {
     int64_t i = 0;
-    double slack = 1e-6 * sites->spacing;
+    double slack = 1e-6 * sites->spacing[axis];
     if (last) {
         while (i < sites->count[axis] && sites_coordinate(sites, axis, i) <= length + slack) i++;
         return i - 1;
@@ -65,7 +65,7 @@ static int64_t layer_of(const struct sites *sites, int axis, double length, int 
 static void add_deck_set(const struct sites *sites, struct deck_node map, struct domain *out)
 {
     struct box_set set;
-    keys_read(map, &specimen_set, 0, sites->spacing, &set, NULL);
+    keys_read(map, &specimen_set, 0, sites->spacing[0], &set, NULL);
     if (domain_set(out, set.name))
         deck_error(deck_get(map, "name"), "there is a node set '%s' already", set.name);
     struct deck_node box = set.box;
@@ -76,7 +76,7 @@ static void add_deck_set(const struct sites *sites, struct deck_node map, struct
             deck_error(box, "a box is two corners: [[x, y, z], [x, y, z]]");
         for (int axis = 0; axis < 3; axis++) {
             struct deck_node item = deck_item(deck_item(box, end), axis);
-            double length = deck_length(item, sites->spacing, -1e6, 1e6);
+            double length = deck_length(item, sites->spacing[axis], -1e6, 1e6);
             corner[end][axis] = layer_of(sites, axis, length, end);
         }
     }

@@ -26,12 +26,17 @@ static const struct key rows[] = {
      .help = "shape of the body, centred at the origin; x is the loading direction"},
     {"dimensions", KEY_INTEGER, MEMBER(specimen.dimensions), .low = 2, .high = 3, .usual = 3,
      .help = "2: a sheet, one layer of nodes in the plane z = 0"},
-    {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .required = true,
-     .help = "of the lattice of nodes"},
-    {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+    {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .size = 3,
+     .required = true,
      .help =
-         "of the whole, a dog-bone's heads included: whole numbers of spacings, 1 to 1e6 each; the "
-         "third of a sheet is its thickness, 1e-12 to 1e3 m"},
+         "edges of the lattice's cells, along x, y, z, or of its cubes; the third of a sheet is "
+         "its "
+         "thickness.  Lengths in spacings are in the edge along x, but the components of size and "
+         "of the boxes of sets in that axis' own"},
+    {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+     .help = "of the whole, a dog-bone's heads included: whole numbers of that axis' spacings, 1 "
+             "to 1e6 each; the "
+             "third of a sheet is its thickness, 1e-12 to 1e3 m"},
     {"phases", KEY_SECTION, .section = &phases_section, .required = true, .users = TWO_PHASES,
      .help = "names of the two materials"},
     {"ufg_fraction", KEY_NUMBER, MEMBER(ufg_fraction), .unit = "1", .low = 1e-6, .high = 1 - 1e-6,
@@ -135,8 +140,8 @@ struct cores recipe_cores(struct recipe *recipe)
         if (extent[axis] > cores.size[axis] * (1 + 1e-9))
             die_user("%s: the cores are for a body of %g x %g x %g m, the deck's is larger",
                      recipe->cores_file, cores.size[0], cores.size[1], cores.size[2]);
-    if (cores.distance < recipe->specimen.spacing ||
-        cores.distance > LONGEST_DISTANCE * recipe->specimen.spacing)
+    if (cores.distance < recipe->specimen.spacing[0] ||
+        cores.distance > LONGEST_DISTANCE * recipe->specimen.spacing[0])
         die_user("%s: distance_m %g is not between 1 and %g spacings", recipe->cores_file,
                  cores.distance, LONGEST_DISTANCE);
     recipe->shape = cores.shape;

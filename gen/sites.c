@@ -5,10 +5,11 @@
 
 #include <stdlib.h>
 
-struct sites sites_new(const int64_t count[3], double spacing, sites_inside *inside,
+struct sites sites_new(const int64_t count[3], const double spacing[3], sites_inside *inside,
                        const void *specimen)
 {
-    struct sites sites = {.count = {count[0], count[1], count[2]}, .spacing = spacing};
+    struct sites sites = {.count = {count[0], count[1], count[2]},
+                          .spacing = {spacing[0], spacing[1], spacing[2]}};
     int64_t n_sites = count[0] * count[1] * count[2];
     if (n_sites > INT32_MAX)
         die_user("%lld lattice sites are more than the %d that a domain can have: use a larger "
@@ -38,6 +39,14 @@ void sites_free(struct sites *sites)
     *sites = (struct sites){0};
 }
 
+char *sites_cell(const struct sites *sites)
+{
+    const double *edge = sites->spacing;
+    const bool cube = edge[1] == edge[0] && (edge[2] == edge[0] || sites->count[2] == 1);
+    return cube ? memory_print("%.6g", 1e6 * edge[0])
+                : memory_print("%.6g x %.6g x %.6g", 1e6 * edge[0], 1e6 * edge[1], 1e6 * edge[2]);
+}
+
 void sites_index(const struct sites *sites, int64_t node, int64_t index[3])
 {
     /* There are less than 2^31 sites, and 32-bit division is several times faster. */
@@ -51,8 +60,8 @@ void sites_index(const struct sites *sites, int64_t node, int64_t index[3])
 
 double sites_coordinate(const struct sites *sites, int axis, int64_t i)
 {
-    /* A whole number times half the spacing: mirrored nodes have exactly opposite coordinates. */
-    return 0.5 * (double)(2 * i + 1 - sites->count[axis]) * sites->spacing;
+    /* A whole number times half the edge: mirrored nodes have exactly opposite coordinates. */
+    return 0.5 * (double)(2 * i + 1 - sites->count[axis]) * sites->spacing[axis];
 }
 
 void sites_position(const struct sites *sites, int64_t node, double position[3])

@@ -66,7 +66,7 @@ const struct section specimen_grips = {
 /* A length that the lattice fills with whole layers. */
 static void read_layers(struct deck_node item, int axis, struct specimen *specimen)
 {
-    double spacing = specimen->spacing;
+    double spacing = specimen->spacing[axis];
     double length = deck_length(item, spacing, spacing * 0.5, spacing * MOST_LAYERS);
     double layers = round(length / spacing);
     if (layers < 1) layers = 1;
@@ -88,7 +88,13 @@ static void read_size(struct deck_node size, struct specimen *specimen)
         read_layers(deck_item(size, axis), axis, specimen);
     if (specimen->dimensions == 3) return;
     specimen->count[2] = 1;
-    specimen->size[2] = deck_length(deck_item(size, 2), specimen->spacing, THINNEST, THICKEST);
+    const double said = specimen->spacing[2];
+    specimen->size[2] = deck_length(deck_item(size, 2), specimen->spacing[0], THINNEST, THICKEST);
+    specimen->spacing[2] = specimen->size[2];
+    if (said != specimen->spacing[0] && fabs(said / specimen->size[2] - 1) > 1e-6)
+        deck_error(deck_item(size, 2),
+                   "a sheet is one cell thick: the thickness %g m is not the third spacing, %g m",
+                   specimen->size[2], said);
 }
 
 /* Ranges that depend on other keys. */
@@ -103,7 +109,7 @@ static void check_length(struct deck_node map, const char *key, double length, d
 static void check_dogbone(struct deck_node gauge, const struct specimen *specimen)
 {
     double head = specimen->size[1], step = 0.5 * (head - specimen->gauge_width);
-    check_length(gauge, "width", specimen->gauge_width, specimen->spacing, head);
+    check_length(gauge, "width", specimen->gauge_width, specimen->spacing[1], head);
     check_length(gauge, "fillet", specimen->fillet, step, 1e3 * head);
     double arc = sqrt(step * (2 * specimen->fillet - step));
     if (specimen->gauge_length + 2 * arc > specimen->size[0])
@@ -115,18 +121,18 @@ static void check_dogbone(struct deck_node gauge, const struct specimen *specime
 
 static void read_gauge(struct deck_node gauge, struct specimen *specimen)
 {
-    keys_read(gauge, &specimen_gauge, (int)specimen->shape, specimen->spacing, specimen, NULL);
-    check_length(gauge, "length", specimen->gauge_length, specimen->spacing, specimen->size[0]);
+    keys_read(gauge, &specimen_gauge, (int)specimen->shape, specimen->spacing[0], specimen, NULL);
+    check_length(gauge, "length", specimen->gauge_length, specimen->spacing[0], specimen->size[0]);
     if (specimen->shape == SPECIMEN_DOGBONE) check_dogbone(gauge, specimen);
 }
 
 static void read_grips(struct deck_node map, struct specimen *specimen)
 {
     struct grips grips;
-    keys_read(map, &specimen_grips, 0, specimen->spacing, &grips, NULL);
-    check_length(map, "length", grips.length, specimen->spacing,
-                 0.5 * (specimen->size[0] - specimen->spacing));
-    specimen->grip_layers = (int64_t)llround(grips.length / specimen->spacing);
+    keys_read(map, &specimen_grips, 0, specimen->spacing[0], &grips, NULL);
+    check_length(map, "length", grips.length, specimen->spacing[0],
+                 0.5 * (specimen->size[0] - specimen->spacing[0]));
+    specimen->grip_layers = (int64_t)llround(grips.length / specimen->spacing[0]);
     specimen->grip_phase = strcmp(grips.phase, "structure") == 0 ? NULL : grips.phase;
     int64_t layer[2];
     specimen_gauge_layers(specimen, layer);
@@ -161,7 +167,7 @@ static bool inside(const void *specimen, const double point[3])
 {
     const struct specimen *s = specimen;
     /* Rounding must not decide about a node on the outline. */
-    return fabs(point[1]) <= specimen_half_width(s, point[0]) + 1e-6 * s->spacing;
+    return fabs(point[1]) <= specimen_half_width(s, point[0]) + 1e-6 * s->spacing[1];
 }
 
 struct sites specimen_sites(const struct specimen *specimen)
@@ -176,8 +182,7 @@ bool specimen_is_sheet(const struct specimen *specimen)
 
 double specimen_node_volume(const struct specimen *specimen)
 {
-    double square = specimen->spacing * specimen->spacing;
-    return square * (specimen_is_sheet(specimen) ? specimen->size[2] : specimen->spacing);
+    return specimen->spacing[0] * specimen->spacing[1] * specimen->spacing[2];
 }
 
 void specimen_extent(const struct specimen *specimen, double extent[3])
@@ -200,7 +205,8 @@ uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *s
 void specimen_gauge_layers(const struct specimen *specimen, int64_t layer[2])
 {
     /* Of two layers equally near, the outer one; the left plane mirrors the right one. */
-    double right = 0.5 * (specimen->gauge_length / specimen->spacing + (double)specimen->count[0]);
+    double right =
+        0.5 * (specimen->gauge_length / specimen->spacing[0] + (double)specimen->count[0]);
     layer[1] = (int64_t)floor(right + 1e-6);
     if (layer[1] > specimen->count[0] - 1) layer[1] = specimen->count[0] - 1;
     layer[0] = specimen->count[0] - 1 - layer[1];
@@ -215,6 +221,6 @@ double specimen_section(const struct specimen *specimen, const struct sites *sit
         int64_t i = sites->site[node] % sites->count[0];
         between += i >= layer[0] && i <= layer[1];
     }
-    double height = specimen_is_sheet(specimen) ? specimen->size[2] : sites->spacing;
-    return (double)between / (double)(layer[1] - layer[0] + 1) * sites->spacing * height;
+    return (double)between / (double)(layer[1] - layer[0] + 1) * sites->spacing[1] *
+           sites->spacing[2];
 }

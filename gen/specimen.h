@@ -1,7 +1,8 @@
 /* specimen.h - the outer shape: plate or dog-bone, its grips and its gauge.
  *
  * In two dimensions it is a sheet: one layer of nodes in the plane z = 0, whose thickness size[2] has
- * nothing to do with the spacing. */
+ * nothing to do with the spacing along x and y.  Lengths that a deck has in spacings are in the edge along x, but
+ * components of the size and of corners of boxes in that axis' own. */
 #ifndef HS_SPECIMEN_H
 #define HS_SPECIMEN_H
 
@@ -17,7 +18,7 @@ struct specimen {
     enum specimen_shape shape;
     int64_t dimensions; /* 2: a sheet; else 3 */
     double size[3];     /* m, along x (loading), y, z */
-    double spacing;     /* m */
+    double spacing[3];  /* m, edges of a cell; the third of a sheet is its thickness */
     int64_t count[3];
     double gauge_length;    /* m, between the gauge planes; 0: none asked for */
     double gauge_width;     /* m, dog-bone: of the parallel part, along y */
@@ -31,8 +32,8 @@ extern const char *const specimen_shapes[];
 extern const struct section specimen_gauge, specimen_grips, specimen_set;
 
 /* Reads the values of these keys of domain (index 0: none; a dog-bone has a gauge) into a specimen whose shape,
- * dimensions and spacing are known.  Each of the size's components must be a whole number of spacings within 1e-6, but the thickness of a
- * sheet. */
+ * dimensions and spacing are known.  Each of the size's components must be a whole number of that axis'
+ * spacings within 1e-6, but the thickness of a sheet. */
 void specimen_read(struct specimen *specimen, struct deck_node size, struct deck_node gauge,
                    struct deck_node grips);
 
@@ -40,7 +41,7 @@ struct sites specimen_sites(const struct specimen *specimen);
 
 bool specimen_is_sheet(const struct specimen *specimen);
 
-/* Volume (m^3) that a node owns: spacing^3, of a sheet spacing^2 times the thickness. */
+/* Volume (m^3) of a cell, which its node owns. */
 double specimen_node_volume(const struct specimen *specimen);
 
 /* The box (m) that the microstructure has to fill: the size; of a sheet the plane z = 0, so that its
@@ -62,8 +63,7 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
 void specimen_gauge_layers(const struct specimen *specimen, int64_t layer[2]);
 
 /* Area of the section between the gauge planes (m^2), both layers included: number of nodes times
- * spacing^2 (a sheet: spacing times thickness) over the number of layers; of the whole body where
- * there is no gauge. */
+ * a cell's section over the number of layers; of the whole body where there is no gauge. */
 double specimen_section(const struct specimen *specimen, const struct sites *sites);
 
 #endif

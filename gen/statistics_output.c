@@ -41,10 +41,12 @@ static void print_size(const struct recipe *recipe, const struct sites *sites)
     const struct specimen *specimen = &recipe->specimen;
     double volume = specimen_node_volume(specimen);
     if (specimen_is_sheet(specimen)) note("a sheet %.9g mm thick", 1e3 * specimen->size[2]);
-    note("%lld x %lld x %lld sites of %.6g um, %lld nodes, volume %.9g mm3, section %.9g mm2",
-         (long long)sites->count[0], (long long)sites->count[1], (long long)sites->count[2],
-         1e6 * sites->spacing, (long long)sites->n_nodes, 1e9 * volume * (double)sites->n_nodes,
+    char *cell = sites_cell(sites);
+    note("%lld x %lld x %lld sites of %s um, %lld nodes, volume %.9g mm3, section %.9g mm2",
+         (long long)sites->count[0], (long long)sites->count[1], (long long)sites->count[2], cell,
+         (long long)sites->n_nodes, 1e9 * volume * (double)sites->n_nodes,
          1e6 * specimen_section(specimen, sites));
+    free(cell);
     if (specimen->shape == SPECIMEN_DOGBONE)
         note("nominal section of the gauge %.9g mm2; the lattice's is what runs",
              1e6 * specimen->gauge_width * specimen->size[2]);
@@ -104,7 +106,7 @@ static void write_along_axes(struct output *output, const struct structure *stru
     const struct sites *sites = structure->sites;
     for (int axis = 0; axis < dimensions; axis++)
         for (int64_t lag = 0; lag < sites->count[axis] && lag <= MOST_LAGS; lag++)
-            row(output, "two_point_ufg", axes[axis], (double)lag * sites->spacing,
+            row(output, "two_point_ufg", axes[axis], (double)lag * sites->spacing[axis],
                 statistics_two_point(structure, axis, lag), "1");
     for (int axis = 0; axis < dimensions; axis++)
         for (int64_t i = 0; i < sites->count[axis]; i++)
@@ -123,7 +125,7 @@ static void write_shell(struct output *output, const struct structure *structure
         share[bin < SHELL_BINS ? bin : SHELL_BINS - 1] += 1 / (double)found;
         mean += thickness[i] / (double)found;
     }
-    double spacing = structure->sites->spacing;
+    double spacing = structure->sites->spacing[0];
     row(output, "shell_thickness_mean", "", NAN, mean * spacing, "m");
     for (int bin = 0; bin < SHELL_BINS; bin++)
         row(output, "shell_thickness_share", "", bin * spacing, share[bin], "1");
@@ -160,7 +162,7 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
         row(&output, "clusters_26", "cg", NAN, (double)findings->cg_26.count, "1");
         row(&output, "touching_pairs", "cg", NAN, (double)findings->contact.touching, "1");
         row(&output, "core_film_geometric", "", NAN, findings->core_film, "m");
-        row(&output, "core_film_nodes", "", NAN, findings->contact.film * sites->spacing, "m");
+        row(&output, "core_film_nodes", "", NAN, findings->contact.film * sites->spacing[0], "m");
         write_shell(&output, structure);
     }
     output_close(&output);

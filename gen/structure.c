@@ -63,5 +63,5 @@ void structure_free(struct structure *structure)
 
 double structure_reach(const struct structure *structure)
 {
-    return (double)structure->threshold.score * SCORE_UNIT * structure->sites->spacing;
+    return (double)structure->threshold.score * SCORE_UNIT * structure->sites->spacing[0];
 }

@@ -254,7 +254,7 @@ END
     for file in checked.g checked.csv; do [ ! -e "$file" ]; done
     hsgen plate.yaml -o d.g
     nodes=$(ncdump -h d.g | sed -n 's/.*num_nodes = \([0-9]*\).*/\1/p')
-    grep -q "harmonic: 64 x 16 x 8 sites of 2.5e-05 m, $nodes nodes, [1-9][0-9]* cores" said
+    grep -q "harmonic: 64 x 16 x 8 sites of 25 um, $nodes nodes, [1-9][0-9]* cores" said
     grep -q 'set grip_left: ' said
     grep -q 'would write checked.csv' said
     # sets, the grips' phase, the file of cores and post are looked at, too

@@ -104,7 +104,7 @@ static void orders_are_permutations(void **state)
 static struct recipe plate_of(const struct topology *topology, double spacing)
 {
     struct recipe recipe = {
-        .specimen = {.spacing = spacing},
+        .specimen = {.spacing = {spacing, spacing, spacing}},
         .topology = topology,
         .grip_phase = -1,
         .n_phases = 2,

@@ -15,7 +15,9 @@ static struct recipe cell_of(enum core_lattice lattice, enum core_shape shape, i
     const double edge_over_distance[] = {1, 2 / sqrt(3), sqrt(2)};
     double edge = 2e-4;
     return (struct recipe){
-        .specimen = {.size = {edge, edge, edge}, .spacing = edge / (double)n, .count = {n, n, n}},
+        .specimen = {.size = {edge, edge, edge},
+                     .spacing = {edge / (double)n, edge / (double)n, edge / (double)n},
+                     .count = {n, n, n}},
         .topology = &topology_harmonic,
         .grip_phase = -1,
         .n_phases = 2,
@@ -112,7 +114,7 @@ static void cells_have_the_uniform_shell_of_their_fraction(void **state)
     for (int l = 0; l < 2; l++) {
         struct recipe recipe = cell_of(lattices[l], CORE_CELL, 64, 0.4);
         double shell = -2 * make(&recipe).reach;
-        assert_near(shell, (1 - cbrt(0.6)) * recipe.distance, recipe.specimen.spacing);
+        assert_near(shell, (1 - cbrt(0.6)) * recipe.distance, recipe.specimen.spacing[0]);
     }
 }
 

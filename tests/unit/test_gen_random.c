@@ -14,7 +14,7 @@ static const double spacing = 1e-5;
 static struct recipe cube_of(enum core_shape shape, double scale, long seed)
 {
     struct recipe recipe = {
-        .specimen = {.spacing = spacing, .count = {EDGE, EDGE, EDGE}},
+        .specimen = {.spacing = {spacing, spacing, spacing}, .count = {EDGE, EDGE, EDGE}},
         .topology = &topology_random,
         .grip_phase = -1,
         .n_phases = 2,

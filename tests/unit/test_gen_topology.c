@@ -20,9 +20,11 @@ static bool anywhere(const void *specimen, const double point[3])
     return true;
 }
 
+static const double cube[3] = {1, 1, 1};
+
 static struct drawing draw(const int64_t count[3], const char *text)
 {
-    struct drawing drawing = {.sites = sites_new(count, 1, anywhere, NULL)};
+    struct drawing drawing = {.sites = sites_new(count, cube, anywhere, NULL)};
     size_t n = (size_t)drawing.sites.n_nodes;
     assert_int_equal(strlen(text), n);
     struct structure *structure = &drawing.structure;
@@ -124,7 +126,7 @@ static char *fault_of(enum core_lattice lattice, enum core_shape shape, double d
                       double fraction, double spacing, struct findings *findings)
 {
     struct recipe recipe = {
-        .specimen = {.size = {1e-3, 5e-4, 2.5e-4}, .spacing = spacing},
+        .specimen = {.size = {1e-3, 5e-4, 2.5e-4}, .spacing = {spacing, spacing, spacing}},
         .topology = &topology_harmonic,
         .grip_phase = -1,
         .n_phases = 2,
