@@ -43,20 +43,24 @@ static void join_neighbours(const struct structure *structure, int phase, int ha
     }
 }
 
-/* First and last layer of the counted region along each axis. */
-static void counted_ends(const struct structure *structure, int64_t end[2][3])
+/* Where the first and the last layer of the counted region end, inwards, along each axis of the body; a layer is as
+ * thick as a cell is wide in that direction. */
+static void counted_ends(const struct structure *structure, double end[2][3])
 {
+    const struct sites *sites = structure->sites;
+    const double *edge = sites->spacing, c = fabs(sites->turn[0]), s = fabs(sites->turn[1]);
+    const double width[3] = {c * edge[0] + s * edge[1], s * edge[0] + c * edge[1], edge[2]};
     for (int axis = 0; axis < 3; axis++) {
-        end[0][axis] = INT64_MAX;
-        end[1][axis] = -1;
+        end[0][axis] = INFINITY;
+        end[1][axis] = -INFINITY;
     }
-    for (int64_t node = 0; node < structure->sites->n_nodes; node++) {
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
         if (!structure->counted[node]) continue;
-        int64_t at[3];
-        sites_index(structure->sites, node, at);
+        double at[3];
+        sites_in_body(sites, node, at);
         for (int axis = 0; axis < 3; axis++) {
-            end[0][axis] = at[axis] < end[0][axis] ? at[axis] : end[0][axis];
-            end[1][axis] = at[axis] > end[1][axis] ? at[axis] : end[1][axis];
+            end[0][axis] = fmin(end[0][axis], at[axis] + (1 - 1e-6) * width[axis]);
+            end[1][axis] = fmax(end[1][axis], at[axis] - (1 - 1e-6) * width[axis]);
         }
     }
 }
@@ -71,7 +75,7 @@ struct clusters clusters_find(const struct structure *structure, int phase,
     uint8_t *reaches = memory_new((size_t)n_nodes, sizeof *reaches); /* a bit an end and axis */
     for (int64_t node = 0; node < n_nodes; node++) parent[node] = (int32_t)node;
     join_neighbours(structure, phase, (int)neighbourhood, parent);
-    int64_t end[2][3];
+    double end[2][3];
     counted_ends(structure, end);
     for (int64_t node = 0; node < n_nodes; node++) {
         if (!is_member(structure, node, phase)) continue;
@@ -79,10 +83,12 @@ struct clusters clusters_find(const struct structure *structure, int phase,
         clusters.nodes++;
         clusters.count += size[root]++ == 0;
         clusters.largest = size[root] > clusters.largest ? size[root] : clusters.largest;
-        int64_t at[3];
-        sites_index(structure->sites, node, at);
-        for (int bit = 0; bit < 6; bit++)
-            if (at[bit / 2] == end[bit % 2][bit / 2]) reaches[root] |= (uint8_t)(1u << bit);
+        double at[3];
+        sites_in_body(structure->sites, node, at);
+        for (int axis = 0; axis < 3; axis++) {
+            if (at[axis] < end[0][axis]) reaches[root] |= (uint8_t)(1u << 2 * axis);
+            if (at[axis] > end[1][axis]) reaches[root] |= (uint8_t)(2u << 2 * axis);
+        }
         for (int axis = 0; axis < 3; axis++)
             if ((reaches[root] >> (2 * axis) & 3) == 3) clusters.percolates[axis] = true;
     }

@@ -2,6 +2,7 @@
 #include "assemble.h"
 #include "die.h"
 #include "exodus.h"
+#include "fill.h"
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
@@ -100,7 +101,7 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     enum { NODE_BYTES = 80 }; /* of memory, measured */
     const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
                                  c->picture, c->cores, c->peridigm};
-    struct sites sites = specimen_sites(&recipe->specimen);
+    struct sites sites = fill_sites(&recipe->specimen);
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
@@ -134,7 +135,7 @@ int main(int argc, char **argv)
     }
     struct spool output = spool_output(c.output);
 
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     struct cores cores = recipe_cores(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);

@@ -1,5 +1,6 @@
 #include "die.h"
 #include "memory.h"
+#include "outline.h"
 #include "output.h"
 #include "statistics.h"
 #include "topology.h"
@@ -39,17 +40,18 @@ static void print_fraction(const struct recipe *recipe, const struct structure *
 static void print_size(const struct recipe *recipe, const struct sites *sites)
 {
     const struct specimen *specimen = &recipe->specimen;
-    double volume = specimen_node_volume(specimen);
     if (specimen_is_sheet(specimen)) note("a sheet %.9g mm thick", 1e3 * specimen->size[2]);
     char *cell = sites_cell(sites);
     note("%lld x %lld x %lld sites of %s um, %lld nodes, volume %.9g mm3, section %.9g mm2",
          (long long)sites->count[0], (long long)sites->count[1], (long long)sites->count[2], cell,
-         (long long)sites->n_nodes, 1e9 * volume * (double)sites->n_nodes,
-         1e6 * specimen_section(specimen, sites));
+         (long long)sites->n_nodes, 1e9 * sites_whole_volume(sites, NULL),
+         1e6 * outline_section(specimen, sites));
     free(cell);
-    if (specimen->shape == SPECIMEN_DOGBONE)
-        note("nominal section of the gauge %.9g mm2; the lattice's is what runs",
-             1e6 * specimen->gauge_width * specimen->size[2]);
+    if (specimen_is_block(specimen)) return;
+    const double length = specimen->gauge_length > 0 ? specimen->gauge_length : specimen->size[0];
+    note("nominal section of the gauge %.9g mm2, volume %.9g mm3; the lattice's is what runs",
+         1e6 * outline_between(specimen, length) / length,
+         1e9 * outline_between(specimen, specimen->size[0]));
 }
 
 void statistics_print(const struct recipe *recipe, const struct structure *structure,
@@ -138,14 +140,13 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
     const struct sites *sites = structure->sites;
     const bool sheet = specimen_is_sheet(&recipe->specimen);
     const int dimensions = sheet ? 2 : 3;
-    double volume = specimen_node_volume(&recipe->specimen);
     struct output output = output_open(path);
     fprintf(output.stream, "quantity,axis,position_m,value,unit\n");
     row(&output, "nodes_all", "", NAN, (double)sites->n_nodes, "1");
     row(&output, "nodes_counted", "", NAN, (double)findings->counted, "1");
-    row(&output, "volume", "", NAN, volume * (double)sites->n_nodes, "m3");
-    row(&output, "volume_counted", "", NAN, volume * (double)findings->counted, "m3");
-    row(&output, "section", "", NAN, specimen_section(&recipe->specimen, sites), "m2");
+    row(&output, "volume", "", NAN, sites_whole_volume(sites, NULL), "m3");
+    row(&output, "volume_counted", "", NAN, sites_whole_volume(sites, structure->counted), "m3");
+    row(&output, "section", "", NAN, outline_section(&recipe->specimen, sites), "m2");
     if (!recipe->topology->single_phase) {
         struct interface interface = statistics_interface(structure, sheet);
         row(&output, "ufg_fraction_asked", "", NAN, recipe->ufg_fraction, "1");

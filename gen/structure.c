@@ -23,7 +23,7 @@ static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
     for (int64_t node = 0; node < n_nodes; node++) {
         double position[3];
         tell_progress(node, n_nodes);
-        sites_position(sites, node, position);
+        sites_in_body(sites, node, position);
         score[node] = recipe->topology->score(recipe, cores, position, &structure->core[node]);
     }
     double coarse = 1 - recipe->ufg_fraction;

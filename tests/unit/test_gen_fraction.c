@@ -1,6 +1,7 @@
 /* Fractions: rank selection, attainable fractions, and the analytic ones of lattice spheres. */
 #include "check.h"
 
+#include "fill.h"
 #include "structure.h"
 #include "topology.h"
 
@@ -36,7 +37,7 @@ struct outcome {
 
 static struct outcome make(const struct recipe *recipe)
 {
-    struct sites sites = specimen_sites(&recipe->specimen);
+    struct sites sites = fill_sites(&recipe->specimen);
     struct cores cores = recipe->topology->place(recipe);
     struct structure structure = structure_new(recipe, &sites, &cores);
     int64_t coarse = 0;

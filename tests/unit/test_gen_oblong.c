@@ -2,6 +2,7 @@
 #include "dies.h"
 
 #include "assemble.h"
+#include "fill.h"
 #include "memory.h"
 #include "random.h"
 #include "statistics.h"
@@ -33,7 +34,7 @@ static struct made *make(const char *keys)
     struct made *made = memory_new(1, sizeof *made);
     made->deck = parse(keys);
     made->recipe = recipe_read(made->deck);
-    made->sites = specimen_sites(&made->recipe.specimen);
+    made->sites = fill_sites(&made->recipe.specimen);
     made->cores = recipe_cores(&made->recipe);
     made->structure = structure_new(&made->recipe, &made->sites, &made->cores);
     made->findings = findings_of(&made->recipe, &made->structure, &made->cores);

@@ -1,6 +1,7 @@
 /* The topology check: clusters, contact of cores, films, and what it advises. */
 #include "check.h"
 
+#include "fill.h"
 #include "findings.h"
 #include "memory.h"
 #include "topology.h"
@@ -14,9 +15,9 @@ struct drawing {
     struct structure structure;
 };
 
-static bool anywhere(const void *specimen, const double point[3])
+static bool anywhere(const void *specimen, int64_t site, const double point[3])
 {
-    (void)specimen, (void)point;
+    (void)specimen, (void)site, (void)point;
     return true;
 }
 
@@ -139,7 +140,7 @@ static char *fault_of(enum core_lattice lattice, enum core_shape shape, double d
     };
     for (int axis = 0; axis < 3; axis++)
         recipe.specimen.count[axis] = (int64_t)llround(recipe.specimen.size[axis] / spacing);
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     struct cores cores = recipe.topology->place(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     *findings = findings_of(&recipe, &structure, &cores);
