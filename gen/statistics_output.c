@@ -28,8 +28,9 @@ static void print_fraction(const struct recipe *recipe, const struct structure *
 {
     const struct threshold *threshold = &structure->threshold;
     const char *ufg = recipe->phase_names[PHASE_UFG];
-    note("%s fraction %.9g by nodes and by volume (asked %.9g) of %lld counted nodes", ufg,
-         findings->ufg_fraction, recipe->ufg_fraction, (long long)findings->counted);
+    note("%s fraction %.9g %sby volume (asked %.9g) of %lld counted nodes", ufg,
+         findings->ufg_fraction, structure->sites->volume ? "" : "by nodes and ",
+         recipe->ufg_fraction, (long long)findings->counted);
     if (recipe->geometric)
         note("attainable with whole cores: %.9g and %.9g", 1 - threshold->above,
              1 - threshold->below);
@@ -150,7 +151,8 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
     if (!recipe->topology->single_phase) {
         struct interface interface = statistics_interface(structure, sheet);
         row(&output, "ufg_fraction_asked", "", NAN, recipe->ufg_fraction, "1");
-        row(&output, "ufg_fraction_nodes", "", NAN, findings->ufg_fraction, "1");
+        row(&output, "ufg_fraction_nodes", "", NAN,
+            1 - (double)structure->threshold.coarse / (double)findings->counted, "1");
         row(&output, "ufg_fraction_volume", "", NAN, findings->ufg_fraction, "1");
         row(&output, "nodes_split", "", NAN, (double)structure->threshold.split, "1");
         write_clusters(&output, PHASE_CG, &findings->cg, dimensions);
