@@ -3,6 +3,7 @@
 #include "keys.h"
 #include "memory.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 struct box_set {
@@ -101,12 +102,16 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
         add_slab(sites, "grip_right", grip, end, out);
     }
     if (specimen->gauge_length > 0) {
-        /* One layer; across the lattice the nodes within half an edge of the plane. */
+        /* One layer; across the lattice the nodes within half a cell's thickness of the plane. */
+        const double *turn = sites->turn, *edge = sites->spacing;
         double plane = 0.5 * specimen->gauge_length;
+        double half = (0.5 + 1e-6) * hypot(turn[0] * edge[0], turn[1] * edge[1]);
         int64_t layer[2];
         specimen_gauge_layers(specimen, layer);
-        if (specimen->angle == 0) plane = sites_coordinate(sites, 0, layer[1]);
-        const double half = (0.5 - 1e-6) * sites->spacing[0];
+        if (specimen->angle == 0) {
+            plane = sites_coordinate(sites, 0, layer[1]);
+            half = 0.5 * half;
+        }
         add_slab(sites, "gauge_left", -plane - half, -plane + half, out);
         add_slab(sites, "gauge_right", plane - half, plane + half, out);
     }

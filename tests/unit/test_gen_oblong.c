@@ -210,6 +210,47 @@ static void the_least_shell_is_a_layer_or_a_length(void **state)
     free(length);
 }
 
+/* Turned by a right angle, with the edges exchanged, a body is the same one: node for node its phases, and the
+ * structure is judged alike. */
+static void structures_turn_with_the_body(void **state)
+{
+    (void)state;
+    const char keys[] =
+        "topology: harmonic, phases: {cg: CG, ufg: UFG}, lattice: bcc, "
+        "core_distance: 0.25 mm, ufg_fraction: 0.41, size: [1 mm, 0.5 mm, 0.25 mm], "
+        "grips: {length: 0.1 mm, phase: UFG}, gauge: {length: 0.6 mm}, spacing: %s";
+    char *lying = memory_print(keys, "[10 um, 12.5 um, 12.5 um]");
+    char *standing = memory_print(keys, "[12.5 um, 10 um, 12.5 um], angle: 90 degree");
+    struct made *one = make(lying), *other = make(standing);
+    const int64_t *count = one->sites.count;
+    assert_int_equal(other->sites.n_nodes, one->sites.n_nodes);
+    int64_t different = 0;
+    for (int64_t node = 0; node < one->sites.n_nodes; node++) {
+        int64_t at[3];
+        sites_index(&one->sites, node, at);
+        const int64_t there = sites_at(&other->sites, count[1] - 1 - at[1], at[0], at[2]);
+        assert_true(there >= 0);
+        different += one->structure.phase[node] != other->structure.phase[there];
+    }
+    /* Those of equal rank alone, which a hash of the site splits. */
+    assert_true(different <= one->structure.threshold.split);
+    assert_int_equal(one->structure.threshold.coarse, other->structure.threshold.coarse);
+    for (int axis = 0; axis < 3; axis++)
+        assert_true(one->findings.ufg.percolates[axis] == other->findings.ufg.percolates[axis]);
+    assert_true(one->findings.ufg.percolates[0]);
+    assert_int_equal(domain_set(&one->domain, "grip_left")->count,
+                     domain_set(&other->domain, "grip_left")->count);
+    /* Its planes lie between two layers here: the outer one lying, both standing. */
+    assert_int_equal(2 * domain_set(&one->domain, "gauge_left")->count,
+                     domain_set(&other->domain, "gauge_left")->count);
+    assert_relative(attributes_number(&other->domain.attributes, "gauge_length_m", 0), 0.6e-3,
+                    1e-12);
+    discard(one);
+    discard(other);
+    free(lying);
+    free(standing);
+}
+
 /* A share p drawn n = 2e5 times has the standard deviation sqrt(p (1 - p) / n) < 0.0008; four of them. */
 static void direction_shares_are_those_of_the_cells(void **state)
 {
@@ -299,6 +340,7 @@ int main(void)
         cmocka_unit_test(shells_are_lengths),
         cmocka_unit_test(harmonic_structures_keep_their_shell),
         cmocka_unit_test(the_least_shell_is_a_layer_or_a_length),
+        cmocka_unit_test(structures_turn_with_the_body),
         cmocka_unit_test(direction_shares_are_those_of_the_cells),
         cmocka_unit_test(round_interfaces_have_their_area),
     };
