@@ -217,7 +217,7 @@ static void structures_turn_with_the_body(void **state)
     (void)state;
     const char keys[] =
         "topology: harmonic, phases: {cg: CG, ufg: UFG}, lattice: bcc, "
-        "core_distance: 0.25 mm, ufg_fraction: 0.41, size: [1 mm, 0.5 mm, 0.25 mm], "
+        "core_distance: 0.25 mm, jitter: 0.05, ufg_fraction: 0.41, size: [1 mm, 0.5 mm, 0.25 mm], "
         "grips: {length: 0.1 mm, phase: UFG}, gauge: {length: 0.6 mm}, spacing: %s";
     char *lying = memory_print(keys, "[10 um, 12.5 um, 12.5 um]");
     char *standing = memory_print(keys, "[12.5 um, 10 um, 12.5 um], angle: 90 degree");
@@ -330,6 +330,30 @@ static void round_interfaces_have_their_area(void **state)
     }
 }
 
+/* A straight interface across x or y of a sheet: per length, the directions find their cosines to its normal.  With a
+ * cell half as long along x the diagonals lie at atan 2, the sectors of x, y and each diagonal are atan 2, pi/2 - atan 2
+ * and pi/4 of the half turn: pi/2 (0.352 + 0.5/sqrt 5) = 0.905 and pi/2 (0.148 + 1/sqrt 5) = 0.934 of the length. */
+static void straight_interfaces_weigh_directions_by_their_sectors(void **state)
+{
+    (void)state;
+    for (int axis = 0; axis < 2; axis++) {
+        struct made *made = make("topology: homogeneous, phase: CG, dimensions: 2, "
+                                 "spacing: [0.5, 1, 3], size: [100, 200, 3]");
+        for (int64_t node = 0; node < made->sites.n_nodes; node++) {
+            double at[3];
+            sites_position(&made->sites, node, at);
+            made->structure.phase[node] = (uint8_t)(at[axis] < 0 ? PHASE_CG : PHASE_UFG);
+        }
+        const double sector = axis == 0 ? atan(2) : M_PI / 2 - atan(2);
+        const double cosine = axis == 0 ? 1 / sqrt(5) : 2 / sqrt(5);
+        /* 200 nodes have 199 pairs. */
+        const double exact = M_PI / 2 * (sector / M_PI + 0.5 * cosine) / (axis == 0 ? 100 : 200);
+        const struct interface found = statistics_interface(&made->structure, true);
+        assert_relative(found.crofton, exact * 200 / 199, 1e-12);
+        discard(made);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -342,6 +366,7 @@ int main(void)
         cmocka_unit_test(the_least_shell_is_a_layer_or_a_length),
         cmocka_unit_test(structures_turn_with_the_body),
         cmocka_unit_test(direction_shares_are_those_of_the_cells),
+        cmocka_unit_test(straight_interfaces_weigh_directions_by_their_sectors),
         cmocka_unit_test(round_interfaces_have_their_area),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
