@@ -1,10 +1,11 @@
 #include "law_fit.h"
 
+#include "root.h"
+
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multifit_nlinear.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -179,18 +180,5 @@ double law_uniform_strain(const struct hardening *law)
 {
     const double first = 1e-12, most = 10; /* power laws have no slope at zero */
     struct hardening copy = *law;
-    gsl_function f = {instability, &copy};
-    double low = first, high = most;
-    if (!(instability(low, &copy) > 0) || !(instability(high, &copy) < 0)) return NAN;
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    gsl_root_fsolver_set(solver, &f, low, high);
-    for (int i = 0; i < 200; i++) {
-        gsl_root_fsolver_iterate(solver);
-        low = gsl_root_fsolver_x_lower(solver);
-        high = gsl_root_fsolver_x_upper(solver);
-        if (gsl_root_test_interval(low, high, 0, 1e-12) == GSL_SUCCESS) break;
-    }
-    double root = gsl_root_fsolver_root(solver);
-    gsl_root_fsolver_free(solver);
-    return root;
+    return instability(first, &copy) > 0 ? root_between(instability, &copy, first, most) : NAN;
 }
