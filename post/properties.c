@@ -4,6 +4,7 @@
 #include "die.h"
 #include "memory.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -61,72 +62,44 @@ void properties_write_csv(FILE *file, const struct properties lists[], const cha
         }
 }
 
-/* RFC 8259, section 7; the text is UTF-8 and stays it. */
-static void write_string(FILE *file, const char *text)
+static json_t *json_text(const char *text)
 {
-    fputc('"', file);
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c == '"' || c == '\\')
-            fprintf(file, "\\%c", c);
-        else if (c < 0x20)
-            fprintf(file, "\\u%04x", c);
-        else
-            fputc(c, file);
-    }
-    fputc('"', file);
+    json_t *string = json_string(text);
+    if (!string) die_user("'%s' is not UTF-8, which JSON is made of; give another --title", text);
+    return string;
 }
 
-static void write_member(FILE *file, const char *key, const char *text)
+/* null for what is no number. */
+static json_t *json_number(double value)
 {
-    fprintf(file, "\"%s\": ", key);
-    write_string(file, text);
+    return isfinite(value) ? json_real(value) : json_null();
 }
 
-static void write_number(FILE *file, const char *key, double value)
+static json_t *object_of(const struct property *property, const char *title)
 {
-    fprintf(file, ", \"%s\": ", key);
-    if (isfinite(value))
-        csv_number(file, value);
-    else
-        fputs("null", file);
-}
-
-static void write_object(FILE *file, const struct property *property, const char *title)
-{
-    fputs("  {", file);
-    if (title) {
-        write_member(file, "curve", title);
-        fputs(", ", file);
-    }
-    write_member(file, "property", property->name);
-    fputs(", ", file);
-    write_member(file, "symbol", property->symbol);
-    write_number(file, "value", property->value);
-    fputs(", ", file);
-    write_member(file, "unit", property->unit);
-    write_number(file, "uncertainty", property->uncertainty);
-    fputs(", ", file);
-    write_member(file, "definition", property->definition);
-    if (property->flag) {
-        fputs(", ", file);
-        write_member(file, "flag", property->flag);
-    }
-    fputc('}', file);
+    json_t *object = json_object();
+    if (title) json_object_set_new(object, "curve", json_text(title));
+    json_object_set_new(object, "property", json_text(property->name));
+    json_object_set_new(object, "symbol", json_text(property->symbol));
+    json_object_set_new(object, "value", json_number(property->value));
+    json_object_set_new(object, "unit", json_text(property->unit));
+    json_object_set_new(object, "uncertainty", json_number(property->uncertainty));
+    json_object_set_new(object, "definition", json_text(property->definition));
+    if (property->flag) json_object_set_new(object, "flag", json_text(property->flag));
+    return object;
 }
 
 void properties_write_json(FILE *file, const struct properties lists[], const char *const titles[],
                            int count)
 {
-    bool first = true;
-    fputs("[\n", file);
+    json_t *array = json_array();
     for (int k = 0; k < count; k++)
-        for (int i = 0; i < lists[k].count; i++) {
-            if (!first) fputs(",\n", file);
-            first = false;
-            write_object(file, &lists[k].items[i], count > 1 ? titles[k] : NULL);
-        }
-    fputs("\n]\n", file);
+        for (int i = 0; i < lists[k].count; i++)
+            json_array_append_new(array,
+                                  object_of(&lists[k].items[i], count > 1 ? titles[k] : NULL));
+    json_dumpf(array, file, JSON_INDENT(2));
+    fputc('\n', file);
+    json_decref(array);
 }
 
 void properties_print(const struct properties *list, const char *title)
