@@ -97,13 +97,48 @@ static void reduce_history(struct curve *curve, const struct input *input)
     }
 }
 
-static void take_measured(struct curve *curve, const struct input *input)
+/* values over size, where the table has no such column; what says how the size is given. */
+static double *ratio(struct input *input, const char *column, const char *from, double size,
+                     const char *what)
 {
-    const double *strain = table_find(&input->table, "engineering_strain");
-    const double *stress = table_find(&input->table, "engineering_stress_Pa");
+    double *values = table_find(&input->table, from);
+    if (!values) return NULL;
+    if (isnan(size))
+        die_user("%s: a table of force and extension does not say the %s, so there is no %s",
+                 input->name, what, column);
+    double *made = table_add(&input->table, column);
+    for (long i = 0; i < input->table.n_rows; i++) made[i] = values[i] / size;
+    return made;
+}
+
+/* s = sigma / (1 + e), e = exp(eps) - 1: exact up to the maximum force. */
+static void take_true(struct input *input, double **strain, double **stress)
+{
+    const double *eps = table_find(&input->table, "true_strain");
+    const double *sigma = table_find(&input->table, "true_stress_Pa");
+    if (*strain || *stress || !eps || !sigma) return;
+    *strain = table_add(&input->table, "engineering_strain");
+    *stress = table_add(&input->table, "engineering_stress_Pa");
+    for (long i = 0; i < input->table.n_rows; i++) {
+        (*strain)[i] = expm1(eps[i]);
+        (*stress)[i] = sigma[i] / exp(eps[i]);
+    }
+}
+
+static void take_measured(struct curve *curve, struct input *input)
+{
+    double *strain = table_find(&input->table, "engineering_strain");
+    double *stress = table_find(&input->table, "engineering_stress_Pa");
+    take_true(input, &strain, &stress);
+    if (!strain)
+        strain = ratio(input, "engineering_strain", "extension_m", curve->gauge_length,
+                       "gauge length; give --gauge-length, as in '50 mm'");
+    if (!stress)
+        stress = ratio(input, "engineering_stress_Pa", "force_N", curve->section,
+                       "section; give --section, as in '20 mm2'");
     if (!strain || !stress)
-        die_user("%s: no column %s; expected engineering_strain,engineering_stress_MPa",
-                 input->name, strain ? "engineering_stress_MPa" : "engineering_strain");
+        die_user("%s: no column of %s", input->name,
+                 strain ? "stress or force" : "strain or extension");
     for (long i = 0; i < curve->n; i++) {
         if (isnan(strain[i]) || isnan(stress[i]))
             die_user("%s: row %ld of numbers has no strain or no stress", input->name, i + 1);
@@ -172,7 +207,7 @@ static void keep_facts(struct curve *curve, const struct input *input)
         attributes_set_number(to, "gauge_length_m", curve->gauge_length);
 }
 
-struct curve curve_make(const struct input *input, const struct choices *choices)
+struct curve curve_make(struct input *input, const struct choices *choices)
 {
     static const char *const recorded[] = {"time_s",
                                            "force_left_N",

@@ -65,7 +65,7 @@ static struct study read_and_analyse(const struct request *request, const char *
     study.properties = memory_new(n, sizeof *study.properties);
     study.titles = memory_new(n, sizeof *study.titles);
     for (size_t i = 0; i < n; i++) {
-        struct input input = input_read(request->files[i]);
+        struct input input = input_read(request->files[i], request->columns_of);
         struct deck *deck = find_deck(request, &input);
         study.choices[i] = choose(request, deck);
         study.curves[i] = curve_make(&input, &study.choices[i]);
@@ -174,7 +174,7 @@ static void check_frames(const struct view_request *request)
 
 static void check_columns(const char *file)
 {
-    struct input input = input_read(file);
+    struct input input = input_read(file, NULL);
     note("%s: %d columns of %ld rows", input.name, input.table.n_columns, input.table.n_rows);
     input_free(&input);
 }

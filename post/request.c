@@ -17,7 +17,7 @@ static const struct key own_rows[] = {
      .help = "of --difference and the mixtures"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 13, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 14, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -84,6 +84,9 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r, 
         {0, "voigt", "FILE", "iso-strain mixture of two FILEs, a curve", NULL, &r->voigt},
         {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r->reuss},
         {0, "law", "NAME", "hardening law of the constituents (voce)", NULL, law},
+        {0, "columns-of", "LIST",
+         "of a table: strain=NAME,stress=NAME:MPa or force=, extension=, time=", NULL,
+         &r->columns_of},
         {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r->deck},
         {0, "check", NULL, "read and check all, say what would be made, make nothing", &r->check,
          NULL},
@@ -108,8 +111,8 @@ static int read_options(struct request *r, int argc, char **argv)
     const struct option_table table = {
         "hspost",
         "[FILE...] [-o FILE]",
-        "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
-        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.\n"
+        "Makes tensile curves, properties and figures of histories (hssolve) and of tables of\n"
+        "testing machines (text, CSV). No FILE or '-': standard input.\n"
         "With --frames instead: pictures of particle fields.",
         rows,
         count,

@@ -18,7 +18,7 @@ struct case_of {
 
 static void run(struct case_of *c)
 {
-    struct input input = input_read(c->path);
+    struct input input = input_read(c->path, NULL);
     c->curve = curve_make(&input, &c->choices);
     input_free(&input);
     c->analysis = analysis_make(&c->curve, &c->choices);
