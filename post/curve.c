@@ -50,14 +50,13 @@ static const double *demand(const struct input *input, const char *column)
     return values;
 }
 
-static const double *copy_column(struct curve *curve, const struct input *input, const char *name)
+static void copy_column(struct curve *curve, const struct input *input, const char *name)
 {
     const double *from = table_find(&input->table, name);
-    if (!from) return NULL;
+    if (!from) return;
     double *to = table_find(&curve->table, name);
     if (!to) to = table_add(&curve->table, name);
     memcpy(to, from, (size_t)curve->n * sizeof *to);
-    return to;
 }
 
 /* A size from the choices, else from the file; it must be positive. */
@@ -147,6 +146,18 @@ static void take_measured(struct curve *curve, struct input *input)
     }
 }
 
+/* Where the columns of a phase are; of those that are not there NULL. */
+static void link_phase(struct curve *curve, struct curve_phase *phase)
+{
+    static const char *const endings[] = {"stress_Pa", "true_stress_Pa", "strain"};
+    const double **places[] = {&phase->stress, &phase->true_stress, &phase->strain};
+    for (int k = 0; k < 3; k++) {
+        char *name = memory_print("%s_%s", phase->name, endings[k]);
+        *places[k] = table_find(&curve->table, name);
+        free(name);
+    }
+}
+
 /* A phase is whatever stands before "_true_stress_Pa" in a column's name. */
 static void find_phases(struct curve *curve, const struct input *input)
 {
@@ -161,11 +172,9 @@ static void find_phases(struct curve *curve, const struct input *input)
                          memory_print("%s_strain", phase->name),
                          memory_print("%s_plastic_strain", phase->name),
                          memory_print("phase_%s_fraction", phase->name)};
-        phase->stress = copy_column(curve, input, names[0]);
-        phase->true_stress = copy_column(curve, input, names[1]);
-        phase->strain = copy_column(curve, input, names[2]);
-        copy_column(curve, input, names[3]);
+        for (int k = 0; k < 4; k++) copy_column(curve, input, names[k]);
         phase->fraction = attributes_number(&input->attributes, names[4], NAN);
+        link_phase(curve, phase);
         for (int k = 0; k < 5; k++) free(names[k]);
     }
 }
@@ -260,6 +269,35 @@ void curve_write(FILE *file, const struct curve *curve)
         fputc('\n', file);
     }
     csv_write(file, &curve->table);
+}
+
+struct curve curve_rows(const struct curve *curve, long n, const long rows[])
+{
+    struct curve part = curve_new(n, curve->title);
+    for (int j = 0; j < curve->table.n_columns; j++) {
+        const struct column *from = &curve->table.columns[j];
+        double *to = table_find(&part.table, from->name);
+        if (!to) to = table_add(&part.table, from->name);
+        for (long i = 0; i < n; i++) to[i] = from->values[rows[i]];
+    }
+    part.measured = curve->measured;
+    part.section = curve->section;
+    part.gauge_length = curve->gauge_length;
+    part.youngs_modulus = curve->youngs_modulus;
+    for (int i = 0; i < curve->provenance.count; i++) {
+        const struct attribute *fact = &curve->provenance.items[i];
+        if (fact->text)
+            attributes_set_text(&part.provenance, fact->name, fact->text);
+        else
+            attributes_set_number(&part.provenance, fact->name, fact->number);
+    }
+    for (part.n_phases = 0; part.n_phases < curve->n_phases; part.n_phases++) {
+        struct curve_phase *phase = &part.phases[part.n_phases];
+        phase->name = memory_text(curve->phases[part.n_phases].name);
+        phase->fraction = curve->phases[part.n_phases].fraction;
+        link_phase(&part, phase);
+    }
+    return part;
 }
 
 void curve_free(struct curve *curve)

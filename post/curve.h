@@ -45,6 +45,9 @@ struct curve curve_new(long n, const char *title);
  * missing. */
 struct curve curve_make(struct input *input, const struct choices *choices);
 
+/* Some of its rows [n] as a curve of their own, with all columns and facts. */
+struct curve curve_rows(const struct curve *curve, long n, const long rows[]);
+
 void curve_free(struct curve *curve);
 
 /* Provenance and columns. */

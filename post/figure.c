@@ -69,9 +69,9 @@ static bool mark_of(const struct figure_series *series, bool true_curve, double 
 {
     const struct analysis *analysis = series->analysis;
     if (!analysis) return false;
-    *x = true_curve ? analysis->considere.strain : percent * analysis->maximum.strain;
-    *y = (true_curve ? analysis->considere.stress : analysis->maximum.stress) / mega;
-    return (true_curve || analysis->maximum.reached) && !isnan(*x);
+    *x = true_curve ? analysis->considere.strain : percent * analysis->measures.maximum.strain;
+    *y = (true_curve ? analysis->considere.stress : analysis->measures.maximum.stress) / mega;
+    return (true_curve || analysis->measures.maximum.reached) && !isnan(*x);
 }
 
 static bool write_marks(FILE *gnuplot, const struct figure_series series[], int count,

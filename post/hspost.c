@@ -72,6 +72,7 @@ static struct study read_and_analyse(const struct request *request, const char *
         deck_free(deck);
         input_free(&input);
         study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
+        if (!request->accept) analysis_check_plausible(&study.curves[i], &study.analyses[i]);
         study.properties[i] =
             analysis_report(&study.curves[i], &study.analyses[i], &study.choices[i]);
         study.titles[i] = study.curves[i].title;
@@ -140,6 +141,7 @@ static void study_free(struct study *study)
     for (int i = 0; i < study->count; i++) {
         curve_free(&study->curves[i]);
         properties_free(&study->properties[i]);
+        analysis_free(&study->analyses[i]);
     }
     free(study->curves);
     free(study->choices);

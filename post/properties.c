@@ -108,8 +108,11 @@ void properties_print(const struct properties *list, const char *title)
         const char *name;
         int decimals;
     } shown[] = {{"modulus", 1},
+                 {"modulus_deviation", 2},
                  {"proof_strength_0.2", 0},
                  {"upper_yield_strength", 0},
+                 {"lower_yield_strength", 0},
+                 {"yield_point_extension", 2},
                  {"tensile_strength", 0},
                  {"extension_at_maximum_force", 1},
                  {"plastic_extension_at_maximum_force", 1},

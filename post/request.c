@@ -17,7 +17,7 @@ static const struct key own_rows[] = {
      .help = "of --difference and the mixtures"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 14, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 15, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -90,6 +90,7 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r, 
         {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r->deck},
         {0, "check", NULL, "read and check all, say what would be made, make nothing", &r->check,
          NULL},
+        {0, "accept", NULL, "measure also what cannot be a metal's curve", &r->accept, NULL},
         {'q', "quiet", NULL, "no table of properties on stderr", &r->quiet, NULL},
     };
     memcpy(rows, own, sizeof own);

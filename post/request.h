@@ -12,7 +12,7 @@ struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss;
     const char *deck;
     const char *columns_of; /* of a table (text_table.h); NULL: by its headings */
-    bool true_curve, difference, columns, check, quiet;
+    bool true_curve, difference, columns, check, accept, quiet;
     double fraction;                 /* of the second curve; NAN where not given */
     double strain_range[2];          /* NAN where not given */
     const struct hardening_law *law; /* of the constituents */

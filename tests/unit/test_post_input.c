@@ -110,6 +110,7 @@ static void history_to_curve(void **state)
     assert_relative(property_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
     assert_near(property_value(&list, "CG_fraction"), 0.6, 0);
     properties_free(&list);
+    analysis_free(&found);
     curve_free(&curve);
     input_free(&input);
 }
