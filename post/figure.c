@@ -139,16 +139,60 @@ static void write_script(FILE *gnuplot, const char *terminal, const char *path,
     fputs("set output\n", gnuplot);
 }
 
-void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
-                 bool true_curve)
+/* What writes a script to gnuplot. */
+struct drawing {
+    const char *terminal, *path;
+    const struct figure_series *series;
+    const struct figure_loops *loops;
+    int count;
+    bool true_curve;
+};
+
+static void write_loops(FILE *gnuplot, const struct drawing *d)
 {
-    const char *terminal = terminal_of(name);
+    fprintf(gnuplot, "set terminal %s\nset output ", d->terminal);
+    write_quoted(gnuplot, d->path);
+    fputc('\n', gnuplot);
+    for (int i = 0; i < d->count; i++) {
+        fprintf(gnuplot, "$loops%d << EOD\n", i);
+        for (long k = 0; k < d->loops[i].count; k++) {
+            const struct loop *l = &d->loops[i].loops[k];
+            fprintf(gnuplot, "%.10g %.10g %.10g %.10g\n", percent * l->strain, l->flow / mega,
+                    l->back / mega, l->effective / mega);
+        }
+        fputs("EOD\n", gnuplot);
+    }
+    write_axes(gnuplot, true);
+    fputs("set xlabel 'True strain (%)'\nset datafile missing 'nan'\nplot ", gnuplot);
+    for (int i = 0; i < d->count; i++) {
+        static const char *const styles[][2] = {
+            {"lines", "flow"}, {"linespoints pt 7", "back"}, {"linespoints pt 6", "effective"}};
+        for (int k = 0; k < 3; k++) {
+            fprintf(gnuplot, "%s$loops%d using 1:%d with %s lw 1.5 lc rgb '%s' title ",
+                    i + k ? ", " : "", i, k + 2, styles[k][0], colours[i % COLOURS]);
+            char title[200];
+            snprintf(title, sizeof title, "%s, %s", d->loops[i].title, styles[k][1]);
+            write_quoted(gnuplot, title);
+            fputs(" noenhanced", gnuplot);
+        }
+    }
+    fputs("\nset output\n", gnuplot);
+}
+
+static void write_curves(FILE *gnuplot, const struct drawing *d)
+{
+    write_script(gnuplot, d->terminal, d->path, d->series, d->count, d->true_curve);
+}
+
+static void draw(const char *name, void (*write)(FILE *, const struct drawing *),
+                 const struct drawing *drawing)
+{
     /* A gnuplot that is missing or stops early shows in its exit code. */
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigaction(SIGPIPE, &ignore, &before);
     FILE *gnuplot = popen("LC_ALL=C.UTF-8 exec gnuplot >&2", "w");
     if (!gnuplot) die_run("%s: cannot start gnuplot: %s", name, strerror(errno));
-    write_script(gnuplot, terminal, path, series, count, true_curve);
+    write(gnuplot, drawing);
     bool written = fflush(gnuplot) == 0 && !ferror(gnuplot);
     int status = pclose(gnuplot);
     sigaction(SIGPIPE, &before, NULL);
@@ -157,4 +201,18 @@ void figure_draw(const char *name, const char *path, const struct figure_series 
     if (!written || status != 0)
         die_run("%s: gnuplot failed (status %d)", name,
                 WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+}
+
+void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
+                 bool true_curve)
+{
+    const struct drawing drawing = {terminal_of(name), path, series, NULL, count, true_curve};
+    draw(name, write_curves, &drawing);
+}
+
+void figure_draw_loops(const char *name, const char *path, const struct figure_loops series[],
+                       int count)
+{
+    const struct drawing drawing = {terminal_of(name), path, NULL, series, count, false};
+    draw(name, write_loops, &drawing);
 }

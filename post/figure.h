@@ -2,7 +2,7 @@
 #ifndef HS_FIGURE_H
 #define HS_FIGURE_H
 
-#include "analysis.h"
+#include "loops.h"
 
 #include <stdbool.h>
 
@@ -18,5 +18,14 @@ void figure_check_name(const char *name);
  * with Considere's point marked.  name tells the format, path is where gnuplot writes. */
 void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
                  bool true_curve);
+
+/* Flow stress (line), back stress (filled) and effective stress (open) of loops against true strain, a colour a curve. */
+struct figure_loops {
+    const char *title;
+    const struct loop *loops;
+    long count;
+};
+void figure_draw_loops(const char *name, const char *path, const struct figure_loops series[],
+                       int count);
 
 #endif

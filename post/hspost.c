@@ -24,6 +24,7 @@ struct study {
     struct analysis *analyses;     /* [count] */
     struct properties *properties; /* [count] */
     const char **titles;           /* [count] */
+    struct figure_loops *loops;    /* [count] */
     int count;
     const char *maker; /* "# program: ..." and "# command: ..." lines */
 };
@@ -64,6 +65,7 @@ static struct study read_and_analyse(const struct request *request, const char *
     study.analyses = memory_new(n, sizeof *study.analyses);
     study.properties = memory_new(n, sizeof *study.properties);
     study.titles = memory_new(n, sizeof *study.titles);
+    study.loops = memory_new(n, sizeof *study.loops);
     for (size_t i = 0; i < n; i++) {
         struct input input = input_read(request->files[i], request->columns_of);
         struct deck *deck = find_deck(request, &input);
@@ -76,6 +78,9 @@ static struct study read_and_analyse(const struct request *request, const char *
         study.properties[i] =
             analysis_report(&study.curves[i], &study.analyses[i], &study.choices[i]);
         study.titles[i] = study.curves[i].title;
+        study.loops[i].title = study.titles[i];
+        study.loops[i].loops = loops_find(&study.curves[i], &study.analyses[i],
+                                          study.choices[i].loop_offset, &study.loops[i].count);
     }
     return study;
 }
@@ -136,26 +141,48 @@ static void compare(const struct request *request, const struct study *study)
     difference_write(stdout, &difference);
 }
 
+static void treat_loops(const struct request *request, const struct study *study)
+{
+    if (request->loops) {
+        struct text_output output = text_output_open(request->loops);
+        loops_write_header(output.file, study->count > 1);
+        for (int i = 0; i < study->count; i++)
+            loops_write(output.file, study->loops[i].loops, study->loops[i].count,
+                        study->count > 1 ? study->titles[i] : NULL);
+        text_output_close(&output);
+    }
+    if (!request->plot_loops) return;
+    struct spool spool = spool_output(request->plot_loops);
+    figure_draw_loops(request->plot_loops, spool.path, study->loops, study->count);
+    spool_finish(&spool);
+}
+
 static void study_free(struct study *study)
 {
     for (int i = 0; i < study->count; i++) {
         curve_free(&study->curves[i]);
         properties_free(&study->properties[i]);
         analysis_free(&study->analyses[i]);
+        free((void *)study->loops[i].loops);
     }
     free(study->curves);
     free(study->choices);
     free(study->analyses);
     free(study->properties);
     free(study->titles);
+    free(study->loops);
 }
 
 static void treat_curves(const struct request *request, const char *maker)
 {
     struct study study = read_and_analyse(request, maker);
-    for (int i = 0; i < study.count; i++) properties_print(&study.properties[i], study.titles[i]);
+    for (int i = 0; i < study.count; i++) {
+        properties_print(&study.properties[i], study.titles[i]);
+        loops_print(study.loops[i].loops, study.loops[i].count);
+    }
     write_properties(&study, request->properties, properties_write_csv);
     write_properties(&study, request->json, properties_write_json);
+    treat_loops(request, &study);
     struct curve bounds[2];
     int n_bounds = make_bounds(request, &study, bounds);
     draw(request, &study, bounds, n_bounds);
@@ -196,9 +223,9 @@ static void check_curves(const struct request *request)
 /* Does all but writing: what is wrong ends the program. */
 static void check_all(const struct request *request)
 {
-    const char *const files[] = {request->output,      request->properties, request->json,
-                                 request->plot,        request->voigt,      request->reuss,
-                                 request->view.picture};
+    const char *const files[] = {request->output, request->properties, request->json,
+                                 request->plot,   request->voigt,      request->reuss,
+                                 request->loops,  request->plot_loops, request->view.picture};
     if (request->view.frames)
         check_frames(&request->view);
     else if (request->columns && request->n_files > 0)

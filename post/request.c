@@ -17,7 +17,7 @@ static const struct key own_rows[] = {
      .help = "of --difference and the mixtures"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 15, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 17, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -32,8 +32,10 @@ static const struct hardening_law *read_law(const char *name)
 static void check(const struct request *request)
 {
     bool bounds = request->voigt || request->reuss;
-    bool anything = request->properties || request->json || request->plot || request->difference;
+    bool anything = request->properties || request->json || request->plot || request->difference ||
+                    request->loops || request->plot_loops;
     if (request->plot) figure_check_name(request->plot);
+    if (request->plot_loops) figure_check_name(request->plot_loops);
     if (request->true_curve && !request->plot)
         die_user("--true chooses the figure of --plot; give --plot FILE");
     if (request->columns && (anything || bounds || request->n_files > 1))
@@ -61,9 +63,10 @@ static void check_view(const struct request *request, bool files)
 {
     if (files) die_user("--frames takes the fields; curves (FILE) are for another call");
     if (request->properties || request->json || request->plot || request->difference ||
-        request->voigt || request->reuss)
-        die_user("--properties, --json, --plot, --difference, --voigt and --reuss are about "
-                 "curves; do without --frames");
+        request->voigt || request->reuss || request->loops || request->plot_loops)
+        die_user("--properties, --json, --plot, --loops, --plot-loops, --difference, --voigt and "
+                 "--reuss "
+                 "are about curves; do without --frames");
     if (request->columns) die_user("--columns is about a history; do without --frames");
     if (request->output && request->view.picture && !request->view.csv)
         die_user("-o is the file of --csv; the picture has its own name");
@@ -77,6 +80,10 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r, 
         {'j', "json", "FILE", "properties as JSON", NULL, &r->json},
         {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r->plot},
         {0, "true", NULL, "figure of the true curve", &r->true_curve, NULL},
+        {0, "loops", "FILE", "loops of unloading and reloading as CSV: back stress and more", NULL,
+         &r->loops},
+        {0, "plot-loops", "FILE", "figure of flow, back and effective stress", NULL,
+         &r->plot_loops},
         {0, "difference", NULL, "stress of the first FILE relative to the second", &r->difference,
          NULL},
         {0, "columns", NULL, "a history's columns as they are, of whatever test", &r->columns,

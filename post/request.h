@@ -9,7 +9,7 @@
 #include <stdbool.h>
 
 struct request {
-    const char *output, *properties, *json, *plot, *voigt, *reuss;
+    const char *output, *properties, *json, *plot, *voigt, *reuss, *loops, *plot_loops;
     const char *deck;
     const char *columns_of; /* of a table (text_table.h); NULL: by its headings */
     bool true_curve, difference, columns, check, accept, quiet;

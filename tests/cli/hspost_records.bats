@@ -181,3 +181,27 @@ implausible() {
     run -2 --separate-stderr hspost --standard din "$records/voce.csv"
     [[ $stderr == *"--standard: 'din', expected one of iso, astm"* ]]
 }
+
+@test "loops as a table and as a figure, of one curve and of several" {
+    # A row of two elements side by side (E 100 GPa, yield at 100 and 500 MPa), down by 0.4 % of strain at 2 and 4 %.
+    awk 'BEGIN {print "true strain,true stress (MPa)"; split("0 0.02 0.016 0.04 0.036 0.06", turn, " ")
+        for (leg = 1; leg < 6; leg++) for (i = 1; i <= 400; i++) {
+            e = turn[leg] + i / 400 * (turn[leg + 1] - turn[leg])
+            for (k = 1; k <= 2; k++) {y = k == 1 ? 100 : 500; s = 1e5 * (e - p[k])
+                if (s > y) p[k] = e - y / 1e5; if (s < -y) p[k] = e + y / 1e5; f[k] = 1e5 * (e - p[k])}
+            printf "%.9f,%.6f\n", e, (f[1] + f[2]) / 2}}' >t.csv
+    hspost t.csv --loops loops.csv --plot-loops loops.svg -o curve.csv 2>said
+    [ "$(head -1 loops.csv)" = loop,true_strain,plastic_strain,flow_stress_MPa,lowest_stress_MPa,unloading_modulus_GPa,reloading_modulus_GPa,reverse_yield_MPa,reload_yield_MPa,back_stress_MPa,effective_stress_MPa,hysteresis_width,hysteresis_area_MJ_per_m3,damage,flag ]
+    [ "$(wc -l <loops.csv)" -eq 3 ]
+    # from 300 MPa down to 0 MPa: half of both
+    near "$(awk -F, 'NR == 2 {print $10}' loops.csv)" 150 1
+    near "$(awk -F, 'NR == 3 {print $2}' loops.csv)" 0.04 1e-6
+    grep -q 'loop 2 at 4.00 %: flow stress 300 MPa, back stress 150 MPa (50 %), unloading 100.0 GPa' said
+    grep -q 'back' loops.svg
+    # the loops of a curve that hspost has written are those of the table
+    hspost -q curve.csv --loops again.csv -o /dev/null
+    awk -F, 'FNR == 1 {next} NR == FNR {a[FNR] = $10; next} {if ((a[FNR] - $10) ^ 2 > 1e-6) exit 1}' loops.csv again.csv
+    hspost -q t.csv "$records/unloading_loop.csv" --loops both.csv
+    [ "$(grep -c '^t,' both.csv)" -eq 2 ]
+    grep -q '^unloading_loop,1,.*,no_reverse_yield$' both.csv
+}

@@ -149,6 +149,26 @@ static void yield_point(void **state)
     assert_true(isnan(yield_point_find(&record, 0.2).upper));
 }
 
+/* The first valley is the initial transient where another follows; what is exceeded within 0.05 % of strain is no upper
+ * yield point. */
+static void transient_and_span(void **state)
+{
+    (void)state;
+    const double e[] = {0, 0.001, 0.002, 0.004, 0.006, 0.008, 0.02, 0.05, 0.1};
+    const double s[] = {0, 200e6, 300e6, 250e6, 280e6, 270e6, 300e6, 350e6, 340e6};
+    const struct yield_record record = {9, e, s, s, 0, 0, 0};
+    struct yield_point found = yield_point_find(&record, 0.005);
+    assert_near(found.upper, 300e6, 0);
+    assert_near(found.lower, 270e6, 0);
+    assert_int_equal(found.end, 5);
+    /* The steepest line of hardening, over three rows, comes down to 270 MPa before the last valley, where it begins. */
+    assert_near(found.extension, 0.006, 1e-12);
+    const double g[] = {0, 0.001, 0.002, 0.0021, 0.0024, 0.01, 0.02, 0.05, 0.1};
+    const double t[] = {0, 200e6, 300e6, 297e6, 301e6, 310e6, 320e6, 350e6, 340e6};
+    const struct yield_record soon = {9, g, t, t, 0, 0, 0};
+    assert_true(isnan(yield_point_find(&soon, 0.005).upper));
+}
+
 static void plateau_and_fracture(void **state)
 {
     (void)state;
@@ -240,13 +260,10 @@ static void differences(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(law_comes_back),
-        cmocka_unit_test(uniform_strain_in_closed_form),
-        cmocka_unit_test(every_law_fits_itself),
-        cmocka_unit_test(yield_point),
-        cmocka_unit_test(plateau_and_fracture),
-        cmocka_unit_test(poor_curves),
-        cmocka_unit_test(mixtures),
+        cmocka_unit_test(law_comes_back),        cmocka_unit_test(uniform_strain_in_closed_form),
+        cmocka_unit_test(every_law_fits_itself), cmocka_unit_test(yield_point),
+        cmocka_unit_test(transient_and_span),    cmocka_unit_test(plateau_and_fracture),
+        cmocka_unit_test(poor_curves),           cmocka_unit_test(mixtures),
         cmocka_unit_test(differences),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
