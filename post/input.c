@@ -3,6 +3,7 @@
 #include "die.h"
 #include "encoding.h"
 #include "foreign.h"
+#include "kept_history.h"
 #include "memory.h"
 #include "spool.h"
 #include "text_table.h"
@@ -91,6 +92,7 @@ struct input input_read(const char *name, const char *columns_of)
     char *bytes = read_bytes(&spool, input.name, &input.bytes);
     input.checksum = input_checksum((const unsigned char *)bytes, input.bytes);
     input.is_history = strncmp(bytes, "CDF", 3) == 0 || strncmp(bytes, "\x89HDF", 4) == 0;
+    if (input.is_history) kept_history(&spool);
     if (input.is_history)
         read_history(&input, &spool);
     else
