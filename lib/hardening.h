@@ -10,6 +10,9 @@
 #include "deck.h"
 #include "keys.h"
 
+#include <stdbool.h>
+#include <stdio.h>
+
 enum { HARDENING_PARAMETERS = 5, HARDENING_SHAPES = 2 };
 
 struct hardening_law;
@@ -39,6 +42,8 @@ struct hardening_law {
     /* From the numbers of the deck's keys to the parameters, where they are not the same; dies where they do not go
      * together.  NULL: nothing to do. */
     void (*complete)(struct hardening *h, struct deck_node map);
+    /* The other way: the number of key k.  NULL: parameter k. */
+    double (*express)(const struct hardening *h, int k);
 };
 
 /* Row i of the table; NULL beyond the last one. */
@@ -61,5 +66,14 @@ struct hardening hardening_none(void);
 double hardening_stress(const struct hardening *hardening, double p);
 double hardening_slope(const struct hardening *hardening, double p);
 const char *hardening_name(const struct hardening *hardening);
+
+/* The value of the law's key k in the deck [SI]; of the keys that a fit leaves 0 what the caller has set. */
+double hardening_key(const struct hardening *hardening, int k);
+
+/* Whether all values are in the range that the deck takes. */
+bool hardening_allowed(const struct hardening *hardening);
+
+/* "{law: voce, yield: 182.1 MPa, ...}" as the deck takes it, six digits; lines after the first begin with indent. */
+void hardening_print(FILE *file, const struct hardening *hardening, const char *indent);
 
 #endif

@@ -39,19 +39,28 @@ void csv_text(FILE *file, const char *text)
     fputc('"', file);
 }
 
+void csv_heading(FILE *file, const char *name)
+{
+    const int stem = (int)strlen(name) - (ends_in(name, pascal) ? (int)strlen(pascal) : 0);
+    fprintf(file, "%.*s%s", stem, name, name[stem] ? megapascal : "");
+}
+
+void csv_value(FILE *file, const char *name, double value)
+{
+    csv_number(file, ends_in(name, pascal) ? value / mega : value);
+}
+
 void csv_write(FILE *file, const struct table *table)
 {
     for (int i = 0; i < table->n_columns; i++) {
-        const char *name = table->columns[i].name;
-        int stem = (int)strlen(name) - (ends_in(name, pascal) ? (int)strlen(pascal) : 0);
-        fprintf(file, "%s%.*s%s", i ? "," : "", stem, name, name[stem] ? megapascal : "");
+        if (i) fputc(',', file);
+        csv_heading(file, table->columns[i].name);
     }
     fputc('\n', file);
     for (long row = 0; row < table->n_rows; row++) {
         for (int i = 0; i < table->n_columns; i++) {
-            double value = table->columns[i].values[row];
             if (i) fputc(',', file);
-            csv_number(file, ends_in(table->columns[i].name, pascal) ? value / mega : value);
+            csv_value(file, table->columns[i].name, table->columns[i].values[row]);
         }
         fputc('\n', file);
     }

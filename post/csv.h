@@ -12,6 +12,10 @@
 /* The header row and the rows, with as many digits as bring the same doubles back. */
 void csv_write(FILE *file, const struct table *table);
 
+/* Name and value of a column: _Pa of the table is _MPa of the file. */
+void csv_heading(FILE *file, const char *name);
+void csv_value(FILE *file, const char *name, double value);
+
 /* One number in the fewest of 15 to 17 digits that read back the same; nothing for NAN. */
 void csv_number(FILE *file, double value);
 

@@ -171,6 +171,26 @@ struct law_fit law_fit(const struct hardening_law *law, const double p[], const 
     return fit;
 }
 
+/* The data do not fix a parameter that is smaller than its standard error, or a shape that has left
+ * the range where such laws are found. */
+static bool ill_determined(const struct law_fit *fit)
+{
+    const struct hardening_law *law = fit->hardening.law;
+    const double *value = fit->hardening.parameter, *shape = value + law->n_linear;
+    for (int k = 0; k < law->n_linear + law->n_shapes; k++)
+        if (fit->error[k] > fabs(value[k])) return true;
+    for (int k = 0; k < law->n_shapes; k++)
+        if (shape[k] < law->range[k].low || shape[k] > law->range[k].high) return true;
+    return false;
+}
+
+const char *law_fit_flag(const struct law_fit *fit)
+{
+    if (!fit->done) return "too_few_points";
+    if (!fit->converged) return "not_converged";
+    return ill_determined(fit) ? "ill_determined" : NULL;
+}
+
 static double instability(double p, void *law)
 {
     return hardening_slope(law, p) - hardening_stress(law, p);

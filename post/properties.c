@@ -47,15 +47,16 @@ static void write_row(FILE *file, const struct property *property)
     fputc('\n', file);
 }
 
-void properties_write_csv(FILE *file, const struct properties lists[], const char *const titles[],
+void properties_write_csv(FILE *file, const struct properties lists[], const struct label labels[],
                           int count)
 {
     fprintf(file, "%sproperty,symbol,value,unit,uncertainty,definition\n",
-            count > 1 ? "curve," : "");
+            count > 1 ? "curve,file,varied," : "");
     for (int k = 0; k < count; k++)
         for (int i = 0; i < lists[k].count; i++) {
-            if (count > 1) {
-                csv_text(file, titles[k]);
+            const char *const texts[] = {labels[k].curve, labels[k].file, labels[k].varied};
+            for (int j = 0; count > 1 && j < 3; j++) {
+                csv_text(file, texts[j]);
                 fputc(',', file);
             }
             write_row(file, &lists[k].items[i]);
@@ -75,10 +76,14 @@ static json_t *json_number(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-static json_t *object_of(const struct property *property, const char *title)
+static json_t *object_of(const struct property *property, const struct label *label)
 {
     json_t *object = json_object();
-    if (title) json_object_set_new(object, "curve", json_text(title));
+    if (label) {
+        json_object_set_new(object, "curve", json_text(label->curve));
+        json_object_set_new(object, "file", json_text(label->file));
+        json_object_set_new(object, "varied", json_text(label->varied));
+    }
     json_object_set_new(object, "property", json_text(property->name));
     json_object_set_new(object, "symbol", json_text(property->symbol));
     json_object_set_new(object, "value", json_number(property->value));
@@ -89,14 +94,14 @@ static json_t *object_of(const struct property *property, const char *title)
     return object;
 }
 
-void properties_write_json(FILE *file, const struct properties lists[], const char *const titles[],
+void properties_write_json(FILE *file, const struct properties lists[], const struct label labels[],
                            int count)
 {
     json_t *array = json_array();
     for (int k = 0; k < count; k++)
         for (int i = 0; i < lists[k].count; i++)
             json_array_append_new(array,
-                                  object_of(&lists[k].items[i], count > 1 ? titles[k] : NULL));
+                                  object_of(&lists[k].items[i], count > 1 ? &labels[k] : NULL));
     json_dumpf(array, file, JSON_INDENT(2));
     fputc('\n', file);
     json_decref(array);

@@ -6,30 +6,10 @@
 
 static const double mega = 1e6;
 
-/* The data do not fix a parameter that is smaller than its standard error, or a shape that has left
- * the range where such laws are found. */
-static bool ill_determined(const struct law_fit *fit)
-{
-    const struct hardening_law *law = fit->hardening.law;
-    const double *value = fit->hardening.parameter, *shape = value + law->n_linear;
-    for (int k = 0; k < law->n_linear + law->n_shapes; k++)
-        if (fit->error[k] > fabs(value[k])) return true;
-    for (int k = 0; k < law->n_shapes; k++)
-        if (shape[k] < law->range[k].low || shape[k] > law->range[k].high) return true;
-    return false;
-}
-
-static const char *flag_of(const struct law_fit *fit)
-{
-    if (!fit->done) return "too_few_points";
-    if (!fit->converged) return "not_converged";
-    return ill_determined(fit) ? "ill_determined" : NULL;
-}
-
 static void add_fit(struct properties *list, const struct law_fit *fit)
 {
     const struct hardening_law *law = fit->hardening.law;
-    const char *of = law->variant.name, *flag = flag_of(fit);
+    const char *of = law->variant.name, *flag = law_fit_flag(fit);
     for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
         bool stress = k < law->n_linear;
         double scale = stress ? mega : 1;

@@ -86,7 +86,7 @@ setup() {
 @test "properties of several curves name the curve" {
     hspost -q "$data/ni200_cg.csv" "$data/hpt_ni_ufg.csv" -p both.csv > out
     [ ! -s out ]
-    [ "$(head -1 both.csv)" = curve,property,symbol,value,unit,uncertainty,definition ]
+    [ "$(head -1 both.csv)" = curve,file,varied,property,symbol,value,unit,uncertainty,definition ]
     [ "$(grep -c ',tensile_strength,' both.csv)" -eq 2 ]
     grep -q '^ni200_cg,' both.csv
 }
