@@ -226,6 +226,7 @@ struct curve curve_make(struct input *input, const struct choices *choices)
                                            "energy_drift",
                                            "unsteady_to_internal",
                                            "residual",
+                                           "transverse_strain",
                                            "minimum_section_ratio",
                                            "minimum_section_x_m"};
     char *title = title_of(input, choices);

@@ -42,6 +42,9 @@ static const struct {
      "|position|"},
     {"time", "time_s", "s", true,
      "|time|test time|elapsed time|running time|zeit|prüfzeit|testzeit|versuchszeit|t|"},
+    {"transverse", "transverse_strain", "1", true,
+     "|transverse strain|width strain|lateral strain|querdehnung|breitendehnung|strain 2|dehnung "
+     "quer|"},
     {"true_strain", "true_strain", "1", true,
      "|true strain|wahre dehnung|logarithmic strain|umformgrad|"},
     {"true_stress", "true_stress_Pa", "Pa", false,

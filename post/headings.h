@@ -10,6 +10,7 @@ enum quantity {
     QUANTITY_FORCE,
     QUANTITY_EXTENSION,
     QUANTITY_TIME,
+    QUANTITY_TRANSVERSE, /* strain across the specimen */
     QUANTITY_TRUE_STRAIN,
     QUANTITY_TRUE_STRESS,
     QUANTITIES, /* also: none of these */

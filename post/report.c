@@ -27,7 +27,7 @@ static void add_elastic(struct properties *list, const struct analysis *analysis
                     : memory_text("not fitted to this curve");
     const bool poor = curve->measured && line->r_squared < straight_limit;
     properties_add(list, "modulus", "m_E", line->slope / giga, "GPa",
-                   fmax(line->error, m->error[MEASURE_MODULUS]) / giga,
+                   known(fmax(line->error, m->error[MEASURE_MODULUS])) / giga,
                    "slope of engineering stress on strain, %s", how)
         ->flag = line->flag ? line->flag
                  : poor     ? "not_straight"
@@ -226,6 +226,23 @@ static void add_energies(struct properties *list, const struct analysis *analysi
                    NAN, "Rp0.2^2/(2 m_E)");
 }
 
+/* Plastic strain ratio, of tables with a strain across the specimen. */
+static void add_ratio(struct properties *list, const struct analysis *analysis, const char *range)
+{
+    const struct measures *m = &analysis->measures;
+    if (!table_find(&analysis->envelope.table, "transverse_strain")) return;
+    const struct strain_ratio found = true_curve_ratio(
+        &analysis->envelope, &m->line, m->modulus, m->uniform, m->power_law.low, m->power_law.high);
+    char *symbol = memory_print("r%s", range);
+    properties_add(
+        list, "plastic_strain_ratio", symbol, found.ratio, "1", known(found.error),
+        "-m/(1 + m), m the slope of the true plastic strain across on that along (ISO 10113), "
+        "%ld points",
+        found.count)
+        ->flag = isnan(found.ratio) ? "too_few_points" : NULL;
+    free(symbol);
+}
+
 static void add_hardening(struct properties *list, const struct analysis *analysis)
 {
     const struct power_law *law = &analysis->measures.power_law;
@@ -233,18 +250,23 @@ static void add_hardening(struct properties *list, const struct analysis *analys
                       ? memory_print("%g-Ag", percent * law->low)
                       : memory_print("%g-%g", percent * law->low, percent * law->high);
     char *symbol = memory_print("n%s", range);
+    char *squared =
+        isnan(law->r_squared) ? memory_text("") : memory_print(", R2 %.5f", law->r_squared);
     const char *flag = isnan(law->exponent) ? "too_few_points" : NULL;
     properties_add(list, "hardening_exponent", symbol, law->exponent, "1",
-                   fmax(law->error, analysis->measures.error[MEASURE_EXPONENT]),
+                   known(fmax(law->error, analysis->measures.error[MEASURE_EXPONENT])),
                    "regression of ln(true stress) on ln(true plastic strain), engineering plastic "
-                   "strain %g to %g %%, %ld points, R2 %.5f",
-                   percent * law->low, percent * law->high, law->count, law->r_squared)
+                   "strain %g to %g %%, %ld points%s",
+                   percent * law->low, percent * law->high, law->count, squared)
         ->flag = flag;
+    free(squared);
     properties_add(list, "hardening_strength", "K", law->strength / mega, "MPa",
-                   fmax(law->strength_error, analysis->measures.error[MEASURE_COEFFICIENT]) / mega,
+                   known(fmax(law->strength_error, analysis->measures.error[MEASURE_COEFFICIENT])) /
+                       mega,
                    "true stress = K (true plastic strain)^n, as above")
         ->flag = flag;
     free(symbol);
+    add_ratio(list, analysis, range);
     free(range);
 
     const struct considere *considere = &analysis->considere;

@@ -162,7 +162,7 @@ static void find_by_item(const struct layout *layout, char *item, struct found f
     while (q < QUANTITIES && strcmp(quantity_name((enum quantity)q), item) != 0) q++;
     if (!name || q == QUANTITIES)
         die_user("--columns-of: '%s', expected strain=NAME,stress=NAME, or force=, extension=, "
-                 "time=, true_strain=, true_stress=; NAME is a heading or a number",
+                 "time=, transverse=, true_strain=, true_stress=; NAME is a heading or a number",
                  item);
     const char *si = quantity_unit((enum quantity)q);
     char *unit = strrchr(name, ':');

@@ -212,6 +212,34 @@ struct power_law true_curve_power_law(const struct curve *curve, const struct el
     return law;
 }
 
+struct strain_ratio true_curve_ratio(const struct curve *curve, const struct elastic_line *line,
+                                     double modulus, long last, double low, double high)
+{
+    const double *across = table_find(&curve->table, "transverse_strain");
+    struct strain_ratio found = {NAN, NAN, 0};
+    double c0, elastic, slope, c00, c01, c11, squares;
+    if (!across || line->count < FEWEST_POWER_POINTS) return found;
+    gsl_fit_linear(curve->stress + line->first, 1, across + line->first, 1, (size_t)line->count,
+                   &c0, &elastic, &c00, &c01, &c11, &squares);
+    double *x = memory_new((size_t)last + 1, sizeof *x),
+           *y = memory_new((size_t)last + 1, sizeof *y);
+    for (long i = 0; i <= last; i++) {
+        const double total = curve->strain[i] - line->toe, sigma = curve->stress[i] * (1 + total);
+        const double plastic = total - curve->stress[i] / line->slope;
+        if (!(plastic >= low && plastic <= high) || isnan(across[i])) continue;
+        x[found.count] = log1p(total) - sigma / modulus;
+        y[found.count++] = log1p(across[i] - c0) - elastic * sigma;
+    }
+    if (found.count >= FEWEST_POWER_POINTS) {
+        gsl_fit_linear(x, 1, y, 1, (size_t)found.count, &c0, &slope, &c00, &c01, &c11, &squares);
+        found.ratio = -slope / (1 + slope);
+        found.error = sqrt(c11) / ((1 + slope) * (1 + slope));
+    }
+    free(x);
+    free(y);
+    return found;
+}
+
 struct law_fit true_curve_fit(const struct curve *curve, const struct hardening_law *law, long last,
                               const double range[2])
 {

@@ -50,6 +50,16 @@ struct power_law {
 struct power_law true_curve_power_law(const struct curve *curve, const struct elastic_line *line,
                                       double modulus, long last, double low, double high);
 
+/* r = -m/(1 + m), m the slope of the true plastic strain across the specimen on that along it (ISO 10113), over rows whose
+ * engineering plastic strain lies in [low, high]; the elastic part across is that of the rows of the line.  ratio NAN
+ * where the curve has no column transverse_strain, or too few points. */
+struct strain_ratio {
+    double ratio, error;
+    long count;
+};
+struct strain_ratio true_curve_ratio(const struct curve *curve, const struct elastic_line *line,
+                                     double modulus, long last, double low, double high);
+
 /* One law fitted to the rows up to last whose true plastic strain lies in range. */
 struct law_fit true_curve_fit(const struct curve *curve, const struct hardening_law *law, long last,
                               const double range[2]);

@@ -205,3 +205,15 @@ implausible() {
     [ "$(grep -c '^t,' both.csv)" -eq 2 ]
     grep -q '^unloading_loop,1,.*,no_reverse_yield$' both.csv
 }
+
+@test "the plastic strain ratio of a table with a strain across" {
+    # Along the law of voce.csv; across -nu of the elastic strain and -r/(1 + r) of the plastic one, r = 1.5, nu = 0.33.
+    awk -F, '/^e/ {print "Strain (-),Stress (MPa),Transverse strain (-)"; next}
+        {s = $2 * (1 + $1); q = s / 70000; p = log(1 + $1) - q; printf "%s,%s,%.9f\n", $1, $2, exp(-0.33 * q - 0.6 * p) - 1}' \
+        "$records/voce.csv" >t.csv
+    hspost -q t.csv -p p.csv -o /dev/null
+    grep -q '^plastic_strain_ratio,r2-Ag,' p.csv
+    near "$(value plastic_strain_ratio p.csv)" 1.5 0.01
+    hspost -q "$records/voce.csv" -p p.csv -o /dev/null
+    run ! grep -q plastic_strain_ratio p.csv
+}
