@@ -210,19 +210,21 @@ static void write_loops(FILE *gnuplot, const struct drawing *d)
         fputs("EOD\n", gnuplot);
     }
     write_axes(gnuplot, true);
-    fputs("set xlabel 'True strain (%)'\nset datafile missing 'nan'\nplot ", gnuplot);
+    fputs("set xlabel 'True strain (%)'\nset yrange [*:*]\nset datafile missing 'nan'\nplot ",
+          gnuplot);
     for (int i = 0; i < d->count; i++) {
-        static const char *const styles[][2] = {
-            {"lines", "flow"}, {"linespoints pt 7", "back"}, {"linespoints pt 6", "effective"}};
-        for (int k = 0; k < 3; k++) {
-            fprintf(gnuplot, "%s$loops%d using 1:%d with %s lw 1.5 lc rgb '%s' title ",
-                    i + k ? ", " : "", i, k + 2, styles[k][0], colours[i % COLOURS]);
-            char title[200];
-            snprintf(title, sizeof title, "%s, %s", d->loops[i].title, styles[k][1]);
-            write_quoted(gnuplot, title);
-            fputs(" noenhanced", gnuplot);
-        }
+        if (d->loops[i].count == 0) continue;
+        const char *colour = colours[i % COLOURS];
+        fprintf(gnuplot, "$loops%d using 1:2 with lines lw 1.5 lc rgb '%s' title ", i, colour);
+        write_quoted(gnuplot, d->loops[i].title);
+        fprintf(gnuplot,
+                " noenhanced, $loops%d using 1:3 with linespoints pt 7 ps 0.8 lc rgb '%s' notitle, "
+                "$loops%d using 1:4 with linespoints dt 3 pt 6 ps 0.8 lc rgb '%s' notitle, ",
+                i, colour, i, colour);
     }
+    fputs("NaN with linespoints pt 7 ps 0.8 lc rgb '#404040' title 'back stress', "
+          "NaN with linespoints dt 3 pt 6 ps 0.8 lc rgb '#404040' title 'effective stress'",
+          gnuplot);
     fputs("\nset output\n", gnuplot);
 }
 

@@ -27,7 +27,7 @@ void figure_check_name(const char *name);
 void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
                  const struct figure_style *style);
 
-/* Flow stress (line), back stress (filled) and effective stress (open) of loops against true strain, a colour a curve. */
+/* Flow stress (line), back stress (filled) and effective stress (open, dotted) of loops against true strain, a colour a curve. */
 struct figure_loops {
     const char *title;
     const struct loop *loops;

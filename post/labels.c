@@ -94,10 +94,10 @@ struct label *labels_make(const char *const titles[], const char *const files[],
         label->varied = alone ? memory_text("") : what_varies(labels, decks, count, k);
         const char *tells = *label->varied ? label->varied : base_of(label->file);
         label->curve =
-            alone ? memory_text(label->title) : memory_print("%s, %s", label->title, tells);
+            alone ? memory_text(label->title) : memory_print("%s (%s)", label->title, tells);
         if (!taken(labels, k)) continue;
         free(label->curve);
-        label->curve = memory_print("%s, %s", label->title, label->file);
+        label->curve = memory_print("%s (%s)", label->title, label->file);
     }
     return labels;
 }

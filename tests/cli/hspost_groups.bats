@@ -61,16 +61,16 @@ DECK
         hsgen -q "seed$seed.yaml" | hssolve -q -H "run$seed.e"
     done
     hspost -q run?.e -p p.csv -j p.json --plot f.svg --tidy tidy.csv --statistics statistics.csv
-    grep -q '^"scatter, seed: 2}}",run2.e,seed: 2}},tensile_strength,' p.csv
-    grep -q 'scatter, seed: 3}}' f.svg
+    grep -q '^scatter (seed: 2}}),run2.e,seed: 2}},tensile_strength,' p.csv
+    grep -q 'scatter (seed: 3}})' f.svg
     perl -MJSON::PP -e 'local $/; my @p = grep { $_->{property} eq "tensile_strength" } @{decode_json(<>)};
-        exit !(@p == 3 && $p[0]{file} eq "run1.e" && $p[1]{varied} eq "seed: 2}}" && $p[2]{curve} eq "scatter, seed: 3}}")' p.json
+        exit !(@p == 3 && $p[0]{file} eq "run1.e" && $p[1]{varied} eq "seed: 2}}" && $p[2]{curve} eq "scatter (seed: 3}})")' p.json
     grep -q '^scatter,tensile_strength,Rm,MPa,3,' statistics.csv
     # the same deck twice: the files tell them apart
     cp run1.e again.e
     hspost -q run1.e again.e -p p.csv
-    grep -q '^"scatter, run1.e",run1.e,,' p.csv
-    grep -q '^"scatter, again.e",again.e,,' p.csv
+    grep -q '^scatter (run1.e),run1.e,,' p.csv
+    grep -q '^scatter (again.e),again.e,,' p.csv
 }
 
 @test "one long table without a comment, as many fields in every row" {
