@@ -224,6 +224,45 @@ struct hardening hardening_read(struct deck_node map)
     return read.hardening;
 }
 
+double hardening_key(const struct hardening *h, int k)
+{
+    return h->law->express ? h->law->express(h, k) : h->parameter[k];
+}
+
+bool hardening_allowed(const struct hardening *h)
+{
+    const struct keys *keys = &h->law->variant.keys;
+    for (int k = 0; k < keys->count; k++) {
+        const double value = hardening_key(h, k);
+        if (keys->rows[k].kind == KEY_NUMBER &&
+            !(value >= keys->rows[k].low && value <= keys->rows[k].high))
+            return false;
+    }
+    return true;
+}
+
+static void print_points(FILE *file, const struct hardening *h, const char *indent)
+{
+    fputs(", points: [", file);
+    for (int i = 0; i < h->n_points; i++)
+        fprintf(file, "%s\n%s  [%.6g, %.6g MPa]", i ? "," : "", indent, h->strain[i],
+                h->stress[i] / 1e6);
+    fputs("]", file);
+}
+
+void hardening_print(FILE *file, const struct hardening *h, const char *indent)
+{
+    const struct keys *keys = &h->law->variant.keys;
+    fprintf(file, "{law: %s", h->law->variant.name);
+    for (int k = 0; h->n_points == 0 && k < keys->count; k++) {
+        const bool stress = strcmp(keys->rows[k].unit, "Pa") == 0;
+        fprintf(file, ", %s: %.6g%s", keys->rows[k].name, hardening_key(h, k) / (stress ? 1e6 : 1),
+                stress ? " MPa" : "");
+    }
+    if (h->n_points > 0) print_points(file, h, indent);
+    fputs("}\n", file);
+}
+
 static double no_yield_stress(const struct hardening *h, double p)
 {
     (void)h, (void)p;
@@ -262,43 +301,4 @@ double hardening_slope(const struct hardening *h, double p)
 const char *hardening_name(const struct hardening *h)
 {
     return h->law->variant.name;
-}
-
-double hardening_key(const struct hardening *h, int k)
-{
-    return h->law->express ? h->law->express(h, k) : h->parameter[k];
-}
-
-bool hardening_allowed(const struct hardening *h)
-{
-    const struct keys *keys = &h->law->variant.keys;
-    for (int k = 0; k < keys->count; k++) {
-        const double value = hardening_key(h, k);
-        if (keys->rows[k].kind == KEY_NUMBER &&
-            !(value >= keys->rows[k].low && value <= keys->rows[k].high))
-            return false;
-    }
-    return true;
-}
-
-static void print_points(FILE *file, const struct hardening *h, const char *indent)
-{
-    fputs(", points: [", file);
-    for (int i = 0; i < h->n_points; i++)
-        fprintf(file, "%s\n%s  [%.6g, %.6g MPa]", i ? "," : "", indent, h->strain[i],
-                h->stress[i] / 1e6);
-    fputs("]", file);
-}
-
-void hardening_print(FILE *file, const struct hardening *h, const char *indent)
-{
-    const struct keys *keys = &h->law->variant.keys;
-    fprintf(file, "{law: %s", hardening_name(h));
-    for (int k = 0; h->n_points == 0 && k < keys->count; k++) {
-        const bool stress = strcmp(keys->rows[k].unit, "Pa") == 0;
-        fprintf(file, ", %s: %.6g%s", keys->rows[k].name, hardening_key(h, k) / (stress ? 1e6 : 1),
-                stress ? " MPa" : "");
-    }
-    if (h->n_points > 0) print_points(file, h, indent);
-    fputs("}\n", file);
 }

@@ -59,14 +59,6 @@ extern const struct section section_hardening;
 struct hardening hardening_read(struct deck_node map);
 void hardening_free(struct hardening *hardening);
 
-/* The law without a yield point: an elastic solid. */
-struct hardening hardening_none(void);
-
-/* Flow stress [Pa] and its slope [Pa] at p >= 0; the slope of a tabulated law is that to the right. */
-double hardening_stress(const struct hardening *hardening, double p);
-double hardening_slope(const struct hardening *hardening, double p);
-const char *hardening_name(const struct hardening *hardening);
-
 /* The value of the law's key k in the deck [SI]; of the keys that a fit leaves 0 what the caller has set. */
 double hardening_key(const struct hardening *hardening, int k);
 
@@ -75,5 +67,13 @@ bool hardening_allowed(const struct hardening *hardening);
 
 /* "{law: voce, yield: 182.1 MPa, ...}" as the deck takes it, six digits; lines after the first begin with indent. */
 void hardening_print(FILE *file, const struct hardening *hardening, const char *indent);
+
+/* The law without a yield point: an elastic solid. */
+struct hardening hardening_none(void);
+
+/* Flow stress [Pa] and its slope [Pa] at p >= 0; the slope of a tabulated law is that to the right. */
+double hardening_stress(const struct hardening *hardening, double p);
+double hardening_slope(const struct hardening *hardening, double p);
+const char *hardening_name(const struct hardening *hardening);
 
 #endif
