@@ -78,6 +78,34 @@ static double local_slope(const struct curve *curve, long i, long first, long la
     return slope;
 }
 
+/* theta at a row; d eps_p = d eps - d sigma / E. */
+static double rate_at(const struct curve *curve, double modulus, long row, long first, long last,
+                      double window)
+{
+    const double slope = local_slope(curve, row, first, last, window);
+    return slope < modulus ? slope / (1 - slope / modulus) : NAN;
+}
+
+/* At rows a hundredth of the window apart at least, and linear between them: a slope over thousands of rows does not
+ * change from one to the next. */
+static void fill_rates(struct curve *curve, double modulus, long last, double window)
+{
+    const double apart = window / 100, *eps = curve->true_strain;
+    double *rate = curve->hardening_rate;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    const long first = plastic_begin(curve, last);
+    long before = -1;
+    for (long i = first; i <= last; i++) {
+        if (before >= 0 && i < last && eps[i] - eps[before] < apart) continue;
+        rate[i] = rate_at(curve, modulus, i, first, last, window);
+        for (long k = before + 1; before >= 0 && k < i; k++)
+            rate[k] = rate[before] +
+                      (eps[k] - eps[before]) / (eps[i] - eps[before]) * (rate[i] - rate[before]);
+        before = i;
+    }
+    gsl_set_error_handler(handler);
+}
+
 void true_curve_fill(struct curve *curve, const struct elastic_line *line, double modulus,
                      long last, double window)
 {
@@ -89,14 +117,7 @@ void true_curve_fill(struct curve *curve, const struct elastic_line *line, doubl
         curve->true_stress[i] = curve->stress[i] * stretch;
         curve->plastic_strain[i] = curve->true_strain[i] - curve->true_stress[i] / modulus;
     }
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    long first = plastic_begin(curve, last);
-    for (long i = first; i <= last; i++) {
-        double slope = local_slope(curve, i, first, last, window);
-        /* d eps_p = d eps - d sigma / E */
-        curve->hardening_rate[i] = slope < modulus ? slope / (1 - slope / modulus) : NAN;
-    }
-    gsl_set_error_handler(handler);
+    fill_rates(curve, modulus, last, window);
 }
 
 void true_curve_cut(struct curve *curve, long maximum)

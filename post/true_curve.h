@@ -8,7 +8,8 @@
 /* Fills true_strain = ln(1 + e - toe), true_stress = s (1 + e - toe), plastic_strain and the
  * hardening rate theta = d sigma / d eps_p of the curve, up to row last.  modulus [Pa] is the E of the
  * plastic strain; NAN leaves plastic strain and theta open.  theta is that of a quadratic fitted over a
- * width of window [true strain] and at least five points, from 0.1 % of plastic strain on. */
+ * width of window [true strain] and at least five points, from 0.1 % of plastic strain on, at rows a hundredth of the window
+ * apart at least, and linear between. */
 void true_curve_fill(struct curve *curve, const struct elastic_line *line, double modulus,
                      long last, double window);
 
