@@ -10,17 +10,20 @@ static void add_fit(struct properties *list, const struct law_fit *fit)
 {
     const struct hardening_law *law = fit->hardening.law;
     const char *of = law->variant.name, *flag = law_fit_flag(fit);
+    char *points = fit->count > 0 ? memory_print("true plastic strain %.4g to %.4g, %ld points",
+                                                 fit->first, fit->last, fit->count)
+                                  : memory_text("no points");
     for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
         bool stress = k < law->n_linear;
         double scale = stress ? mega : 1;
         char *name = memory_print("%s_%s", of, law->parameters[k].name);
         properties_add(list, name, law->parameters[k].symbol, fit->hardening.parameter[k] / scale,
-                       stress ? "MPa" : "1", fit->error[k] / scale,
-                       "sigma = %s, true plastic strain %.4g to %.4g, %ld points",
-                       law->variant.help, fit->first, fit->last, fit->count)
+                       stress ? "MPa" : "1", fit->error[k] / scale, "sigma = %s, %s",
+                       law->variant.help, points)
             ->flag = flag;
         free(name);
     }
+    free(points);
     if (!fit->done) return;
     const struct {
         const char *name, *symbol, *unit, *definition;

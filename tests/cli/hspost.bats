@@ -176,7 +176,7 @@ fails() {
     printf 'engineering_strain,engineering_stress_MPa\n0,0\n' | hspost -q -p p.csv > curve.csv
     [ "$(grep -vc '^#' curve.csv)" -eq 2 ]
     grep -q '^tensile_strength_reached,,0,' p.csv
-    run ! grep -q -i -E '(,|^)-?(nan|inf)(,|$)' p.csv curve.csv
+    run ! grep -q -i -E '(,|^| )-?(nan|inf)(,|$| )' p.csv curve.csv
 }
 
 @test "a full disk is a failed run" {
