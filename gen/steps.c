@@ -42,27 +42,27 @@ double steps_longest_edge(const double spacing[3], bool sheet)
 }
 
 /* Offsets of equal length in a fixed order. */
-static int compare_offsets(const struct step *first, const struct step *second)
+static int compare_offsets(const struct step *left, const struct step *right)
 {
     int order = 0;
     for (int axis = 2; axis >= 0 && order == 0; axis--)
-        order = (first->offset[axis] > second->offset[axis]) -
-                (first->offset[axis] < second->offset[axis]);
+        order =
+            (left->offset[axis] > right->offset[axis]) - (left->offset[axis] < right->offset[axis]);
     return order;
 }
 
 static int compare_distances(const void *a, const void *b)
 {
-    const struct step *first = a, *right = b;
-    const int order = (first->distance > second->distance) - (first->distance < second->distance);
+    const struct step *left = a, *right = b;
+    const int order = (left->distance > right->distance) - (left->distance < right->distance);
     return order ? order : compare_offsets(left, right);
 }
 
 static int compare_films(const void *a, const void *b)
 {
-    const struct step *first = a, *right = b;
-    int order = steps_touch(second) - steps_touch(first);
-    const double one = steps_film(first), other = steps_film(second);
+    const struct step *left = a, *right = b;
+    int order = steps_touch(right) - steps_touch(left);
+    const double one = steps_film(left), other = steps_film(right);
     if (order == 0) order = (one > other) - (one < other);
     return order ? order : compare_offsets(left, right);
 }
