@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "family.h"
+#include "interface.h"
 #include "residual.h"
 #include "sections.h"
 #include "stabilisation.h"
@@ -67,6 +68,10 @@ static const struct key solver_keys[] = {
     {"surface_correction", KEY_NODE, AT(elsewhere), .form = "one", .names = surface_corrections,
      .otherwise = "none",
      .help = "factors on the bonds of nodes near a surface; not for correspondence"},
+    {"interfaces", KEY_NODE, AT(elsewhere), .form = "one", .names = interface_laws,
+     .otherwise = "series",
+     .help = "bonds through two phases: series, as stiff as the parts of their line one behind the "
+             "other; mean of the moduli; not for correspondence"},
     {"stabilisation", KEY_NODE, AT(elsewhere), .section = &section_stabilisation,
      .otherwise = "mix with its defaults", .help = "of correspondence"},
     {"residual", KEY_NODE, AT(elsewhere), .section = &section_residual,
