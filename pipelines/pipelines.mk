@@ -165,7 +165,8 @@ bond-plate: $(RESULTS)/bond-plate/figure.svg
 
 bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(1))/' -e 's/^  horizon: .*/  horizon: $(word 2,$(1))/' \
 	-e 's/^  spacing: .*/  spacing: $(patsubst %mm,% mm,$(word 3,$(1)))/' -e 's/^  volumes: .*/  volumes: $(word 4,$(1))/' \
-	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/'
+	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/' \
+	$(if $(filter 4.015 5.015,$(word 2,$(1))),-e 's/length: 3 spacings/length: 5 spacings/')
 $(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
 	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
 DECKS += $(BOND_PLATES:%=%/study.yaml)

@@ -181,6 +181,32 @@ static void fill_corners(struct simulation *s)
     free(density);
 }
 
+/* Layers of nodes that a grip has to have, so that no free node misses a part of its family in it; where the stress is
+ * that of nodes two at least: the layer which the free ones see needs a gradient. */
+static int layers_of_grip(const struct simulation *s)
+{
+    const struct formulation *formulation = s->materials.formulation;
+    if (formulation->corners) return 1;
+    return s->family.reach < 2 && formulation->stress_of == STRESS_OF_NODES ? 2 : s->family.reach;
+}
+
+static void check_grips(const struct simulation *s)
+{
+    const struct boundary *boundary = &s->boundary;
+    const int needed = layers_of_grip(s);
+    if (!boundary_has_grips(boundary)) return;
+    for (int k = 0; k < 2; k++) {
+        const struct boundary_set *set = &boundary->sets[k ? boundary->right : boundary->left];
+        const double layers = 1 + (set->members.high_x - set->members.low_x) / s->lattice.spacing;
+        if (layers < needed - 0.5)
+            deck_error(set->where,
+                       "this grip is %.3g layers of particles thick, and a horizon of %g spacings "
+                       "needs %d: the free particles beside it would miss a part of their "
+                       "families; hold more of the body, or shorten the horizon",
+                       layers, s->scene.horizon, needed);
+    }
+}
+
 static void build(struct simulation *s)
 {
     const struct offset *near;
@@ -196,6 +222,7 @@ static void build(struct simulation *s)
     start_damage(s);
     model_start(s->model, &s->body, s->bonds);
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
+    check_grips(s);
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
     if (s->body.unsupported == s->lattice.n_nodes &&
