@@ -48,11 +48,15 @@ static void read_model(struct simulation *s)
                                   s->domain.phase_names, scene->plane);
     for (int p = 0; p < s->materials.count; p++)
         s->materials.items[p].density *= scene->mass_scaling;
-    if (scene->horizon == 0) s->scene.horizon = s->materials.formulation->horizon;
+    const struct formulation *formulation = s->materials.formulation;
+    const bool scattered = lattice_is_scattered(&s->lattice);
+    if (scene->horizon == 0)
+        s->scene.horizon = scattered ? formulation->scattered : formulation->horizon;
     if (scene->horizon == 0) deck_get(scene->solver, "horizon"); /* dies */
-    int influence = scene->influence >= 0 ? scene->influence
-                                          : family_influence(s->materials.formulation->influence);
+    int influence =
+        scene->influence >= 0 ? scene->influence : family_influence(formulation->influence);
     s->family = family_new(scene->horizon, influence, scene->partial_volumes);
+    s->family.scattered = scattered;
     s->model = model_new(scene->solver, &s->family, &s->materials);
 }
 
@@ -207,6 +211,22 @@ static void check_grips(const struct simulation *s)
     }
 }
 
+/* Share of the nodes that may have too few neighbours for a gradient, and carry nothing. */
+static const double MOST_LOST = 0.05;
+
+static void refuse_lost(const struct simulation *s)
+{
+    const double lost = (double)s->body.unsupported / (double)s->lattice.n_nodes;
+    const struct deck_node horizon = deck_find(s->scene.solver, "horizon");
+    if (s->materials.formulation->stress_of != STRESS_OF_NODES || lost <= MOST_LOST) return;
+    deck_error(horizon.index ? horizon : s->scene.solver,
+               "%.3g %% of the nodes (%lld of %lld) have too few neighbours within a horizon of "
+               "%g spacings for a deformation gradient, and would carry no stress; %g %% may: take "
+               "a longer horizon, or particles that stand closer",
+               100 * lost, (long long)s->body.unsupported, (long long)s->lattice.n_nodes,
+               s->scene.horizon, 100 * MOST_LOST);
+}
+
 static void build(struct simulation *s)
 {
     const struct offset *near;
@@ -225,10 +245,7 @@ static void build(struct simulation *s)
     check_grips(s);
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
-    if (s->body.unsupported == s->lattice.n_nodes &&
-        s->materials.formulation->stress_of == STRESS_OF_NODES)
-        die_user("no node has a deformation gradient: the body is too thin for horizon %g",
-                 s->scene.horizon);
+    refuse_lost(s);
 }
 
 double simulation_fraction(const struct simulation *s, int phase)
