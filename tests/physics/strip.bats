@@ -25,6 +25,7 @@ columns_of() {
 # The ligament is 36 mm2, 18 bonds through a spacing of it; the deck's G 100 J/m2.
 @test "a running crack: the bonds it breaks hold the deck's fracture energy, at 1.15 of it put in" {
     run_strip running 1.2
+    cmp "$BATS_TEST_TMPDIR/deck.yaml" pipelines/strip/study.yaml # the one to look at
     columns_of broken_bonds fracture_energy_J energy_drift |
         awk '{ share = $1 / (18 * 36); G = share > 0 ? $2 / (share * 36e-6) : 0; drift = $3 }
              END { print share, G, drift; exit !(share > 0.5 && (G / 100 - 1) ^ 2 < 0.1 ^ 2 && drift ^ 2 < 0.02 ^ 2) }'
