@@ -14,6 +14,7 @@
 #   make bond-plate            E of a bond-based sheet against horizon, spacing and corrections
 #   make load-steps            a plate under forces that grow in steps; the plate at rest against plane stress
 #   make crack                 a crack in glass that runs and branches: its speed
+#   make strip                 energy that a crack takes, slow and running, in a strip where it is known
 #   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
 #   make thesis-boundary       four ways to hold a plate: which are asymmetric
 #   make solvers               evaluations and seconds of load steps, by method, nodes, length, horizon (20 minutes)
@@ -36,7 +37,7 @@ SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
 STUDIES := first plate-cg errors flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking fracture \
-           solver-switch solvers rates spacings finite-elements loops thesis-calibration
+           solver-switch solvers rates spacings finite-elements loops thesis-calibration strip
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
 # A check says how many of its assertions hold, or which does not.
@@ -166,7 +167,8 @@ bond-plate: $(RESULTS)/bond-plate/figure.svg
 
 bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(1))/' -e 's/^  horizon: .*/  horizon: $(word 2,$(1))/' \
 	-e 's/^  spacing: .*/  spacing: $(patsubst %mm,% mm,$(word 3,$(1)))/' -e 's/^  volumes: .*/  volumes: $(word 4,$(1))/' \
-	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/'
+	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/' \
+	$(if $(filter 4.015 5.015,$(word 2,$(1))),-e 's/length: 3 spacings/length: 5 spacings/')
 $(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
 	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
 DECKS += $(BOND_PLATES:%=%/study.yaml)
@@ -239,6 +241,17 @@ $(RESULTS)/crack/figure.svg: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/
 $(RESULTS)/crack/%/pictures: $(RESULTS)/crack/%/fields.e
 	for time in 15 25 35 45; do hspost --frames $< --time "$$time us" --picture $(@D)/damage-$$time-us.png --variables Damage --slice z --range 0:0.6; done
 	touch $@
+
+# G of a crack in a long strip with clamped edges, slow and running.
+strip: $(RESULTS)/strip/table.csv
+DECKS += $(RESULTS)/strip/decks
+.PHONY: $(RESULTS)/strip/decks
+$(RESULTS)/strip/decks:
+	pipelines/strip/strips $@ decks
+$(RESULTS)/strip/table.csv: $(wildcard pipelines/strip/*.awk) pipelines/strip/strips | all
+	@mkdir -p $(@D)
+	pipelines/strip/strips $(@D)/runs $(if $(SMALL),small) > $@
+	$(call must,strip,-v blank="first slow released broken running of_bonds speed") $@
 
 # The thesis' explicit runs at both velocities, with its plasticity and without.
 IMPACTS := $(if $(SMALL),,plastic-450 plastic-45) elastic-450 elastic-45

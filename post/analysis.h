@@ -5,7 +5,7 @@
 #include "measures.h"
 #include "phases.h"
 #include "properties.h"
-#include "record.h"
+#include "curve_record.h"
 
 struct analysis {
     struct record record; /* what happened during the test */

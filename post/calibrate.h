@@ -2,7 +2,7 @@
 #ifndef HS_CALIBRATE_H
 #define HS_CALIBRATE_H
 
-#include "material.h"
+#include "material_block.h"
 
 /* A curve, with all that was measured on it, and by which choices. */
 struct measured {

@@ -8,6 +8,7 @@
 #include "damage.h"
 
 #include "broken.h"
+#include "interface.h"
 #include "memory.h"
 #include "profile.h"
 
@@ -64,7 +65,9 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
 {
     struct damage *damage = memory_new(1, sizeof *damage);
     const size_t sites = (size_t)body->grid.n_sites;
-    damage->see = (struct damage_view){model, materials, body, bonds};
+    const struct deck_node solver = deck_find(root, "solver");
+    damage->see = (struct damage_view){model, materials, body, bonds,
+                                       solver.index ? interface_read(solver) : true};
     damage->body = body;
     damage->bonds = bonds;
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);

@@ -21,6 +21,7 @@ struct damage_view {
     const struct materials *materials;
     const struct body *body;
     const struct bonds *bonds;
+    bool series; /* bonds through two phases are as stiff as these in series, not as their mean */
 };
 
 enum { DAMAGE_STATES = 4 }; /* at most */

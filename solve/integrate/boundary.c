@@ -26,7 +26,8 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
     const double middle = lattice_middle(lattice, 0);
     const double area = lattice_largest_face(lattice);
     struct members members = members_of_nodes(body, entry->nodes.numbers, entry->nodes.count);
-    struct boundary_set set = {.direction = entry->direction,
+    struct boundary_set set = {.where = entry->where,
+                               .direction = entry->direction,
                                .kind = entry->kind,
                                .value = entry->value,
                                .members = members,

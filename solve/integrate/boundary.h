@@ -11,6 +11,7 @@
 #include "scene.h"
 
 struct boundary_set {
+    struct deck_node where; /* of its entry */
     int direction;
     enum scene_kind kind; /* of those that hold */
     struct value value;   /* m/s or m; the scene frees it */

@@ -9,7 +9,8 @@
 /* Keys of the solver section that are not for every formulation. */
 static void check_keys(struct deck_node solver, const struct formulation *formulation)
 {
-    static const char *const special[] = {"stabilisation", "residual", "surface_correction"};
+    static const char *const special[] = {"stabilisation", "residual", "surface_correction",
+                                          "interfaces"};
     for (size_t k = 0; k < sizeof special / sizeof *special; k++) {
         bool known = false;
         for (int i = 0; formulation->keys[i]; i++)

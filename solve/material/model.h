@@ -47,6 +47,7 @@ struct formulation {
     enum stress_of stress_of;
     const char *influence; /* the function it takes where the deck names none */
     double horizon;        /* the same, in spacings; 0: a deck names one */
+    double scattered;      /* the same among scattered particles */
     bool
         corners; /* the corners of the particles' cells are the nodes (corners.h); it has no bonds */
     const char *const *keys; /* of the deck's solver section that only some formulations have */

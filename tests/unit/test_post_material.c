@@ -4,7 +4,7 @@
 
 #include "deck.h"
 #include "dies.h"
-#include "material.h"
+#include "material_block.h"
 #include "memory.h"
 
 #include <stdlib.h>

@@ -91,9 +91,9 @@ static void *correspondence_read(struct deck_node solver, const struct family *f
                                  const struct materials *materials)
 {
     struct correspondence *model = memory_new(1, sizeof *model);
-    (void)family;
     model->materials = materials;
-    model->stabilisation = stabilisation_read(deck_find(solver, "stabilisation"), &model->self);
+    model->stabilisation =
+        stabilisation_read(deck_find(solver, "stabilisation"), family->scattered, &model->self);
     return model;
 }
 
@@ -370,6 +370,7 @@ const struct formulation formulation_correspondence = {
     .stress_of = STRESS_OF_NODES,
     .influence = "constant",
     .horizon = 1,
+    .scattered = 1.8,
     .keys = (const char *const[]){"stabilisation", NULL},
     .read = correspondence_read,
     .near = correspondence_near,

@@ -43,7 +43,7 @@ extern const struct stabilisation STABILISATIONS(STABILISATION);
 extern const struct section section_stabilisation;
 
 /* The one that the deck names, "stabilisation: {law: ..., ...}", and what it has read; map.index 0: the first one with its
- * defaults. */
-const struct stabilisation *stabilisation_read(struct deck_node map, void **self);
+ * defaults, among scattered particles the first for these. */
+const struct stabilisation *stabilisation_read(struct deck_node map, bool scattered, void **self);
 
 #endif

@@ -1,7 +1,7 @@
-/* record.h - what happened during a test, judged before anything is measured: loops, holds, serrations, an extensometer
+/* curve_record.h - what happened during a test, judged before anything is measured: loops, holds, serrations, an extensometer
  * that stands or falls, rows from the last to the first. */
-#ifndef HS_RECORD_H
-#define HS_RECORD_H
+#ifndef HS_CURVE_RECORD_H
+#define HS_CURVE_RECORD_H
 
 #include "curve.h"
 

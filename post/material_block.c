@@ -1,4 +1,4 @@
-#include "material.h"
+#include "material_block.h"
 
 #include "die.h"
 #include "memory.h"

@@ -1,6 +1,6 @@
-/* material.h - a section "materials" of the deck from a measured curve. */
-#ifndef HS_MATERIAL_H
-#define HS_MATERIAL_H
+/* material_block.h - a section "materials" of the deck from a measured curve. */
+#ifndef HS_MATERIAL_BLOCK_H
+#define HS_MATERIAL_BLOCK_H
 
 #include "analysis.h"
 

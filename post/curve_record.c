@@ -1,4 +1,4 @@
-#include "record.h"
+#include "curve_record.h"
 
 #include "die.h"
 #include "memory.h"
