@@ -48,7 +48,7 @@ void exodus_fields_write(struct exodus_fields *fields, double time, const double
             ex_put_var(file->id, frame, EX_NODAL, i + 1, UNUSED_ID, fields->n_nodes, values[i]),
             "a frame");
     exodus_wrote(file, ex_put_time(file->id, frame, &time), "a frame's time");
-    exodus_wrote(file, ex_update(file->id), "a frame");
+    exodus_sync(file);
 }
 
 void exodus_fields_close(struct exodus_fields *fields)

@@ -1,6 +1,7 @@
 /* hssolve - a peridynamic tension test: domain in, histories out. */
 #include "arguments.h"
 #include "die.h"
+#include "exodus.h"
 #include "launch.h"
 #include "ranks.h"
 #include "simulation.h"
@@ -8,10 +9,19 @@
 
 #include <stdlib.h>
 
+static int repair(const char *name)
+{
+    double time;
+    const int64_t records = exodus_repair(name, &time);
+    note("%s is whole up to record %lld, t = %.6g s", name, (long long)records, time);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hssolve");
     struct arguments arguments = arguments_read(argc, argv, solver_sections);
+    if (arguments.repair) return repair(arguments.repair);
     if (launch_wanted(&arguments)) return launch_ranks(&arguments);
 
     struct ranks ranks = ranks_start(&argc, &argv);
@@ -19,13 +29,17 @@ int main(int argc, char **argv)
     simulation_announce(simulation);
     const char *failure = arguments.check ? NULL : simulation_run(simulation);
     if (!arguments.check) simulation_finish(simulation, failure);
-    if (failure) {
+    const bool spooled = arguments.spooled != NULL;
+    const bool stopped = simulation_stopped(simulation);
+    if (failure && !stopped) {
         ranks_wait();
         if (ranks.rank == 0) die_run("%s", failure);
         ranks_wait();
     }
     simulation_free(simulation);
     free(arguments.command);
+    ranks_wait();
     ranks_stop();
-    return 0;
+    /* mpirun takes another code of a rank for an accident; the parent of -j sees that the history is gone. */
+    return stopped && !spooled ? EXIT_STOPPED : 0;
 }

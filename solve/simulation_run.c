@@ -102,6 +102,7 @@ void simulation_write_frame(struct simulation *s)
     const enum profile_part before = profile_enter(s->profile, PART_FRAME);
     profile_count(s->profile, WORK_FRAMES, 1, 0);
     fields_write(s->fields, s->integration.time, s->model, &s->body);
+    s->framed = s->integration.time;
     profile_enter(s->profile, before);
 }
 
@@ -141,19 +142,46 @@ static double share_done(const struct simulation *s)
     return by_strain > 0 ? by_strain : fmin(s->integration.time / s->end_time, 1);
 }
 
+static void advance(struct simulation *s)
+{
+    const double begun = ranks_clock();
+    s->integration.wish[WISH_STOP] = stop_asked(&s->stop, s->longest) ? 1 : 0;
+    profile_enter(s->profile, PART_ADVANCE);
+    s->course->advance(s);
+    profile_enter(s->profile, PART_REST);
+    s->longest = fmax(s->longest, ranks_clock() - begun);
+}
+
+/* The run ends here for now; rank 0 need not be the one who was asked. */
+static void stop(struct simulation *s)
+{
+    const char *why = stop_asked(&s->stop, s->longest);
+    if (s->fields && s->framed < s->integration.time) simulation_write_frame(s);
+    s->stopped = true;
+    s->failure =
+        memory_print("stopped at step %lld, t = %.4g s (%s)", (long long)s->integration.step,
+                     s->integration.time, why ? why : "asked by a signal");
+}
+
+bool simulation_stopped(const struct simulation *s)
+{
+    return s->stopped;
+}
+
 const char *simulation_run(struct simulation *s)
 {
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
+    s->stop = stop_begin(s->arguments->time_limit);
     simulation_protect(s);
     simulation_record(s);
     if (s->course->begin) s->course->begin(s);
     if (s->fields) simulation_write_frame(s);
     while (!s->failure && !simulation_at_end(s)) {
-        profile_enter(s->profile, PART_ADVANCE);
-        s->course->advance(s);
-        profile_enter(s->profile, PART_REST);
+        advance(s);
         progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
+        simulation_save_records(s, false);
+        if (s->integration.granted[WISH_STOP] > 0 && !s->failure && !simulation_at_end(s)) stop(s);
     }
     if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !s->fallen)
         s->failure =
@@ -161,5 +189,6 @@ const char *simulation_run(struct simulation *s)
                          "specimen deforms outside of the gauge",
                          s->strain, s->scene.end_strain);
     s->wall = progress_finish(&progress);
+    stop_end(&s->stop);
     return s->failure;
 }
