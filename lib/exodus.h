@@ -67,6 +67,11 @@ struct exodus_fields *exodus_fields_open(const struct spool *output, const struc
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
 void exodus_fields_close(struct exodus_fields *fields);
 
+int64_t exodus_fields_count(const struct exodus_fields *fields);
+/* Takes over so many frames of an earlier file, finished or not, of the same domain and variables; false, and nothing
+ * changed, where it is not there or has not got them. */
+bool exodus_fields_take(struct exodus_fields *fields, const char *name, int64_t frames);
+
 /* Frames read back; the domain beside them is read by exodus_read_domain from the same input. */
 struct frames {
     int64_t n_nodes;

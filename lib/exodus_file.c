@@ -234,7 +234,7 @@ static void check_length(const struct exodus_file *file, bool foreign)
                  (long long)file->bytes, bytes);
 }
 
-static struct exodus_file open_any(const struct spool *input)
+struct exodus_file exodus_open_any(const struct spool *input)
 {
     int memory_word = sizeof(double), file_word = 0;
     float version;
@@ -252,7 +252,7 @@ static struct exodus_file open_any(const struct spool *input)
 
 struct exodus_file exodus_open(const struct spool *input, bool foreign)
 {
-    struct exodus_file file = open_any(input);
+    struct exodus_file file = exodus_open_any(input);
     check_length(&file, foreign);
     return file;
 }
@@ -283,7 +283,7 @@ static int64_t sound_records(const struct exodus_file *file, double *last)
 int64_t exodus_repair(const char *name, double *time)
 {
     const struct spool input = {.descriptor = -1, .path = (char *)(uintptr_t)name};
-    struct exodus_file file = open_any(&input);
+    struct exodus_file file = exodus_open_any(&input);
     nc_type type;
     size_t length;
     double bytes = 0;

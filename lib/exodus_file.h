@@ -33,6 +33,8 @@ void exodus_renew_numbers(const struct exodus_file *file, const struct attribute
 /* Opens a file that is of a classic netCDF format, has a sane header and is whole by its
  * hs_file_bytes; without that attribute it passes only where foreign is true. */
 struct exodus_file exodus_open(const struct spool *input, bool foreign);
+/* The same, whole or not. */
+struct exodus_file exodus_open_any(const struct spool *input);
 void exodus_close(struct exodus_file *file);
 
 /* The attributes with the prefix hs_, without it. */

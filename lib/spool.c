@@ -181,6 +181,13 @@ struct spool spool_input(const char *name)
     return (struct spool){.descriptor = temporary, .path = descriptor_path(temporary)};
 }
 
+struct spool spool_bytes(const char *bytes, size_t length)
+{
+    const int temporary = temporary_file();
+    write_fully(temporary, bytes, length, "a temporary file");
+    return (struct spool){.descriptor = temporary, .path = descriptor_path(temporary)};
+}
+
 char *spool_text(const char *name, long limit, long *length)
 {
     const char *shown = input_name(name);
@@ -273,7 +280,7 @@ static void sync_folder(const char *path)
     free(folder);
 }
 
-static void move(const char *from, const char *to)
+void spool_rename(const char *from, const char *to)
 {
     spool_sync(from, to);
     if (rename(from, to) != 0) die_run("cannot rename %s to %s: %s", from, to, strerror(errno));
@@ -313,7 +320,7 @@ void spool_finish(struct spool *spool)
     if (spool->descriptor >= 0) {
         pump(spool);
     } else {
-        move(spool->path, spool->final);
+        spool_rename(spool->path, spool->final);
         lose_track(spool->path);
     }
     free(spool->final);
@@ -336,7 +343,7 @@ bool spool_keep(struct spool *spool, const char *name)
         return false;
     }
     if (file) {
-        move(spool->path, name);
+        spool_rename(spool->path, name);
     } else {
         struct spool kept = spool_output(name);
         int from = open(spool->path, O_RDONLY | O_CLOEXEC),

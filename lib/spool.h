@@ -8,6 +8,7 @@
 #define HS_SPOOL_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 struct spool {
@@ -18,6 +19,9 @@ struct spool {
 
 /* name = NULL or "-": standard input.  An empty input or a terminal is the user's error. */
 struct spool spool_input(const char *name);
+
+/* These bytes as an input. */
+struct spool spool_bytes(const char *bytes, size_t length);
 
 /* name = NULL or "-": standard output; refuses a terminal (exit 2, "use -o FILE or a pipe").
  * Called early, so that an unwritable directory is found before the work is done. */
@@ -34,6 +38,9 @@ bool spool_keep(struct spool *spool, const char *name);
 
 /* Whether nothing has been written to it, or that has gone elsewhere. */
 bool spool_is_empty(const struct spool *spool);
+
+/* The file at from, once it is on the disk itself, gets the name to; exit 1 where it cannot. */
+void spool_rename(const char *from, const char *to);
 
 /* What has been written to the file at path is on the disk itself; exit 1 where it cannot get there. */
 void spool_sync(const char *path, const char *shown);

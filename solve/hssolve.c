@@ -4,6 +4,7 @@
 #include "exodus.h"
 #include "launch.h"
 #include "ranks.h"
+#include "restart.h"
 #include "simulation.h"
 #include "solver_sections.h"
 
@@ -22,9 +23,15 @@ int main(int argc, char **argv)
     die_set_program("hssolve");
     struct arguments arguments = arguments_read(argc, argv, solver_sections);
     if (arguments.repair) return repair(arguments.repair);
+    struct spool inputs[2] = {{.descriptor = -1}, {.descriptor = -1}};
+    if (arguments.restart && !arguments.spooled) restart_unpack(&arguments, inputs);
     if (launch_wanted(&arguments)) return launch_ranks(&arguments);
 
     struct ranks ranks = ranks_start(&argc, &argv);
+    if (ranks.rank == 0 && !arguments.input && !arguments.check) {
+        inputs[0] = spool_input(NULL); /* a checkpoint takes it along */
+        arguments.input = inputs[0].path;
+    }
     struct simulation *simulation = simulation_new(&arguments, ranks);
     simulation_announce(simulation);
     const char *failure = arguments.check ? NULL : simulation_run(simulation);
@@ -38,6 +45,8 @@ int main(int argc, char **argv)
     }
     simulation_free(simulation);
     free(arguments.command);
+    for (int k = 0; k < 2; k++)
+        if (inputs[k].path) spool_close(&inputs[k]);
     ranks_wait();
     ranks_stop();
     /* mpirun takes another code of a rank for an accident; the parent of -j sees that the history is gone. */

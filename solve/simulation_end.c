@@ -7,9 +7,11 @@
 #include "options.h"
 #include "simulation_parts.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* Seconds from one saving of records to the next at least, and the share of the run that they may take. */
 static const double SAVE_EVERY = 0.5, SAVE_SHARE = 0.005;
@@ -80,11 +82,30 @@ static void keep_history(void)
     free(name);
 }
 
+/* Where a restart may find the frames, wherever it is started: unfinished, kept, finished. */
+static char *names_of_fields(const struct simulation *s)
+{
+    char here[PATH_MAX] = "", *kept = failed_name(s->arguments->fields, "hssolve-fields");
+    const char *const names[] = {s->fields_output.path, kept, s->arguments->fields};
+    char *all = memory_text("");
+    if (!getcwd(here, sizeof here)) *here = '\0';
+    for (int k = 0; k < 3; k++) {
+        const bool absolute = names[k][0] == '/';
+        char *longer =
+            memory_print("%s%s%s%s\n", all, absolute ? "" : here, absolute ? "" : "/", names[k]);
+        free(all);
+        all = longer;
+    }
+    free(kept);
+    return all;
+}
+
 /* The last given runs first, and where it dies the other has its turn: of history and fields the history wins. */
 void simulation_protect(struct simulation *s)
 {
     if (s->ranks.rank != 0) return;
     endangered = s;
+    if (s->fields) s->fields_name = names_of_fields(s);
     die_at_exit(keep_fields);
     die_at_exit(keep_history);
     describe(s);

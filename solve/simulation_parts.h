@@ -55,7 +55,12 @@ struct simulation {
     int64_t n_steps;     /* expected */
     double wall;         /* s */
     struct stop stop;
-    double longest; /* of the advances so far, s */
+    char *fields_name;  /* of frames, as a restart looks for them; rank 0 */
+    int input;          /* open file of the domain; rank 0 */
+    int64_t saved_step; /* of the last checkpoint */
+    double saved;       /* when, s */
+    double saving;      /* how long that took, s */
+    double longest;     /* of the advances so far, s */
     bool stopped;
     char *failure;
 };
@@ -86,6 +91,16 @@ void simulation_protect(struct simulation *simulation);
 
 /* Records that are new go to disk, every now and then, or now.  Between the steps alone, which may take one back. */
 void simulation_save_records(struct simulation *simulation, bool now);
+
+/* A checkpoint of the run as it stands; false, with a warning, where there is no room for it.  Collective. */
+bool simulation_checkpoint(struct simulation *simulation);
+/* Its name: a new text. */
+char *simulation_checkpoint_name(const struct simulation *simulation);
+/* Whether this rank wishes for one, by time, or it is due by the steps. */
+bool simulation_checkpoint_wish(const struct simulation *simulation);
+bool simulation_checkpoint_due(const struct simulation *simulation);
+/* The state of the checkpoint that the arguments name.  Collective. */
+void simulation_restore(struct simulation *simulation);
 
 /* Records expected, about. */
 int64_t simulation_records(const struct simulation *simulation);

@@ -145,7 +145,8 @@ static double share_done(const struct simulation *s)
 static void advance(struct simulation *s)
 {
     const double begun = ranks_clock();
-    s->integration.wish[WISH_STOP] = stop_asked(&s->stop, s->longest) ? 1 : 0;
+    s->integration.wish[WISH_STOP] = stop_asked(&s->stop, s->longest + 2 * s->saving) ? 1 : 0;
+    s->integration.wish[WISH_CHECKPOINT] = simulation_checkpoint_wish(s) ? 1 : 0;
     profile_enter(s->profile, PART_ADVANCE);
     s->course->advance(s);
     profile_enter(s->profile, PART_REST);
@@ -155,12 +156,16 @@ static void advance(struct simulation *s)
 /* The run ends here for now; rank 0 need not be the one who was asked. */
 static void stop(struct simulation *s)
 {
-    const char *why = stop_asked(&s->stop, s->longest);
+    const char *why = stop_asked(&s->stop, s->longest + 2 * s->saving);
+    char *name = simulation_checkpoint_name(s);
+    const bool saved = simulation_checkpoint(s);
     if (s->fields && s->framed < s->integration.time) simulation_write_frame(s);
     s->stopped = true;
     s->failure =
-        memory_print("stopped at step %lld, t = %.4g s (%s)", (long long)s->integration.step,
-                     s->integration.time, why ? why : "asked by a signal");
+        memory_print("stopped at step %lld, t = %.4g s (%s)%s%s", (long long)s->integration.step,
+                     s->integration.time, why ? why : "asked by a signal",
+                     saved ? ": goes on with --restart " : "", saved ? name : "");
+    free(name);
 }
 
 bool simulation_stopped(const struct simulation *s)
@@ -168,20 +173,43 @@ bool simulation_stopped(const struct simulation *s)
     return s->stopped;
 }
 
+/* As it begins, or as it was when it stopped. */
+static void begin(struct simulation *s)
+{
+    const bool restart = s->arguments->restart != NULL;
+    s->saved = ranks_clock();
+    if (restart && s->course->begin) s->course->begin(s);
+    if (restart)
+        simulation_restore(s);
+    else
+        simulation_record(s);
+    simulation_protect(s);
+    if (restart) return;
+    if (s->course->begin) s->course->begin(s);
+    if (s->fields) simulation_write_frame(s);
+}
+
+/* Between two steps. */
+static void look_around(struct simulation *s)
+{
+    simulation_save_records(s, false);
+    if (s->failure || simulation_at_end(s)) return;
+    if (s->integration.granted[WISH_STOP] > 0)
+        stop(s);
+    else if (simulation_checkpoint_due(s))
+        simulation_checkpoint(s);
+}
+
 const char *simulation_run(struct simulation *s)
 {
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
     s->stop = stop_begin(s->arguments->time_limit);
-    simulation_protect(s);
-    simulation_record(s);
-    if (s->course->begin) s->course->begin(s);
-    if (s->fields) simulation_write_frame(s);
+    begin(s);
     while (!s->failure && !simulation_at_end(s)) {
         advance(s);
         progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
-        simulation_save_records(s, false);
-        if (s->integration.granted[WISH_STOP] > 0 && !s->failure && !simulation_at_end(s)) stop(s);
+        look_around(s);
     }
     if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !s->fallen)
         s->failure =

@@ -1,5 +1,6 @@
 #include "equilibrium.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 #include "stable_step.h"
 
@@ -193,4 +194,22 @@ bool equilibrium_solve(struct equilibrium *e)
         return false;
     e->largest = fmax(e->largest, e->reference);
     return true;
+}
+
+static void visit_method(struct equilibrium *e, const struct equilibrium_method *method,
+                         void **self, struct checkpoint *checkpoint)
+{
+    bool started = *self != NULL;
+    if (!method || !method->visit) return;
+    checkpoint_flag(checkpoint, "the method has begun", &started);
+    if (!started) return;
+    if (!*self) *self = method->start(e);
+    method->visit(*self, checkpoint);
+}
+
+void equilibrium_visit(struct equilibrium *e, struct checkpoint *checkpoint)
+{
+    checkpoint_numbers(checkpoint, "largest reference", &e->largest, 1);
+    visit_method(e, e->method, &e->self, checkpoint);
+    visit_method(e, e->method->next, &e->next, checkpoint);
 }

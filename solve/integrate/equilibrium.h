@@ -17,6 +17,7 @@
 #include "transform.h"
 #include "unknowns.h"
 
+struct checkpoint;
 struct equilibrium;
 
 struct equilibrium_method {
@@ -27,6 +28,8 @@ struct equilibrium_method {
     /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance (true), or no
      * more evaluations are left, or the motion goes astray.  The force is then that of x. */
     bool (*solve)(void *self, struct equilibrium *equilibrium);
+    /* What the next solution takes over from the last one; NULL: nothing. */
+    void (*visit)(void *self, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 
@@ -61,6 +64,9 @@ void equilibrium_free(struct equilibrium *equilibrium);
 /* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
  * body->u, too.  True where the residual is below the tolerance.  Collective. */
 bool equilibrium_solve(struct equilibrium *equilibrium);
+
+/* What the next solution takes over.  Collective. */
+void equilibrium_visit(struct equilibrium *equilibrium, struct checkpoint *checkpoint);
 
 double equilibrium_residual(const struct equilibrium *equilibrium);
 

@@ -1,6 +1,7 @@
 #include "quasi_static.h"
 
 #include "balance.h"
+#include "checkpoint.h"
 #include "memory.h"
 
 #include <math.h>
@@ -217,4 +218,31 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
         if (!isfinite(lost)) return false;
         if (breaking) integration->balance.fracture += lost;
     }
+}
+
+struct rates {
+    struct quasi_static *q;
+    int64_t *first; /* [strips] number of its first node */
+};
+
+static bool place_rate(void *owner, int64_t strip, int point, bool make, double *places[])
+{
+    const struct rates *rates = owner;
+    (void)make;
+    for (int a = 0; a < 3; a++)
+        places[a] = rates->q->rate + a * rates->q->equilibrium->unknowns.n_nodes +
+                    rates->first[strip] + point;
+    return true;
+}
+
+void quasi_static_visit(struct quasi_static *q, struct checkpoint *checkpoint)
+{
+    const struct strips *owned = &q->equilibrium->body->owned;
+    struct rates rates = {q, memory_new((size_t)owned->count + 1, sizeof *rates.first)};
+    for (int64_t s = 0; s < owned->count; s++)
+        rates.first[s + 1] = rates.first[s] + owned->items[s].count;
+    checkpoint_points(checkpoint, "rate of the last load step", owned, 3, place_rate, &rates);
+    checkpoint_integer(checkpoint, "load steps tried in vain", &q->refused);
+    equilibrium_visit(q->equilibrium, checkpoint);
+    free(rates.first);
 }

@@ -35,7 +35,7 @@ static bool is(const char *name, const char *other)
 /* What is closed here would be taken by the next file that is opened. */
 static void check_streams(const struct arguments *a)
 {
-    if (!a->input && fcntl(STDIN_FILENO, F_GETFD) < 0)
+    if (!a->input && !a->restart && fcntl(STDIN_FILENO, F_GETFD) < 0)
         die_user("standard input is closed: give the domain with -i");
     if (!a->history && !a->spooled && fcntl(STDOUT_FILENO, F_GETFD) < 0)
         die_user("standard output is closed: name the history with -H");
@@ -69,6 +69,11 @@ struct arguments arguments_read(int argc, char **argv, const struct section *con
         {'o', "output", "FILE", "fields for ParaView (Exodus), as the deck's output section asks",
          NULL, &a.fields},
         {'H', "history", "FILE", "the history (default: the pipe)", NULL, &a.history},
+        {0, "checkpoint", "FILE",
+         "where the state of the run goes to (default: beside the history), every 10 min at least",
+         NULL, &a.checkpoint},
+        {0, "restart", "FILE", "go on from this checkpoint, with its domain and deck", NULL,
+         &a.restart},
         {0, "time-limit", "TIME", "stop in order before so much time has passed: '90 min'", NULL,
          &limit},
         {0, "repair", "FILE", "make whole a history or fields that an ended run left; then leave",

@@ -86,6 +86,14 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
         argv[n++] = "--spooled-history";
         argv[n++] = history;
     }
+    if (a->checkpoint) {
+        argv[n++] = "--checkpoint";
+        argv[n++] = a->checkpoint;
+    }
+    if (a->restart) {
+        argv[n++] = "--restart";
+        argv[n++] = a->restart;
+    }
     char *limit = memory_print("%.17g", a->time_limit);
     if (a->time_limit > 0) {
         argv[n++] = "--time-limit";

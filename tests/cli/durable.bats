@@ -173,6 +173,108 @@ said" ]
     columns=$(ncdump -h cut.e | sed -n 's/.*num_glo_var = \([0-9]*\) .*/\1/p')
     printf '\0\0\0\0\0\0\0\0' | dd of=cut.e bs=1 seek=$((size - 8 * (columns + 1))) conv=notrunc status=none
     hssolve -q --repair cut.e
-    rows cut.e >cut
-    rows out.e.failed | head -n "$records" | cmp - cut
+    rows cut.e >cut.csv
+    rows out.e.failed | head -n "$records" | cmp - cut.csv
+}
+
+# A short run with checkpoints, kept as whole.e and whole.e.checkpoint, .checkpoint.1 ...; its deck: short.yaml
+short_run() {
+    sed -e 's/end_time: 1 ms/end_time: 0.3 us/; s/history: .*/history: 30/; s,1 mm/s,20 m/s,; s/every: 200/every: 30/' \
+        -e '$a\  checkpoint: {every: 20 steps, keep: 3}' "$BATS_FILE_TMPDIR/study.yaml" >short.yaml
+    hsgen -q short.yaml -o short.g
+    hssolve -q -i short.g -H whole.e
+}
+
+numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
+
+@test "checkpoints change no number of a run, the oldest go, and the names say which is which" {
+    short_run
+    [ "$(ls whole.e.checkpoint*)" = "whole.e.checkpoint
+whole.e.checkpoint.1
+whole.e.checkpoint.2" ]
+    sed 's/checkpoint: .*/checkpoint: {every: 1 h}/' short.yaml >other.yaml
+    hssolve -q -i short.g -d other.yaml -H other.e
+    cmp <(rows whole.e) <(rows other.e)
+    [ ! -e other.e.checkpoint ]
+    # Without a word of the deck: by the option, and by time.
+    sed '/checkpoint:/d' short.yaml >other.yaml
+    hssolve -q -i short.g -d other.yaml -H other.e --checkpoint here.checkpoint
+    [ ! -e here.checkpoint ]
+    sed 's/every: 20 steps/every: 1 ms/' short.yaml >other.yaml
+    hssolve -q -i short.g -d other.yaml -H other.e --checkpoint here.checkpoint
+    [ -s here.checkpoint.2 ]
+}
+
+@test "a run that was stopped by a signal goes on from its checkpoint as if it had not, in a pipe, too" {
+    sed 's/end_time: 1 ms/end_steps: 12000/; s/history: .*/history: 300/; s/every: 200/every: 500/' "$BATS_FILE_TMPDIR/study.yaml" >steps.yaml
+    hsgen -q steps.yaml >steps.g
+    hssolve -q -i steps.g -H whole.e -o whole.f
+    for ranks in 1 2; do
+        hsgen -q steps.yaml | hssolve -q -j "$ranks" --checkpoint run.checkpoint --time-limit '1.5 s' -o run.f >run.e || status=$?
+        # Where the machine is quick the run is over by then.
+        if [ "${status:-0}" -ne 0 ]; then
+            [ "$status" -eq 143 ]
+            [ ! -s run.e ]
+            hssolve -q --restart run.checkpoint -j $((3 - ranks)) -o run.f >run.e
+        fi
+        cmp <(numbers whole.e) <(numbers run.e)
+        cmp <(numbers whole.f) <(numbers run.f)
+    done
+}
+
+# bad TEXT OPTION...: refused with exit 2 and the text, and nothing is left
+bad() {
+    local text=$1
+    shift
+    run hssolve -q -H out.e "$@"
+    echo "$output"
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"$text"* ]]
+    [ ! -e out.e ]
+    [ -z "$(find . -name 'out.e*')" ]
+}
+
+@test "a checkpoint that is damaged, cut, foreign, of another version or another deck is refused with the reason" {
+    short_run
+    local of=whole.e.checkpoint size at
+    size=$(stat -c %s "$of")
+    cp "$of" good
+    bad 'no checkpoint of hssolve' --restart short.g
+    bad 'too short' --restart /dev/null || bad 'is no file' --restart /dev/null
+    bad 'cannot open nowhere' --restart nowhere
+    bad 'a checkpoint has its domain inside' --restart "$of" -i short.g
+    sed 's/density: 8900/density: 8800/' short.yaml >other.yaml
+    bad 'of another deck than other.yaml' --restart "$of" -d other.yaml
+    # Any byte of it: in the domain, the states, the heads of tables.
+    for at in 100 3000 $((size / 3)) $((size / 2)) $((size - 9000)) $((size - 2)); do
+        cp good "$of"
+        printf '\125' | dd of="$of" bs=1 seek="$at" conv=notrunc status=none
+        if cmp -s good "$of"; then printf '\252' | dd of="$of" bs=1 seek="$at" conv=notrunc status=none; fi
+        bad "; an older one is $of.1" --restart "$of"
+        bad 'damaged' --restart "$of" -j 2
+    done
+    head -c $((size - 8)) good >"$of"
+    bad 'truncated' --restart "$of"
+    cp good "$of"
+    printf '\0\0\0\0\0\0\0\0' | dd of="$of" bs=1 seek=32 conv=notrunc status=none
+    bad 'was never finished' --restart "$of"
+    cp good "$of"
+    printf '2' | dd of="$of" bs=1 seek=19 conv=notrunc status=none
+    bad 'of another version' --restart "$of"
+    # The older one that was named goes on.
+    hssolve -q --restart "$of.1" -H again.e
+    cmp <(numbers whole.e) <(numbers again.e)
+}
+
+@test "a checkpoint for which there is no room is left out with a warning, and the run goes on" {
+    short_run
+    # Files of at most 60 kB: history and partial checkpoint have to do with that.
+    run bash -c 'ulimit -f 60; exec hssolve -q -i short.g -H out.e --checkpoint small'
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"no checkpoint in small: File too large"* ]]
+    [ -z "$(find . -name 'small*')" ]
+    cmp <(numbers whole.e) <(numbers out.e)
+    run hssolve -q -i short.g -H out.e --checkpoint nowhere/small
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"no checkpoint in nowhere/small: No such file"* ]]
 }

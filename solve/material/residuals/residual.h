@@ -19,9 +19,9 @@ enum { PAD = 8, PADDED = PAD + LANES + 8 };
 /* A strip of particles between their corners. */
 struct cells {
     const struct strip *strip;
-    struct points *points;     /* in: H, moduli; of particles that carry nothing zero */
-    double volume[LANES];      /* in [m^3] */
-    const double *left;        /* in: integrities; NULL: all are sound */
+    struct points *points;      /* in: H, moduli; of particles that carry nothing zero */
+    double volume[LANES];       /* in [m^3] */
+    const double *left;         /* in: integrities; NULL: all are sound */
     double h[MODES][3][LANES];  /* in: amplitudes [m] */
     double A[TENSOR][PADDED];   /* in and out: conjugate to H [J] */
     double m[MODES][3][PADDED]; /* out: conjugate to h [N] */
@@ -37,6 +37,8 @@ struct residual {
     /* flow: current flow stress of the particles [Pa], INFINITY: it never flows. */
     void (*add)(void *self, const struct body *body, struct cells *cells, const double *flow,
                 struct force_mode mode, struct force_energy *energy);
+    /* What it remembers (checkpoint.h), of the strips of start. */
+    void (*visit)(void *self, const struct strips *strips, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 

@@ -15,6 +15,7 @@
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
  * it does not act as a strain-gradient stiffness in plastic flow. */
 #include "broken.h"
+#include "checkpoint.h"
 #include "integrity.h"
 #include "memory.h"
 #include "stabilisation.h"
@@ -322,6 +323,14 @@ static void capped_add(void *self, struct body *body, const struct bond_strip *s
     }
 }
 
+static void capped_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct capped *c = self;
+    (void)body;
+    checkpoint_bond_strips(checkpoint, "capped: slip and loss", STATE, c->state);
+    checkpoint_bond_strips(checkpoint, "capped: last integrity", 1, c->before);
+}
+
 static void capped_free(void *self)
 {
     struct capped *c = self;
@@ -338,5 +347,6 @@ const struct stabilisation stabilisation_capped = {
     .start = capped_start,
     .node_share = capped_node_share,
     .add_family = capped_add,
+    .visit = capped_visit,
     .free = capped_free,
 };
