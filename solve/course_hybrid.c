@@ -114,6 +114,7 @@ static void hybrid_advance(struct simulation *s)
         return;
     }
     if (!static_load(s)) {
+        if (s->load_steps.equilibrium->cut) return;
         begin_explicit(s, "no equilibrium with the smallest step");
         return;
     }

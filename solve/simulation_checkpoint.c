@@ -7,6 +7,7 @@
 #include "restart.h"
 #include "simulation_parts.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,10 +61,24 @@ char *simulation_checkpoint_name(const struct simulation *s)
     return memory_print("%s.checkpoint", file ? a->history : "hssolve");
 }
 
+static bool asked_for(const struct simulation *s)
+{
+    return s->arguments->checkpoint || s->scene.checkpoint.given.index;
+}
+
+/* Of long load steps each begins with one, so that it can be cut off: at most a fiftieth of the time goes there. */
+static bool is_slow(const struct simulation *s)
+{
+    return s->load_steps.equilibrium && !s->integration.moving &&
+           s->longest > fmax(0.2, 50 * s->saving);
+}
+
 bool simulation_checkpoint_wish(const struct simulation *s)
 {
     const struct scene_checkpoint *wanted = &s->scene.checkpoint;
-    if (s->ranks.rank != 0 || !(s->arguments->checkpoint || wanted->given.index)) return false;
+    if (s->ranks.rank != 0) return false;
+    if (is_slow(s)) return true;
+    if (!asked_for(s)) return false;
     return wanted->seconds > 0 && ranks_clock() >= s->saved + wanted->seconds;
 }
 
@@ -116,6 +131,7 @@ static void rename_all(const char *partial, const char *name, int64_t keep)
 bool simulation_checkpoint(struct simulation *s)
 {
     const double begun = ranks_clock();
+    const enum profile_part before = profile_enter(s->profile, PART_CHECKPOINT);
     long process = (long)getpid();
     ranks_share(&process, sizeof process);
     char *name = simulation_checkpoint_name(s),
@@ -137,10 +153,26 @@ bool simulation_checkpoint(struct simulation *s)
     run_texts_free(&texts);
     free(partial);
     free(name);
+    profile_enter(s->profile, before);
     s->saved = ranks_clock();
     s->saved_step = s->integration.step;
     s->saving = s->saved - begun;
+    s->saved_records = s->recorder.history.n_records;
+    s->resumable = !failure;
     return !failure;
+}
+
+void simulation_forget_checkpoints(const struct simulation *s)
+{
+    if (asked_for(s) || s->saving == 0) return;
+    char *name = simulation_checkpoint_name(s);
+    unlink(name);
+    for (int64_t k = 1; k < s->scene.checkpoint.keep; k++) {
+        char *older = memory_print("%s.%lld", name, (long long)k);
+        unlink(older);
+        free(older);
+    }
+    free(name);
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */

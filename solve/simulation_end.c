@@ -117,7 +117,9 @@ void simulation_save_records(struct simulation *s, bool now)
     if (!s->journal) return;
     const double begun = ranks_clock();
     if (!now && begun < s->next_save) return;
+    const enum profile_part before = profile_enter(s->profile, PART_CHECKPOINT);
     exodus_history_add(s->journal, &s->recorder.history);
+    profile_enter(s->profile, before);
     const double end = ranks_clock();
     s->next_save = end + fmax(SAVE_EVERY, (end - begun) / SAVE_SHARE);
 }
@@ -146,6 +148,7 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (s->fields_output.path) spool_finish(&s->fields_output);
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;
+    simulation_forget_checkpoints(s);
     if (damage_broken_bonds(s->damage) > 0)
         note("%.0f bonds broken, %.3g J", damage_broken_bonds(s->damage),
              s->integration.balance.fracture);

@@ -55,12 +55,14 @@ struct simulation {
     int64_t n_steps;     /* expected */
     double wall;         /* s */
     struct stop stop;
-    char *fields_name;  /* of frames, as a restart looks for them; rank 0 */
-    int input;          /* open file of the domain; rank 0 */
-    int64_t saved_step; /* of the last checkpoint */
-    double saved;       /* when, s */
-    double saving;      /* how long that took, s */
-    double longest;     /* of the advances so far, s */
+    char *fields_name;     /* of frames, as a restart looks for them; rank 0 */
+    int input;             /* open file of the domain; rank 0 */
+    int64_t saved_step;    /* of the last checkpoint */
+    double saved;          /* when, s */
+    double saving;         /* how long that took, s */
+    int64_t saved_records; /* that it has; rank 0 */
+    bool resumable;        /* it is of the run as it stands */
+    double longest;        /* of the advances so far, s */
     bool stopped;
     char *failure;
 };
@@ -96,6 +98,8 @@ void simulation_save_records(struct simulation *simulation, bool now);
 bool simulation_checkpoint(struct simulation *simulation);
 /* Its name: a new text. */
 char *simulation_checkpoint_name(const struct simulation *simulation);
+/* Where nobody asked for them, they go with the end of the run. */
+void simulation_forget_checkpoints(const struct simulation *simulation);
 /* Whether this rank wishes for one, by time, or it is due by the steps. */
 bool simulation_checkpoint_wish(const struct simulation *simulation);
 bool simulation_checkpoint_due(const struct simulation *simulation);

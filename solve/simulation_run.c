@@ -147,25 +147,41 @@ static void advance(struct simulation *s)
     const double begun = ranks_clock();
     s->integration.wish[WISH_STOP] = stop_asked(&s->stop, s->longest + 2 * s->saving) ? 1 : 0;
     s->integration.wish[WISH_CHECKPOINT] = simulation_checkpoint_wish(s) ? 1 : 0;
+    struct equilibrium *equilibrium = s->load_steps.equilibrium;
+    if (equilibrium) equilibrium->stop = s->resumable ? &s->stop : NULL;
     profile_enter(s->profile, PART_ADVANCE);
     s->course->advance(s);
     profile_enter(s->profile, PART_REST);
+    s->resumable = false;
     s->longest = fmax(s->longest, ranks_clock() - begun);
+}
+
+static void say_stopped(struct simulation *s, const char *where, bool saved)
+{
+    const char *why = stop_asked(&s->stop, s->longest + 2 * s->saving);
+    char *name = simulation_checkpoint_name(s);
+    free(s->failure);
+    s->stopped = true;
+    s->failure = memory_print("stopped %s step %lld, t = %.4g s (%s)%s%s", where,
+                              (long long)s->integration.step, s->integration.time,
+                              why ? why : "asked by a signal",
+                              saved ? ": goes on with --restart " : "", saved ? name : "");
+    free(name);
 }
 
 /* The run ends here for now; rank 0 need not be the one who was asked. */
 static void stop(struct simulation *s)
 {
-    const char *why = stop_asked(&s->stop, s->longest + 2 * s->saving);
-    char *name = simulation_checkpoint_name(s);
     const bool saved = simulation_checkpoint(s);
     if (s->fields && s->framed < s->integration.time) simulation_write_frame(s);
-    s->stopped = true;
-    s->failure =
-        memory_print("stopped at step %lld, t = %.4g s (%s)%s%s", (long long)s->integration.step,
-                     s->integration.time, why ? why : "asked by a signal",
-                     saved ? ": goes on with --restart " : "", saved ? name : "");
-    free(name);
+    say_stopped(s, "at", saved);
+}
+
+/* Amid a load step, of which nothing is left but the checkpoint at its start. */
+static void stop_amid(struct simulation *s)
+{
+    if (s->ranks.rank == 0) s->recorder.history.n_records = s->saved_records;
+    say_stopped(s, "amid the load step behind", true);
 }
 
 bool simulation_stopped(const struct simulation *s)
@@ -192,6 +208,10 @@ static void begin(struct simulation *s)
 /* Between two steps. */
 static void look_around(struct simulation *s)
 {
+    if (s->load_steps.equilibrium && s->load_steps.equilibrium->cut) {
+        stop_amid(s);
+        return;
+    }
     simulation_save_records(s, false);
     if (s->failure || simulation_at_end(s)) return;
     if (s->integration.granted[WISH_STOP] > 0)

@@ -138,9 +138,20 @@ static double norm_of_loads(struct equilibrium *e)
     return sqrt(square);
 }
 
+/* Whether any rank is asked to stop: from then on no method goes on. */
+static void look_for_stop(struct equilibrium *e)
+{
+    if (!e->stop) return;
+    double asked = stop_asked(e->stop, 0) ? -1 : 0;
+    ranks_minimum(&asked, 1);
+    e->cut |= asked < 0;
+    if (e->cut) e->last = 0;
+}
+
 double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
 {
     struct body *body = e->body;
+    look_for_stop(e);
     vector_put(&e->unknowns, x, body->u);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
@@ -178,7 +189,7 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 
 static bool solve_by(struct equilibrium *e, const struct equilibrium_method *method, void **self)
 {
-    if (!method) return false;
+    if (!method || e->cut) return false;
     if (!*self) *self = method->start(e);
     e->last = e->evaluations + e->most_evaluations;
     return method->solve(*self, e);

@@ -14,6 +14,7 @@
 #define HS_EQUILIBRIUM_H
 
 #include "integration.h"
+#include "stop.h"
 #include "transform.h"
 #include "unknowns.h"
 
@@ -53,6 +54,9 @@ struct equilibrium {
     double loads;                /* |b_free| */
     int64_t evaluations;         /* of this solution so far */
     int64_t last;                /* evaluation at which a method gives up */
+    /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
+    const struct stop *stop;
+    bool cut; /* it was, and what it leaves is nothing */
 };
 
 /* The method of that number in equilibrium_methods.  Collective. */

@@ -162,6 +162,7 @@ bool quasi_static_step(struct quasi_static *q)
     keep_held(q, false);
     keep_forces(q);
     while (!try_step(q, dt)) {
+        if (e->cut) return false;
         q->refused++;
         keep_held(q, true);
         dt *= 0.5;
@@ -193,7 +194,7 @@ double quasi_static_settle(struct quasi_static *q)
     vector_take(&e->unknowns, e->body->u, 1, e->x);
     /* There is no smaller step to take: more evaluations are all that helps, as long as they do. */
     for (double residual = INFINITY; !equilibrium_solve(e); residual = equilibrium_residual(e))
-        if (!(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
+        if (e->cut || !(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
     const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
     struct force_energy energy = commit(e);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
