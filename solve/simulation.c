@@ -13,10 +13,12 @@
 #include "stable_step.h"
 #include "yield.h"
 
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static struct domain *own_domain(struct simulation *s)
 {
@@ -106,6 +108,7 @@ static void read_inputs(struct simulation *s)
     char *text = NULL;
     if (s->ranks.rank == 0) {
         domain_input_read(s->arguments, &s->domain, &s->deck);
+        if (s->arguments->input) s->input = open(s->arguments->input, O_RDONLY | O_CLOEXEC);
         s->scene = scene_read(s->deck);
         read_particles(s);
         n_phases = s->domain.n_phases;
@@ -331,6 +334,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     struct simulation *s = memory_new(1, sizeof *s);
     s->arguments = arguments;
     s->ranks = ranks;
+    s->input = -1;
     s->profile = arguments->profile ? profile_new() : NULL;
     profile_enter(s->profile, PART_READ);
     read_inputs(s);
@@ -377,6 +381,8 @@ void simulation_free(struct simulation *s)
     if (s->history_output.path) spool_close(&s->history_output);
     if (s->fields_output.path) spool_close(&s->fields_output);
     free(s->failure);
+    free(s->fields_name);
+    if (s->input >= 0) close(s->input);
     profile_free(s->profile);
     free(s);
 }

@@ -1,5 +1,6 @@
 #include "boundary.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 
 #include <math.h>
@@ -244,4 +245,23 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
                 body->v[a][site] = -poissons_ratio * rate * (x[a] - centre[a]) *
                                    (inside < width ? inside / width : 1);
         }
+}
+
+void boundary_visit(struct boundary *boundary, struct body *body, double time,
+                    struct checkpoint *checkpoint)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *s = &boundary->sets[b];
+        double values[] = {s->moved,        s->way,         s->speed,
+                           s->speed_before, s->reaction, s->reaction_before};
+        checkpoint_numbers(checkpoint, "motion and reaction of a set", values,
+                           sizeof values / sizeof *values);
+        s->moved = values[0];
+        s->way = values[1];
+        s->speed = values[2];
+        s->speed_before = values[3];
+        s->reaction = values[4];
+        s->reaction_before = values[5];
+    }
+    loads_visit(&boundary->loads, body, time, checkpoint);
 }

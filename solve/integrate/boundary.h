@@ -73,6 +73,10 @@ void boundary_add_set_work(const struct boundary *boundary, const struct body *b
 void boundary_affine_start(const struct boundary *boundary, struct body *body,
                            double poissons_ratio, double dt);
 
+/* What sets have moved, and their reactions; the loads at this time.  Collective. */
+void boundary_visit(struct boundary *boundary, struct body *body, double time,
+                    struct checkpoint *checkpoint);
+
 /* Velocity of a set with one motion at a time between steps [m/s]. */
 double boundary_speed(const struct boundary_set *set, double time, double dt);
 

@@ -1,5 +1,6 @@
 #include "equilibrium.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 #include "stable_step.h"
 
@@ -162,9 +163,20 @@ static void take_unbalanced(const struct equilibrium *e, double *g)
     }
 }
 
+/* Whether any rank is asked to stop: from then on no method goes on. */
+static void look_for_stop(struct equilibrium *e)
+{
+    if (!e->stop) return;
+    double asked = stop_asked(e->stop, 0) ? -1 : 0;
+    ranks_minimum(&asked, 1);
+    e->cut |= asked < 0;
+    if (e->cut) e->last = 0;
+}
+
 double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
 {
     struct body *body = e->body;
+    look_for_stop(e);
     vector_put(&e->unknowns, x, body->u);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
@@ -193,7 +205,7 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 
 static bool solve_by(struct equilibrium *e, const struct equilibrium_method *method, void **self)
 {
-    if (!method) return false;
+    if (!method || e->cut) return false;
     if (!*self) *self = method->start(e);
     e->last = e->evaluations + e->most_evaluations;
     return method->solve(*self, e);
@@ -209,4 +221,22 @@ bool equilibrium_solve(struct equilibrium *e)
         return false;
     e->largest = fmax(e->largest, e->reference);
     return true;
+}
+
+static void visit_method(struct equilibrium *e, const struct equilibrium_method *method,
+                         void **self, struct checkpoint *checkpoint)
+{
+    bool started = *self != NULL;
+    if (!method || !method->visit) return;
+    checkpoint_flag(checkpoint, "the method has begun", &started);
+    if (!started) return;
+    if (!*self) *self = method->start(e);
+    method->visit(*self, checkpoint);
+}
+
+void equilibrium_visit(struct equilibrium *e, struct checkpoint *checkpoint)
+{
+    checkpoint_numbers(checkpoint, "largest reference", &e->largest, 1);
+    visit_method(e, e->method, &e->self, checkpoint);
+    visit_method(e, e->method->next, &e->next, checkpoint);
 }

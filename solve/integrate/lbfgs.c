@@ -8,6 +8,7 @@
  * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and all products that the
  * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message.  The
  * step t = 1 stands where the slope g.d has fallen enough; else one secant step follows. */
+#include "checkpoint.h"
 #include "equilibrium.h"
 #include "memory.h"
 
@@ -50,6 +51,13 @@ static void lbfgs_free(void *object)
     free(self->w);
     free(self->y);
     free(self);
+}
+
+/* The pairs begin anew with each solution, the scale does not. */
+static void lbfgs_visit(void *object, struct checkpoint *checkpoint)
+{
+    struct lbfgs *self = object;
+    checkpoint_numbers(checkpoint, "lbfgs: scale", &self->scale, 1);
 }
 
 /* d = -H g */
@@ -182,5 +190,6 @@ const struct equilibrium_method equilibrium_lbfgs = {
     .next = &equilibrium_newton,
     .start = lbfgs_start,
     .solve = lbfgs_solve,
+    .visit = lbfgs_visit,
     .free = lbfgs_free,
 };

@@ -78,6 +78,11 @@ void model_observe(const struct model *model, const struct body *body, const str
     memcpy(state->plastic, p, (size_t)strip->count * sizeof *p);
 }
 
+void model_visit(struct model *model, const struct body *body, struct checkpoint *checkpoint)
+{
+    if (model->formulation->visit) model->formulation->visit(model->self, body, checkpoint);
+}
+
 bool model_has_state(const struct model *model, int number)
 {
     for (int k = 0; k < model->materials->n_laws; k++)

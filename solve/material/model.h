@@ -14,6 +14,7 @@
 
 struct bonds;
 struct bond_strip;
+struct checkpoint;
 
 struct force_mode {
     bool commit; /* states of the laws move on */
@@ -81,6 +82,8 @@ struct formulation {
      * s, [J/m^2]; NULL: it has no such formula. */
     double (*opening)(const struct material *material, enum plane plane,
                       const struct family *family, const struct lattice *lattice);
+    /* What it remembers from one step to the next (checkpoint.h); NULL: nothing. */
+    void (*visit)(void *self, const struct body *body, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 
@@ -107,6 +110,9 @@ void model_prepare(struct model *model, struct body *body, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
 void model_observe(const struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
+
+/* All that it remembers from one step to the next.  Collective. */
+void model_visit(struct model *model, const struct body *body, struct checkpoint *checkpoint);
 
 /* States by their number (laws.h). */
 /* Whether a material of this body has the state. */

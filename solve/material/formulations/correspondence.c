@@ -104,6 +104,13 @@ static int correspondence_near(const void *self, const struct family *family,
     return model->stabilisation->bonds(model->self, family, offsets);
 }
 
+static void correspondence_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct correspondence *model = self;
+    points_visit(model->points, checkpoint, "nodes", model->nodes);
+    model->stabilisation->visit(model->self, body, checkpoint);
+}
+
 static void correspondence_free(void *self)
 {
     struct correspondence *model = self;
@@ -379,5 +386,6 @@ const struct formulation formulation_correspondence = {
     .observe = correspondence_observe,
     .strips = correspondence_strips,
     .state = correspondence_state,
+    .visit = correspondence_visit,
     .free = correspondence_free,
 };

@@ -15,6 +15,7 @@
 #include "bond_loop.h"
 #include "bond_stress.h"
 #include "box_fields.h"
+#include "checkpoint.h"
 #include "gradient.h"
 #include "integrity.h"
 #include "interface.h"
@@ -486,6 +487,16 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     if (yields) model->plastic = ordinary_plastic_new(model);
 }
 
+static void ordinary_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct ordinary *model = self;
+    if (!model->plastic) return;
+    bool flow = model->node[NODE_FLOW] != NULL;
+    checkpoint_flag(checkpoint, "ordinary: some node has yielded", &flow);
+    if (flow && !model->node[NODE_FLOW]) make_flow(model, body);
+    ordinary_plastic_visit(model, body, checkpoint);
+}
+
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
@@ -500,8 +511,8 @@ static void ordinary_free(void *self)
 #define PASSES                                                                                     \
     .keys = (const char *const[]){"surface_correction", "interfaces", NULL},                       \
     .start = ordinary_start, .force = ordinary_force, .prepare = ordinary_prepare,                 \
-    .observe = ordinary_observe, .free = ordinary_free, .bond_energy = ordinary_bond_energy,       \
-    .state = ordinary_state
+    .observe = ordinary_observe, .visit = ordinary_visit, .free = ordinary_free,                   \
+    .bond_energy = ordinary_bond_energy, .state = ordinary_state
 
 const struct formulation formulation_ordinary = {
     .name = "ordinary state-based",

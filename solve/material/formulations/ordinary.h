@@ -91,6 +91,9 @@ void ordinary_plastic_make_slip(struct ordinary *model, int64_t strip);
 /* Whether an end of a bond of the strip is about to flow. */
 bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
 
+void ordinary_plastic_visit(struct ordinary *model, const struct body *body,
+                            struct checkpoint *checkpoint);
+
 /* Equivalent plastic strain, a box field, where a phase yields. */
 const double *ordinary_plastic_strain(const struct ordinary *model);
 

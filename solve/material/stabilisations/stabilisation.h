@@ -32,6 +32,8 @@ struct stabilisation {
      * (box field). */
     void (*add_family)(void *self, struct body *body, const struct bond_strip *strip,
                        const double *flow, struct force_mode mode, struct force_energy *energy);
+    /* As of struct formulation. */
+    void (*visit)(void *self, const struct body *body, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 
