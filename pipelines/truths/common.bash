@@ -57,7 +57,7 @@ corners() { case $1 in corner*) echo 1 ;; *) echo 0 ;; esac; }
 particles() {
     awk -v nx="$1" -v ny="$2" -v nz="$3" -v dx=$SPACING '
     function phase(i, j, k, x, y, z) { return '"$4"' }
-    function floor(v) { return v < int(v) ? int(v) - 1 : int(v) }
+    function abs(v) { return v < 0 ? -v : v }
     BEGIN {
         for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++) {
             x = i - (nx - 1) / 2; y = j - (ny - 1) / 2; z = k - (nz - 1) / 2
