@@ -1,5 +1,5 @@
 # What the cases share; sourced by each.  A case is called as CASE FOLDER [small|decks] and writes rows of a table:
-#   case,quantity,formulation,particles,error_percent
+#   case,quantity,formulation,particles,error_percent (of block and cell: stress in MPa, which table.awk compares)
 # decks: the decks alone, nothing is run; small: fewer of them.  hssolve and hspost are found in PATH.
 #
 # Bodies are written as text, particles of 1 mm (SPACING) and a phase each; lengths of the cases are in particles.
@@ -13,8 +13,10 @@ SPACING=1e-3
 
 # What each formulation is called here, and what the deck says for it.
 all='corner_flowing corner_points mix capped capped_2 ordinary bond_based'
-[ "$form" != small ] || all='corner_flowing mix ordinary'
-rows_of() { [ "$form" = decks ] || cat; }
+[ "$form" != small ] || all='corner_flowing corner_points mix ordinary'
+
+# sizes FEW MORE: what a case runs through; the few alone in the small form and for the decks.
+sizes() { if [ -n "$form" ]; then echo "$1"; else echo "$1 $2"; fi; }
 
 # material FORMULATION NAME E NU [HARDENING]: without hardening an elastic one.
 material() {
@@ -53,10 +55,12 @@ layers() {
 # 1 where the nodes are the corners of the particles, half a spacing farther out.
 corners() { case $1 in corner*) echo 1 ;; *) echo 0 ;; esac; }
 
-# particles NX NY NZ EXPRESSION: phases by an expression of awk in i, j, k from 0 and x, y, z in particles from the centre.
+# particles NX NY NZ EXPRESSION [FUNCTIONS]: phases by an expression of awk in i, j, k from 0 and x, y, z in particles from the
+# centre; 0: no particle.
 particles() {
     awk -v nx="$1" -v ny="$2" -v nz="$3" -v dx=$SPACING '
     function phase(i, j, k, x, y, z) { return '"$4"' }
+    '"${5:-}"'
     function abs(v) { return v < 0 ? -v : v }
     BEGIN {
         for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++) {
