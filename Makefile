@@ -7,7 +7,7 @@
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
 #   make bench-compare REV=...  kernels beside those of an earlier commit
-#   make docs            the keys of the deck into docs/deck.md and docs/man/hsdeck.5
+#   make docs            the keys of the deck and the columns into docs/deck.md, docs/formats.md and docs/man/hsdeck.5
 #   make format          clang-format over the tree
 #   make first           the small study of the README
 #   make flagship study  the larger ones of pipelines/ (minutes to an hour)
@@ -174,7 +174,7 @@ check-physics: all $(TESTS)
 
 # The keys that the programs know, into the manuals.
 docs: all
-	PATH=$(abspath $(BUILD)/bin):$$PATH docs/keys docs/deck.md docs/man/hsdeck.5
+	PATH=$(abspath $(BUILD)/bin):$$PATH docs/keys docs/deck.md docs/formats.md docs/man/hsdeck.5
 
 FORMATTED := $(shell find lib gen solve post tests -name '*.[ch]')
 CLANG_FORMAT ?= clang-format

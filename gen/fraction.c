@@ -42,8 +42,8 @@ static uint64_t tie_of(long seed, int64_t site)
 
 static int compare_ties(const void *a, const void *b)
 {
-    uint64_t left = *(const uint64_t *)a, right = *(const uint64_t *)b;
-    return (left > right) - (left < right);
+    uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
+    return (first > second) - (first < second);
 }
 
 /* The hash of the last of the `wanted` nodes that are taken among those on the threshold. */

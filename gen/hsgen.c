@@ -50,7 +50,7 @@ static struct arguments read_arguments(int argc, char **argv)
     return c;
 }
 
-/* NULL where the topology is right; dies where it is not and nobody said to go on. */
+/* NULL where the topology is right; dies where it is not, unless an override is given. */
 static char *check_topology(const struct recipe *recipe, const struct findings *findings,
                             bool override)
 {

@@ -39,7 +39,7 @@ int64_t statistics_shell(const struct structure *structure, int64_t most, double
 void statistics_print(const struct recipe *recipe, const struct structure *structure,
                       const struct findings *findings);
 
-/* All of it as a table: quantity,axis,position,value,unit. */
+/* All statistics as a table: quantity,axis,position,value,unit. */
 void statistics_write(const struct recipe *recipe, const struct structure *structure,
                       const struct findings *findings, const char *path);
 

@@ -8,11 +8,11 @@
 /* By length; offsets of equal length in a fixed order. */
 static int compare_steps(const void *a, const void *b)
 {
-    const struct step *left = a, *right = b;
-    int order = (left->square > right->square) - (left->square < right->square);
+    const struct step *first = a, *second = b;
+    int order = (first->square > second->square) - (first->square < second->square);
     for (int axis = 2; axis >= 0 && order == 0; axis--)
-        order =
-            (left->offset[axis] > right->offset[axis]) - (left->offset[axis] < right->offset[axis]);
+        order = (first->offset[axis] > second->offset[axis]) -
+                (first->offset[axis] < second->offset[axis]);
     return order;
 }
 

@@ -24,7 +24,7 @@ void canvas_move(struct canvas *canvas, double right, double down);
 /* A filled rectangle. */
 void canvas_box(struct canvas *canvas, double x, double y, double width, double height,
                 const double colour[3]);
-/* The same with sharp edges: neighbours touch without a seam. */
+/* A rectangle with sharp edges: neighbours touch without a seam. */
 void canvas_cell(struct canvas *canvas, double x, double y, double width, double height,
                  const double colour[3]);
 /* The outline of a rectangle, a thin black line. */

@@ -43,7 +43,6 @@ static const struct key rows[] = {
 const struct section post_section = {
     .path = "post",
     .help = "How hspost makes a curve of a history. Each key is an option of hspost, too, and the "
-            "option "
-            "stands over it.",
+            "option stands over it.",
     .keys = KEYS(rows),
 };

@@ -9,15 +9,14 @@
 struct deck;
 
 struct choices {
-    const char *title;   /* name of the curve, as long as the deck lives; NULL: the file's */
-    double gauge_length; /* m; NAN: as the history says */
-    double section;      /* m^2; NAN: as the history says */
-    double modulus_range
-        [2]; /* the slope's fit, shares of Rp0.2; NAN: as the file says, else 0.1, 0.4 */
-    double modulus_rows[2];    /* the slope's fit, rows counted from 1; NAN: by range */
-    double toe;                /* strain at zero stress; NAN: from the slope's fit */
-    double modulus;            /* Pa, E of the plastic strain; NAN: the measured slope */
-    double true_modulus;       /* Pa, replaces the measured slope (machine compliance); NAN: no */
+    const char *title;       /* name of the curve, as long as the deck lives; NULL: the file's */
+    double gauge_length;     /* m; NAN: as the history says */
+    double section;          /* m^2; NAN: as the history says */
+    double modulus_range[2]; /* the slope's fit, shares of Rp0.2; NAN: the file's, else 0.1, 0.4 */
+    double modulus_rows[2];  /* the slope's fit, rows counted from 1; NAN: by range */
+    double toe;              /* strain at zero stress; NAN: from the slope's fit */
+    double modulus;          /* Pa, E of the plastic strain; NAN: the measured slope */
+    double true_modulus;     /* Pa, replaces the measured slope (machine compliance); NAN: no */
     double hardening_range[2]; /* n and K, engineering plastic strain */
     double fit_range[2];       /* hardening laws, true plastic strain */
     double window;             /* true strain over which a slope is taken */

@@ -22,7 +22,7 @@ struct expression;
 struct expression *expression_new(struct deck_node where, const char *const variables[], int count);
 void expression_free(struct expression *expression);
 
-/* Whether variable number i stands in it. */
+/* Whether variable number i stands in the expression. */
 bool expression_uses(const struct expression *expression, int i);
 
 /* Value at variables[count], in the order of expression_new; not thread-safe on one expression. */

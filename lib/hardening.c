@@ -253,8 +253,3 @@ double hardening_slope(const struct hardening *h, double p)
 {
     return h->law->slope(h, p);
 }
-
-const char *hardening_name(const struct hardening *h)
-{
-    return h->law->variant.name;
-}

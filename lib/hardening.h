@@ -29,8 +29,7 @@ struct hardening_law {
     const struct key *parameters;
     int n_linear, n_shapes;
     struct {
-        double low,
-            high; /* where the fit's first search looks for a shape, and where such laws are found */
+        double low, high; /* where the first search of a fit looks for a shape */
     } range[HARDENING_SHAPES];
     bool interchangeable; /* two equal terms, each with a shape: the first is the faster one */
     /* sigma_y [Pa] and its slope [Pa] at p >= 0 */
@@ -60,6 +59,5 @@ struct hardening hardening_none(void);
 /* Flow stress [Pa] and its slope [Pa] at p >= 0; the slope of a tabulated law is that to the right. */
 double hardening_stress(const struct hardening *hardening, double p);
 double hardening_slope(const struct hardening *hardening, double p);
-const char *hardening_name(const struct hardening *hardening);
 
 #endif

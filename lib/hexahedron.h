@@ -3,8 +3,7 @@
 #define HS_HEXAHEDRON_H
 
 struct hexahedron {
-    double corner[8]
-                 [3]; /* m, in the order of Exodus: four around a face, then the four above them */
+    double corner[8][3]; /* m, in the order of Exodus: four around a face, then those above them */
 };
 
 /* Volume (m^3) of the trilinear hexahedron x(r, s, t) = sum_i N_i x_i, with warped faces as they are, and

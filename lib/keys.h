@@ -45,9 +45,8 @@ struct key {
     unsigned users;           /* bit i: variant i of the section has it; 0: all have it */
     const struct section *section;
     /* For the manual, plain words without markup: */
-    const char
-        *form; /* of a KEY_NODE or KEY_TEXT, how it is written: "[x, y, z]", "name of a phase" */
-    const char *otherwise; /* a default that is no constant: "of the formulation" */
+    const char *form; /* how a KEY_NODE or KEY_TEXT is written: "[x, y, z]", "name of a phase" */
+    const char *otherwise; /* a default that is no constant: "of the formulation"; "": none */
     const char *help;      /* what it is, one line */
     const char *symbol;    /* in the formula of its variant; NULL: it has none */
 };
@@ -74,9 +73,8 @@ struct section {
     struct keys keys;    /* without the chooser's */
     const char *chooser; /* the key that names the variant; NULL: there are none */
     const struct variant *(*variant)(int i); /* NULL beyond the last one */
-    int usual; /* variant without the chooser's key; -1: it has to be there */
-    bool
-        outside; /* the chooser stands in the mapping around this one, whose reader tells the variant */
+    int usual;    /* variant without the chooser's key; -1: it has to be there */
+    bool outside; /* the chooser stands in the mapping around, whose reader tells the variant */
 };
 
 /* The variant that the map's chooser names, or the usual one; dies where it is unknown or missing. */

@@ -136,7 +136,7 @@ static void put_default(const struct printer *to, const struct key *key)
     if (key->required) {
         put(to, "; required");
     } else if (key->otherwise) {
-        put(to, "; default: ");
+        put(to, *key->otherwise ? "; default: " : "");
         put_words(to, key->otherwise);
     } else if (key->kind == KEY_CHOICE) {
         fprintf(to->file, "; default %s", key->names[(int)key->usual]);

@@ -20,7 +20,7 @@ extern const struct section deck_section;
 /* Dies at an unknown section, and at a wrong key or value of post. */
 struct sections sections_read(const struct deck *deck);
 
-/* What it says of post; deck = NULL: the defaults. */
+/* What the deck says of post; deck = NULL: the defaults. */
 struct choices choices_read(const struct deck *deck);
 
 #endif

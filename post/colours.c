@@ -20,8 +20,8 @@ void colour_of(double share, double colour[3])
         return;
     }
     double place = fmin(fmax(share, 0), 1) * LAST;
-    int left = place < LAST ? (int)place : LAST - 1;
-    double part = place - left;
+    int lower = place < LAST ? (int)place : LAST - 1;
+    double part = place - lower;
     for (int k = 0; k < 3; k++)
-        colour[k] = (1 - part) * controls[left][k] + part * controls[left + 1][k];
+        colour[k] = (1 - part) * controls[lower][k] + part * controls[lower + 1][k];
 }

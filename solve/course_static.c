@@ -34,9 +34,9 @@ void static_free(struct load_steps *steps)
 static char *no_equilibrium(const struct simulation *s, const char *what)
 {
     return memory_print(
-        "no equilibrium %s, at t = %.4g s, gauge strain %.4g, after %lld load steps (residual "
-        "%.2g, "
-        "tolerance %g): the load is more than the body carries, or it takes a smaller "
+        "no equilibrium %s, at t = %.4g s, gauge strain %.4g, after %lld load steps "
+        "(residual %.2g, tolerance %g): the load is more than the body carries, or it takes a "
+        "smaller "
         "solver.smallest_step or more most_evaluations",
         what, s->integration.time, s->strain, (long long)s->integration.step,
         equilibrium_residual(s->load_steps.equilibrium), s->load_steps.equilibrium->tolerance);

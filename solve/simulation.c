@@ -56,10 +56,28 @@ static void read_model(struct simulation *s)
     s->model = model_new(scene->solver, &s->family, &s->materials);
 }
 
+/* Bonds have one length along all axes, and nodes one volume, but for scattered ones. */
+static void refuse_cells(const struct simulation *s)
+{
+    const char *name = s->materials.formulation->name;
+    if (lattice_is_scattered(&s->lattice)) return;
+    if (lattice_is_oblong(&s->lattice))
+        die_user("the lattice is spaced %g, %g, %g m along x, y, z: %s materials need cubes; take "
+                 "corner, or one spacing",
+                 s->lattice.edge[0], s->lattice.edge[1], s->lattice.edge[2], name);
+    if (s->lattice.volume)
+        die_user("the particles' volumes are cut at the surface, which %s materials do not take: "
+                 "use corner, or leave out domain.volumes",
+                 name);
+}
+
 /* Where the formulation has corners of particles for its nodes. */
 static void take_corners(struct simulation *s)
 {
-    if (!s->materials.formulation->corners) return;
+    if (!s->materials.formulation->corners) {
+        refuse_cells(s);
+        return;
+    }
     if (lattice_is_scattered(&s->lattice))
         die_user("the particles lie on no lattice, and have no cells with corners: take "
                  "correspondence or another formulation than corner");

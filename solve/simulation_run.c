@@ -81,7 +81,7 @@ double simulation_grip_load(const struct simulation *s)
 {
     if (!boundary_has_grips(&s->boundary)) return 0;
     const struct boundary_set *sets = s->boundary.sets;
-    return 0.5 * (sets[s->boundary.right].total_force - sets[s->boundary.left].total_force);
+    return 0.5 * (sets[s->boundary.right].reaction - sets[s->boundary.left].reaction);
 }
 
 void simulation_record(struct simulation *s)

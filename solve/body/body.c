@@ -84,6 +84,7 @@ void body_free(struct body *body)
     box_fields_free(body->first[0]);
     free(body->volumes);
     free(body->densities);
+    free(body->particle_volumes);
     strips_free(&body->owned);
     strips_free(&body->near);
     strips_free(&body->ghosts);

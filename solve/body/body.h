@@ -27,12 +27,13 @@ struct body {
     struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
     struct bonds *bonds;
-    double volume;       /* of a node, m^3; of scattered ones their mean */
-    double *volumes;     /* box field where they differ, else NULL */
+    double volume;            /* of a node, m^3; of scattered ones their mean */
+    double *volumes;          /* box field where they differ, else NULL */
+    double *particle_volumes; /* where particles between corners have different ones, else NULL */
     double *densities;   /* of corners [kg/m^3], box field; NULL: a node has that of its phase */
     int64_t n_nodes;     /* of the whole body */
     int64_t unsupported; /* nodes of the whole body without a deformation gradient */
-    /* Of what damage and cracks do to it (damage.h), which free them. */
+    /* Made and freed by damage and cracks (damage.h). */
     struct broken *broken;       /* NULL: all bonds are whole */
     struct integrity *integrity; /* NULL: no node degrades */
 
@@ -105,7 +106,8 @@ static inline double body_volume(const struct body *body, int64_t site)
 /* Volume of the particle at a site [m^3]. */
 static inline double body_particle_volume(const struct body *body, int64_t site)
 {
-    return body->lattice->corner ? body->volume : body_volume(body, site);
+    if (!body->lattice->corner) return body_volume(body, site);
+    return body->particle_volumes ? body->particle_volumes[site] : body->volume;
 }
 
 /* terms[i] times the volume of the node at site + i. */

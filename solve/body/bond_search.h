@@ -4,7 +4,7 @@
 
 #include "bonds.h"
 
-/* Of a body, which keeps them as body->bonds; frees nothing of it.  Of scattered particles also the shape tensors,
+/* The bonds of a body, also known as body->bonds; freed by bonds_free.  Of scattered particles makes the shape tensors, too,
  * which are sums over the list.  Collective. */
 struct bonds *bonds_new(struct body *body);
 

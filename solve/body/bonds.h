@@ -68,7 +68,7 @@ struct bond_view {
     bool apart;                   /* no site is an end of two bonds: sums may go there directly */
 };
 
-/* Of those that bonds_new has found (bond_search.h). */
+/* Frees what bonds_new (bond_search.h) has made. */
 void bonds_free(struct bonds *bonds);
 
 static inline int bonds_stride(int count)

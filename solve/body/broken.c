@@ -1,3 +1,9 @@
+/* broken.c - families that have lost bonds: shape tensor, gradient and divergence, bond by bond (broken.h).
+ *
+ * The sums by columns (family_sums.h) take whole families for granted; here is what they leave to the nodes beside a crack.
+ * A bit a bond and lower end is asked from both ends.  Shapes change where bonds have broken alone, so a run pays for
+ * the nodes beside its cracks and no others.  What remains of a family may span no space, or so little of it that the node
+ * would be stiffer than the step allows: then the node is given up as one without a gradient. */
 #include "broken.h"
 
 #include "bonds.h"
@@ -56,7 +62,7 @@ void broken_add(struct body *body, struct bonds *bonds, struct bond_strip *strip
                                                                         << (strip->offset % 64);
 }
 
-/* K_i and s_i (family.2) over the bonds left. */
+/* K_i and s_i (family.2) over the remaining bonds. */
 static bool shape(const struct body *body, int64_t site, double inverse[6], double first[3])
 {
     const struct family *family = body->family;
@@ -79,7 +85,7 @@ static double determinant(const double F[9])
            F[2] * (F[3] * F[7] - F[4] * F[6]);
 }
 
-/* 1 + H at a site from body->H, and over the bonds left from u, the inverse and s. */
+/* 1 + H at a site from body->H, and over the remaining bonds from u, the inverse and s. */
 static void old_gradient(const struct body *body, int64_t site, double F[9])
 {
     for (int k = 0; k < 9; k++) F[k] = body->H[k][site] + (k % 4 == 0);
@@ -103,13 +109,13 @@ static void new_gradient(const struct body *body, int64_t site, double F[9])
     }
 }
 
-/* A of (broken.1), left being 1 + H over the bonds left; false where the bonds left see another volume altogether. */
-static bool keep_gradient(const struct body *body, int64_t site, const double left[9])
+/* A of (broken.1), remaining being 1 + H over the remaining bonds; false where these see another volume altogether. */
+static bool keep_gradient(const struct body *body, int64_t site, const double remaining[9])
 {
     enum { MOST_CHANGE = 5 };
     double F[9];
     old_gradient(body, site, F);
-    const double J = determinant(left), volume = J / determinant(F);
+    const double J = determinant(remaining), volume = J / determinant(F);
     if (!(volume > 1.0 / MOST_CHANGE && volume < MOST_CHANGE)) return false;
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) {
@@ -117,8 +123,8 @@ static bool keep_gradient(const struct body *body, int64_t site, const double le
             double sum = 0;
             for (int c = 0; c < 3; c++) {
                 const int p = (c + 1) % 3, q = (c + 2) % 3, r = (a + 1) % 3, t = (a + 2) % 3;
-                double cofactor =
-                    left[3 * p + r] * left[3 * q + t] - left[3 * p + t] * left[3 * q + r];
+                double cofactor = remaining[3 * p + r] * remaining[3 * q + t] -
+                                  remaining[3 * p + t] * remaining[3 * q + r];
                 sum += cofactor * F[3 * c + b];
             }
             body->broken->keep[3 * a + b][site] = sum / J;
@@ -126,7 +132,7 @@ static bool keep_gradient(const struct body *body, int64_t site, const double le
     return true;
 }
 
-/* Whether the bonds left span space, and not so little of it that a stiff remnant sets the time step. */
+/* Whether the remaining bonds span space, and not so little of it that a stiff remnant sets the time step. */
 static bool still_spans(const struct body *body, int64_t site)
 {
     enum { MOST_STIFFENING = 10 };
@@ -134,7 +140,7 @@ static bool still_spans(const struct body *body, int64_t site)
     return now > 0 && now < MOST_STIFFENING * body->broken->whole[site];
 }
 
-/* The node has no deformation gradient any more. */
+/* Gives the node up as one without a deformation gradient. */
 static void lose(struct body *body, int64_t site)
 {
     for (int k = 0; k < 6; k++) body->inverse[k][site] = 0;
@@ -155,20 +161,20 @@ static void lattice_shapes(struct body *body, bool keep)
             if (!(broken->touched[i] & OUTDATED)) continue;
             broken->touched[i] = TOUCHED;
             if (!has_gradient(body, i)) continue; /* what is lost stays so */
-            double inverse[6], first[3], left[9];
+            double inverse[6], first[3], remaining[9];
             shape(body, i, inverse, first);
             for (int k = 0; k < 6; k++) body->inverse[k][i] = inverse[k];
             for (int k = 0; k < 3; k++) body->first[k][i] = first[k];
             bool spans = still_spans(body, i);
             if (spans && keep) {
-                new_gradient(body, i, left);
-                spans = keep_gradient(body, i, left);
+                new_gradient(body, i, remaining);
+                spans = keep_gradient(body, i, remaining);
             }
             if (!spans) lose(body, i);
         }
 }
 
-/* The same where families are lists of bonds; every rank does it for its near nodes. */
+/* Shape tensors of nodes that have lost bonds where families are lists of bonds; every rank finds those of its near nodes. */
 static void list_shapes(struct body *body, bool keep)
 {
     struct broken *broken = body->broken;
@@ -187,14 +193,14 @@ static void list_shapes(struct body *body, bool keep)
     for (int64_t s = 0; s < body->near.count; s++)
         for (int64_t i = body->near.items[s].site, end = i + body->near.items[s].count; i < end;
              i++) {
-            double left[9];
+            double remaining[9];
             const bool outdated = broken->touched[i] & OUTDATED;
             if (!outdated && !(broken->lost[i] > 0)) continue;
             broken->touched[i] = TOUCHED;
-            old_gradient(body, i, left);
+            old_gradient(body, i, remaining);
             for (int k = 0; k < 9; k++) body->H[k][i] = before[k][i];
             const bool spans = had[i] && still_spans(body, i);
-            if (!spans || (keep && outdated && !keep_gradient(body, i, left))) {
+            if (!spans || (keep && outdated && !keep_gradient(body, i, remaining))) {
                 for (int k = 0; k < 6; k++) body->inverse[k][i] = 0;
                 if (had[i]) lose(body, i);
             }

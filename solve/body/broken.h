@@ -6,9 +6,9 @@
  * bond.  All ranks know the bonds of the nodes that they own; the gradients of their ghosts come from the
  * owners.
  *
- *   F_i = (1 + H_i) A_i,  H_i over the bonds left                                          (broken.1)
+ *   F_i = (1 + H_i) A_i,  H_i over the remaining bonds                                     (broken.1)
  *
- * A_i is 1 until the family of i changes amid a motion that is not uniform: then the bonds left see another
+ * A_i is 1 until the family of i changes amid a motion that is not uniform: then the remaining bonds see another
  * gradient than those before, and A_i becomes what keeps F_i as it was.  A strain that jumped because a
  * neighbour has gone would create energy from nothing, and flow, and break the next. */
 #ifndef HS_BROKEN_H
@@ -28,7 +28,7 @@ struct broken {
     double *keep[9];  /* box fields: A_i at touched nodes, row by row */
     double *whole;    /* box field: trace of K^-1 before any bond broke */
     double *lost;     /* box field, 1 at near nodes that have no deformation gradient any more */
-    double n_lost;    /* nodes of the whole body with that */
+    double n_lost;    /* nodes of the whole body without a deformation gradient */
 };
 
 void broken_free(struct broken *broken);
@@ -42,7 +42,7 @@ void broken_add(struct body *body, struct bonds *bonds, struct bond_strip *strip
  * where any rank has broken a bond.  Collective. */
 void broken_shapes(struct body *body, bool keep);
 
-/* Over the bonds left of the nodes from site on that have a broken one: sums[i] = sum of w xi_b field_j,
+/* Over the remaining bonds of the nodes from site on that have a broken one: sums[i] = sum of w xi_b field_j,
  * xi in spacings; the other sums stay. */
 void broken_sums(const struct body *body, int64_t site, int count, const double *field, int b,
                  double *sums);

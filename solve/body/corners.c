@@ -34,15 +34,18 @@ struct lattice corners_lattice(const struct lattice *particles)
     for (int a = 0; a < 3; a++) {
         const bool flat = a == 2 && lattice.dimensions == 2;
         lattice.size[a] += flat ? 0 : 1;
-        lattice.origin[a] -= flat ? 0 : 0.5 * lattice.spacing;
+        lattice.origin[a] -= flat ? 0 : 0.5 * lattice.edge[a];
         lattice.n_sites *= lattice.size[a];
     }
     lattice.phase = memory_new((size_t)lattice.n_sites, 1);
     memset(lattice.phase, ABSENT, (size_t)lattice.n_sites);
+    if (particles->volume) lattice.volume = memory_new((size_t)lattice.n_sites, sizeof(double));
     for (int64_t site = 0; site < particles->n_sites; site++) {
         int at[3];
         lattice_position(particles, site, at);
-        lattice.phase[lattice_site(&lattice, at[0], at[1], at[2])] = particles->phase[site];
+        const int64_t to = lattice_site(&lattice, at[0], at[1], at[2]);
+        lattice.phase[to] = particles->phase[site];
+        if (lattice.volume) lattice.volume[to] = particles->volume[site];
     }
     mark_corners(&lattice);
     return lattice;
@@ -90,31 +93,45 @@ int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *part
         node += lattice->corner[site];
     }
     free(chosen);
+    int64_t *list = memory_new((size_t)found, sizeof *list);
+    memcpy(list, nodes, (size_t)found * sizeof *list);
+    free(nodes);
     *count = found;
-    return nodes;
+    return list;
+}
+
+/* Shares of a corner in the volume and mass of its particles. */
+static void fill_corner(struct body *body, const double density[], int64_t site)
+{
+    const struct lattice *lattice = body->lattice;
+    const int each = lattice_corners(lattice);
+    double mass = 0, volume = 0;
+    int at[3], step[3];
+    grid_position(&body->grid, site, at);
+    for (int k = 0; k < each; k++) {
+        lattice_corner_step(k, step);
+        const int x = at[0] - step[0], y = at[1] - step[1], z = at[2] - step[2];
+        const int phase = lattice_phase(lattice, x, y, z);
+        if (phase == ABSENT) continue;
+        const double share = lattice_volume(lattice, lattice_site(lattice, x, y, z)) / each;
+        volume += share;
+        mass += density[phase] * share;
+    }
+    body->volumes[site] = volume;
+    body->densities[site] = volume > 0 ? mass / volume : 0;
 }
 
 void corners_fill(struct body *body, const double density[])
 {
     const struct lattice *lattice = body->lattice;
-    const struct grid *grid = &body->grid;
-    const int each = lattice_corners(lattice);
-    body->volumes = memory_new((size_t)grid->n_sites, sizeof *body->volumes);
-    body->densities = memory_new((size_t)grid->n_sites, sizeof *body->densities);
-    for (int64_t site = 0; site < grid->n_sites; site++) {
-        double mass = 0, volume = 0;
-        int at[3], step[3];
-        grid_position(grid, site, at);
-        for (int k = 0; k < each; k++) {
-            lattice_corner_step(k, step);
-            const int phase =
-                lattice_phase(lattice, at[0] - step[0], at[1] - step[1], at[2] - step[2]);
-            if (phase == ABSENT) continue;
-            volume += lattice->node_volume / each;
-            mass += density[phase] * lattice->node_volume / each;
-        }
-        body->volumes[site] = volume;
-        body->densities[site] = volume > 0 ? mass / volume : 0;
+    const size_t n = (size_t)body->grid.n_sites;
+    body->volumes = memory_new(n, sizeof *body->volumes);
+    body->densities = memory_new(n, sizeof *body->densities);
+    if (lattice->volume) body->particle_volumes = memory_new(n, sizeof *body->particle_volumes);
+    for (int64_t site = 0; site < body->grid.n_sites; site++) {
+        fill_corner(body, density, site);
+        if (body->particle_volumes && body->grid.phase[site] != ABSENT)
+            body->particle_volumes[site] = lattice->volume[body_number(body, site)];
     }
 }
 

@@ -39,8 +39,8 @@ static double gaussian(double length, double horizon)
 /* The cubic B-spline with its support on the horizon. */
 static double spline(double length, double horizon)
 {
-    const double q = length / horizon, left = q < 1 ? 1 - q : 0;
-    return q < 0.5 ? 1 - 6 * q * q * (1 - q) : 2 * left * left * left;
+    const double q = length / horizon, inside = q < 1 ? 1 - q : 0;
+    return q < 0.5 ? 1 - 6 * q * q * (1 - q) : 2 * inside * inside * inside;
 }
 
 /* All of them, in the order of their numbers. */

@@ -25,7 +25,7 @@ struct column {
     double weight; /* what it has more than at the next |x|; times y or z */
 };
 
-/* Those that a family meets at one |x|, one of each pair +-(y, z). */
+/* Columns that a family meets at one |x|, one of each pair +-(y, z). */
 struct columns {
     double own; /* the same weight of the site's own column, y = z = 0 */
     int count;

@@ -1,3 +1,10 @@
+/* family_sums.c - the sums of (family_sums.2), strips of nodes at a time.
+ *
+ * Gradient and divergence are sums over whole families, of the same weights at every node, in each evaluation of the
+ * force.  Member by member they would read each neighbour once a node; by columns, what nodes beside each other
+ * share is added once, in buffers along x that are as much longer than the strip as the family reaches.  The
+ * order of the terms depends on the family alone, so a node's sum has the same bits in any strip.  No index but the
+ * strip's own varies in a loop: they are vector loads at any offset. */
 #include "family_sums.h"
 
 #include "simd.h"
@@ -37,7 +44,7 @@ static void add_columns(const struct grid *grid, int b, const struct columns *le
 void family_sums_add(const struct family *family, const struct grid *grid, int b, int count,
                      const double *field, double *out)
 {
-    double room[LANES + 2 * LONGEST_REACH + VECTOR], *const sums = room + LONGEST_REACH;
+    double padded[LANES + 2 * LONGEST_REACH + VECTOR], *const sums = padded + LONGEST_REACH;
     bool empty = true;
     double own = 0; /* weight of the site's own column while there is no other */
     for (int k = family->reach; k > 0; k--) {
@@ -45,7 +52,7 @@ void family_sums_add(const struct family *family, const struct grid *grid, int b
         const int wide = (count + 2 * k + VECTOR - 1) / VECTOR * VECTOR;
         own += level->own;
         const bool first = empty && level->count > 0;
-        if (first) memset(room, 0, sizeof room);
+        if (first) memset(padded, 0, sizeof padded);
         empty &= !first;
         const double added = first ? own : level->own;
         if (!empty && added != 0) add_one(wide, field - k, added, sums - k);

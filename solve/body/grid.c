@@ -84,7 +84,7 @@ static void mark_corners(struct grid *grid, const struct lattice *lattice)
     }
 }
 
-/* The same among scattered particles. */
+/* Marks the neighbours of owned particles among scattered ones. */
 static void mark_neighbours(struct grid *grid, const struct lattice *lattice,
                             const struct neighbours *neighbours, int around, uint8_t mark)
 {

@@ -55,7 +55,7 @@ static inline int64_t grid_shift(const struct grid *grid, const int step[3])
 
 /* Box index of global coordinates, -1 outside of the box. */
 int64_t grid_site(const struct grid *grid, const int at[3]);
-/* The reverse. */
+/* Global coordinates of a box index. */
 void grid_position(const struct grid *grid, int64_t site, int at[3]);
 
 /* Strips of the sites with all of the flags wanted and none of those unwanted. */

@@ -42,10 +42,10 @@ void integrity_free(struct integrity *integrity)
     free(integrity);
 }
 
-static bool any_degraded(int count, const double *left)
+static bool any_degraded(int count, const double *values)
 {
     double least = 1;
-    for (int k = 0; k < count; k++) least = left[k] < least ? left[k] : least;
+    for (int k = 0; k < count; k++) least = values[k] < least ? values[k] : least;
     return least < 1;
 }
 
@@ -57,14 +57,14 @@ const double *integrity_of_nodes(const struct body *body, int64_t site, int coun
 }
 
 const double *integrity_of_bonds(const struct body *body, const struct bond_view *view,
-                                 double *left)
+                                 double *buffer)
 {
     const struct integrity *integrity = body->integrity;
     if (!integrity || integrity->whole) return NULL;
     for (int k = 0; k < view->count; k++) {
         const int64_t i = bond_lower(view, k), j = bond_upper(view, k);
         const int pair = body->grid.phase[i] * integrity->n_phases + body->grid.phase[j];
-        left[k] = combine(integrity->bonds[pair], integrity->node[i], integrity->node[j]);
+        buffer[k] = combine(integrity->bonds[pair], integrity->node[i], integrity->node[j]);
     }
-    return any_degraded(view->count, left) ? left : NULL;
+    return any_degraded(view->count, buffer) ? buffer : NULL;
 }

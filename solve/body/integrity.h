@@ -1,4 +1,4 @@
-/* integrity.h - what is left of the stress of nodes that degrade, and of the bonds between them.
+/* integrity.h - the share of its stress that a degraded node, or a bond between two, still carries.
  *
  * The integrity c of a node is 1 minus its damage: 1 of a sound one, 0 of one that is about to go.  A bond that has
  * a stress or force of its own has an integrity combined from those of its ends.  The field moves on between the
@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-/* How two numbers become one; the mean of 0 and 0 is 0 in any of them. */
+/* How two numbers become one; 0 and 0 become 0 in each way. */
 enum combination { COMBINE_SMALLER, COMBINE_LARGER, COMBINE_MEAN, COMBINE_HARMONIC, COMBINATIONS };
 double combine(enum combination combination, double a, double b);
 
@@ -28,9 +28,9 @@ struct integrity *integrity_new(const struct body *body, int n_phases,
 void integrity_free(struct integrity *integrity);
 
 /* Integrities of the nodes from site on, or of the bonds of a view, of which lattice strips need i, j and count
- * alone; NULL where all are sound.  left: [LANES], where those of bonds go. */
+ * alone; NULL where all are sound.  buffer: [LANES], for those of bonds. */
 const double *integrity_of_nodes(const struct body *body, int64_t site, int count);
 const double *integrity_of_bonds(const struct body *body, const struct bond_view *view,
-                                 double *left);
+                                 double *buffer);
 
 #endif

@@ -61,11 +61,15 @@ static void choose_scale(const struct domain *domain, const double span[3], stru
         if (said == 0 && !cube) lattice->dimensions = 2;
     }
     if (!(spacing > 0) || (!given && lattice->dimensions == 3)) spacing = cbrt(volume);
-    lattice->spacing = spacing;
-    lattice->node_volume = spacing * spacing * spacing;
+    lattice->spacing = lattice->edge[0] = spacing;
+    lattice->edge[1] = attributes_number(facts, "spacing_y_m", spacing);
+    lattice->edge[2] = attributes_number(facts, "spacing_z_m", spacing);
+    const double area = spacing * lattice->edge[1];
+    lattice->node_volume = area * lattice->edge[2];
     if (lattice->dimensions == 3) return;
-    lattice->thickness = attributes_number(facts, "thickness_m", volume / (spacing * spacing));
-    lattice->node_volume = spacing * spacing * lattice->thickness;
+    lattice->edge[2] = spacing;
+    lattice->thickness = attributes_number(facts, "thickness_m", volume / area);
+    lattice->node_volume = area * lattice->thickness;
 }
 
 /* Size and origin; false where they are none of a lattice. */
@@ -80,7 +84,7 @@ static bool fit_box(const struct domain *domain, struct lattice *lattice)
     choose_scale(domain, span, lattice);
     lattice->n_sites = 1;
     for (int a = 0; a < 3; a++) {
-        double steps = span[a] / lattice->spacing;
+        double steps = span[a] / lattice->edge[a];
         if (!(steps < 1e6)) return false;
         lattice->size[a] = (int)lround(steps) + 1;
         lattice->n_sites *= lattice->size[a];
@@ -94,7 +98,7 @@ static bool place(const struct lattice *lattice, const double x[3], int at[3])
 {
     bool fits = true;
     for (int a = 0; a < 3; a++) {
-        double steps = (x[a] - lattice->origin[a]) / lattice->spacing;
+        double steps = (x[a] - lattice->origin[a]) / lattice->edge[a];
         at[a] = (int)lround(steps);
         fits = fits && fabs(steps - at[a]) <= 1e-6 * fmax(1, lattice->size[a]);
     }
@@ -114,10 +118,12 @@ static bool fit_node(const struct domain *domain, struct lattice *lattice, int64
     const double x[3] = {domain->x[node], domain->y[node], domain->z[node]};
     int at[3];
     if (!place(lattice, x, at)) return false;
-    if (!(fabs(domain->volume[node] / lattice->node_volume - 1) <= 1e-6)) return false;
-    uint8_t *phase = &lattice->phase[lattice_site(lattice, at[0], at[1], at[2])];
-    if (*phase != ABSENT) return false;
-    *phase = domain->phase[node];
+    const double share = domain->volume[node] / lattice->node_volume;
+    if (lattice->volume ? !(share > 0) : !(fabs(share - 1) <= 1e-6)) return false;
+    const int64_t site = lattice_site(lattice, at[0], at[1], at[2]);
+    if (lattice->phase[site] != ABSENT) return false;
+    lattice->phase[site] = domain->phase[node];
+    if (lattice->volume) lattice->volume[site] = domain->volume[node];
     return true;
 }
 
@@ -128,6 +134,9 @@ bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
     if (fits) {
         lattice->phase = memory_new((size_t)lattice->n_sites, 1);
         memset(lattice->phase, ABSENT, (size_t)lattice->n_sites);
+        const char *volumes = attributes_text(&domain->attributes, "volumes");
+        if (volumes && strcmp(volumes, "cut") == 0)
+            lattice->volume = memory_new((size_t)lattice->n_sites, sizeof(double));
     }
     for (int64_t i = 0; fits && i < domain->n_nodes; i++) fits = fit_node(domain, lattice, i);
     if (!fits) lattice_free(lattice);
@@ -154,6 +163,7 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
         lattice.extent[a] = domain_largest(position[a], n) - lattice.origin[a];
     }
     lattice.spacing = domain_spacing(domain);
+    for (int a = 0; a < 3; a++) lattice.edge[a] = lattice.spacing;
     if (thickness > 0 && lattice.extent[2] < 1e-6 * lattice.spacing) {
         lattice.dimensions = 2;
         lattice.thickness = thickness;

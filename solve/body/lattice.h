@@ -24,7 +24,8 @@ enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 struct lattice {
     int dimensions; /* 2: one layer of sites that has a thickness of its own; else 3 */
     int size[3];
-    double spacing;     /* m */
+    double spacing;     /* m; along x where edges differ */
+    double edge[3];     /* m, of a cell along each axis */
     double thickness;   /* m, of the layer; in three dimensions 0 */
     double node_volume; /* m^3, of each: spacing^3, in two dimensions spacing^2 thickness */
     double origin[3];   /* m, position of site (0, 0, 0) */
@@ -33,13 +34,14 @@ struct lattice {
     uint8_t
         *corner; /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
     double *point[3]; /* [n_sites] m, of scattered particles; else NULL */
-    double *volume;   /* [n_sites] m^3, likewise */
+    double *volume;   /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
     double extent[3]; /* m, between the outermost positions, likewise */
 };
 
-/* Finds out whether the particles of a domain, in whatever order, lie on a cubic lattice: positions
- * within 1e-6 spacings (of a long body that share of its length), equal volumes spacing^3 within 1e-6,
- * no site twice.  The spacing is the attribute spacing_m, else the cube root of the volume.
+/* Finds out whether the particles of a domain, in whatever order, lie on a lattice: positions
+ * within 1e-6 spacings (of a long body that share of its length), equal volumes of a cell within 1e-6, or, where the
+ * attribute volumes says cut, no larger ones; no site twice.  The edge of a cell along x is the attribute spacing_m,
+ * else the cube root of the volume, those along y and z spacing_y_m and spacing_z_m, else the same.
  *
  * Particles in one plane of z are a lattice of two dimensions where the attribute dimensions says 2, or
  * where it says nothing and their volume is not spacing^3; without spacing_m their spacing is then the
@@ -64,7 +66,7 @@ static inline int64_t lattice_site(const struct lattice *lattice, int x, int y, 
     return ((int64_t)z * lattice->size[1] + y) * lattice->size[0] + x;
 }
 
-/* The reverse. */
+/* Position of a site along the axes. */
 static inline void lattice_position(const struct lattice *lattice, int64_t site, int at[3])
 {
     int64_t line = site / lattice->size[0];
@@ -92,6 +94,12 @@ static inline bool lattice_has_node(const struct lattice *lattice, int64_t site)
     return lattice->corner ? lattice->corner[site] : lattice->phase[site] != ABSENT;
 }
 
+/* Volume of the particle kept at a site [m^3]. */
+static inline double lattice_volume(const struct lattice *lattice, int64_t site)
+{
+    return lattice->volume ? lattice->volume[site] : lattice->node_volume;
+}
+
 /* How many corners a particle's cell has; corner k from its lowest one: a step of 0 or 1 along each axis. */
 static inline int lattice_corners(const struct lattice *lattice)
 {
@@ -100,6 +108,25 @@ static inline int lattice_corners(const struct lattice *lattice)
 static inline void lattice_corner_step(int k, int step[3])
 {
     for (int a = 0; a < 3; a++) step[a] = k >> a & 1;
+}
+
+/* Whether its cells are no cubes (in a plane: squares). */
+static inline bool lattice_is_oblong(const struct lattice *lattice)
+{
+    const double *edge = lattice->edge;
+    return edge[1] < edge[0] || edge[1] > edge[0] || edge[2] < edge[0] || edge[2] > edge[0];
+}
+
+/* The largest face of a cell [m^2]. */
+static inline double lattice_largest_face(const struct lattice *lattice)
+{
+    const bool flat = lattice->dimensions == 2;
+    const double edge[3] = {lattice->edge[0], lattice->edge[1],
+                            flat ? lattice->thickness : lattice->edge[2]};
+    double largest = edge[0] * edge[1];
+    for (int a = 0; a < 2; a++)
+        if (edge[a] * edge[2] > largest) largest = edge[a] * edge[2];
+    return largest;
 }
 
 /* Whether its particles lie on no lattice: a row of sites with a list of neighbours. */
@@ -112,7 +139,7 @@ static inline bool lattice_is_scattered(const struct lattice *lattice)
 static inline double lattice_extent(const struct lattice *lattice, int axis)
 {
     return lattice_is_scattered(lattice) ? lattice->extent[axis]
-                                         : (lattice->size[axis] - 1) * lattice->spacing;
+                                         : (lattice->size[axis] - 1) * lattice->edge[axis];
 }
 static inline double lattice_middle(const struct lattice *lattice, int axis)
 {
@@ -124,14 +151,14 @@ static inline void lattice_coordinates(const struct lattice *lattice, const int 
 {
     for (int a = 0; a < 3; a++)
         x[a] = lattice->point[a] ? lattice->point[a][at[0]]
-                                 : lattice->origin[a] + at[a] * lattice->spacing;
+                                 : lattice->origin[a] + at[a] * lattice->edge[a];
 }
 
 /* Reference position of the particle kept at a site [m]. */
 static inline void lattice_particle(const struct lattice *lattice, const int at[3], double x[3])
 {
     lattice_coordinates(lattice, at, x);
-    for (int a = 0; lattice->corner && a < lattice->dimensions; a++) x[a] += 0.5 * lattice->spacing;
+    for (int a = 0; lattice->corner && a < lattice->dimensions; a++) x[a] += 0.5 * lattice->edge[a];
 }
 
 #endif

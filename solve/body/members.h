@@ -16,7 +16,7 @@ struct members {
  * (NULL elsewhere).  Dies, listing the sets there are, where it has none of that name or
  * an empty one.  Collective. */
 struct members members_new(const struct body *body, const struct domain *domain, const char *name);
-/* The same from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */
+/* Members from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */
 struct members members_of_nodes(const struct body *body, const int64_t *nodes, int64_t count);
 /* Particles by their numbers, at the sites where they are kept, likewise. */
 struct members members_of_particles(const struct body *body, const int64_t *particles,

@@ -8,21 +8,21 @@
 #include "opening.h"
 
 /* |xi| (1 - w/w_c) of a bond beyond w_c, else 0: what it holds does not tell how far its ends may still move. */
-HS_INLINE void find_room(const struct bond_pass *p, int k, struct bond b)
+HS_INLINE void find_margin(const struct bond_pass *p, int k, struct bond b)
 {
     const double allowed = p->given[0][k], held = p->given[1][k];
     p->each[0][k] = held > allowed && b.longer > 0 ? b.length * (1 - held / allowed) : 0;
 }
-BOND_KERNELS(find_rooms, find_room(p, k, b))
+BOND_KERNELS(find_margins, find_margin(p, k, b))
 
-static void room(const struct damage_view *see, const struct bond_strip *strip, const double *value,
-                 double *room)
+static void margin(const struct damage_view *see, const struct bond_strip *strip,
+                   const double *value, double *margin)
 {
     const struct model *model = see->model;
     double energy[BOND_LANES];
-    struct bond_pass pass = {.given = {value, energy}, .each = {room}};
+    struct bond_pass pass = {.given = {value, energy}, .each = {margin}};
     model->formulation->bond_energy(model->self, see->body, strip, energy);
-    bond_run(find_rooms, see->bonds, strip, (struct bond_fields){0}, &pass);
+    bond_run(find_margins, see->bonds, strip, (struct bond_fields){0}, &pass);
 }
 
 static double from_fracture_energy(const struct damage_view *see, int a, int b, double energy,
@@ -49,7 +49,7 @@ const struct damage_law damage_bond_energy = {
               "A bond longer than at rest breaks beyond an energy density; not for correspondence.",
               KEYS(keys)},
     .size = sizeof(double),
-    .room = room,
+    .margin = margin,
     .from_fracture_energy = from_fracture_energy,
     .check = check,
 };

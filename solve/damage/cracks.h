@@ -35,7 +35,7 @@ void cracks_free(struct cracks *cracks);
 /* Whether the crack crosses the segment between two points. */
 bool crack_cuts(const struct crack *crack, const double from[3], const double to[3]);
 
-/* Cuts the body's bonds; the number of them in the whole body.  Collective. */
+/* Cuts the body's bonds; returns how many in the whole body.  Collective. */
 int64_t cracks_cut(const struct cracks *cracks, struct body *body, struct bonds *bonds);
 
 #endif

@@ -1,3 +1,10 @@
+/* damage.c - finds what has to break, and breaks it (damage.h).
+ *
+ * Testing every bond at every step would cost as much as a force.  But a bond's margin shrinks at most by the ways of its two
+ * ends: each strip notes how far nodes may move until its closest bond could be due, and is passed over until they have.
+ * How far they have moved is bounded from above twice, by the distance since the last test and by the steps' own
+ * ways, with factors that outweigh the rounding: a strip is passed over only where no bond of it can break, so the bits
+ * are those of testing all.  What is found and what breaks are two calls: an equilibrium breaks the worst alone, and then looks again. */
 #include "damage.h"
 
 #include "broken.h"
@@ -16,13 +23,13 @@ struct damage {
     double broken, removed; /* bonds and nodes of the whole body */
     double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
-    /* A strip is tested again only when its ends may have closed the room of its closest bond: due is what the way of
+    /* A strip is tested again only when its ends may have closed the margin of its closest bond: due is what the way of
      * its ends must be beyond, soonest the least of all.  No node is farther from where it was at any test than the way
      * has grown since: by the largest distance from one test to the next. */
     double travelled, *due, soonest; /* travelled: the way at the last test */
-    double *last[3];                 /* box fields: u then */
-    double reach;                    /* no node of the body is farther from there than that */
-    double moved; /* nor has any moved farther since bonds were looked for; below 0: nobody knows */
+    double *last[3];                 /* box fields: u at the last test */
+    double reach;                    /* bound on the distance of any node from last, m */
+    double moved; /* bound on the motion of any node since damage_find, m; below 0: unknown */
     /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at that site; how far
      * it is beyond its limit, as a stretch or a share of it; 1 where this rank counts it. */
     struct found {
@@ -141,7 +148,8 @@ static double distance(const struct damage *damage)
     return sqrt(square) * (1 + 0x1p-48);
 }
 
-/* The way with that distance.  The factors outweigh the rounding: it never grows by less than a node has moved. */
+/* The way at a distance far from the last test.  The factors outweigh the rounding: it never grows by less than a node has
+ * moved. */
 static double way(const struct damage *damage, double far)
 {
     return (damage->travelled + far) * (1 + 0x1p-51);
@@ -166,9 +174,9 @@ static bool may_be_due(struct damage *damage)
     return !(-least[0] * (1 + 0x1p-48) < least[1]);
 }
 
-/* Room of each bond of a strip; INFINITY where it is broken or never breaks. */
-static void find_rooms(const struct damage *damage, const struct bond_strip *strip,
-                       const struct bond_view *view, double *rooms)
+/* Margin of each bond of a strip; INFINITY where it is broken or never breaks. */
+static void find_margins(const struct damage *damage, const struct bond_strip *strip,
+                         const struct bond_view *view, double *margins)
 {
     const struct damage_rules *rules = &damage->rules;
     const uint8_t *phase = damage->body->grid.phase;
@@ -178,15 +186,15 @@ static void find_rooms(const struct damage *damage, const struct bond_strip *str
         const int pair = phase[bond_lower(view, k)] * rules->n_phases + phase[bond_upper(view, k)];
         law[k] = view->weight[k * view->weight_step] > 0 ? rules->law[pair] : NULL;
         value[k] = rules->value[pair];
-        rooms[k] = INFINITY;
+        margins[k] = INFINITY;
     }
     for (int first = 0; first < view->count; first++) {
         const struct damage_law *one = law[first];
         if (!one) continue;
-        one->room(&damage->see, strip, value, some);
+        one->margin(&damage->see, strip, value, some);
         for (int k = first; k < view->count; k++) {
             if (law[k] != one) continue;
-            rooms[k] = some[k];
+            margins[k] = some[k];
             law[k] = NULL;
         }
     }
@@ -204,20 +212,20 @@ static void add_found(struct damage *damage, struct found found)
     damage->found[damage->n_found++] = found;
 }
 
-/* Half of the closest bond's room, less what rounding may hide, is how far a node may go until the next
+/* Half of the closest bond's margin, less what rounding may hide, is how far a node may go until the next
  * test. */
 static void test_strip(struct damage *damage, int64_t s)
 {
     const struct bond_strip *strip = &damage->bonds->strips[s];
     const struct bond_view view = bonds_view(damage->bonds, strip);
-    double rooms[BOND_LANES], least = INFINITY;
-    find_rooms(damage, strip, &view, rooms);
+    double margins[BOND_LANES], least = INFINITY;
+    find_margins(damage, strip, &view, margins);
     for (int k = 0; k < view.count; k++) {
         const double length = view.length[k * view.geometry_step];
-        if (rooms[k] < 0)
+        if (margins[k] < 0)
             add_found(damage,
-                      (struct found){s, k, -rooms[k] / length, count_bond(damage, &view, k)});
-        least = fmin(least, rooms[k] - 1e-13 * length);
+                      (struct found){s, k, -margins[k] / length, count_bond(damage, &view, k)});
+        least = fmin(least, margins[k] - 1e-13 * length);
     }
     damage->due[s] = damage->travelled + 0.5 * least * (1 - 0x1p-48);
 }
@@ -407,7 +415,7 @@ void damage_choose(struct damage *damage, double most)
     ranks_minimum(&low, 1);
     ranks_minimum(&high, 1);
     high = -high;
-    /* Those at low or beyond are enough, those at high or beyond are too few or the last of one value. */
+    /* An excess of low or more have enough, of high or more too few, or all have one value. */
     for (int halving = 0; halving < 60 && low < high; halving++) {
         const double middle = 0.5 * (low + high);
         *(count_beyond(damage, middle) >= most ? &low : &high) = middle;

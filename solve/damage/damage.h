@@ -2,7 +2,7 @@
  *
  * A broken bond has weight 0, so that every material obeys it, and never heals.  Bonds are tested at the
  * configuration that a step has led to: what the body holds less after they have broken is the energy of
- * fracture.  Of nodes, also what their stress loses before that.  To add a law: one file after the pattern of
+ * fracture.  Laws of nodes also degrade the stress of a node before all of its bonds break.  To add a law: one file after the pattern of
  * critical_stretch.c (bonds) or ductile.c (nodes), its name in one of the lists below. */
 #ifndef HS_DAMAGE_H
 #define HS_DAMAGE_H
@@ -28,10 +28,10 @@ enum { DAMAGE_STATES = 4 }; /* at most */
 struct damage_law {
     struct variant words; /* name, help and keys of its own, which fill size bytes: */
     size_t size;          /* of a law of bonds one double, its value, 0 where its entry has none */
-    /* Of bonds: how far [m] the ends of each bond of a strip may still move apart before it breaks, below 0
+    /* Of bonds: the margin [m]: how far the ends of each bond of a strip may still move apart before it breaks, below 0
      * where it has to break now, 0 where only a test can tell. */
-    void (*room)(const struct damage_view *see, const struct bond_strip *strip, const double *value,
-                 double *room);
+    void (*margin)(const struct damage_view *see, const struct bond_strip *strip,
+                   const double *value, double *margin);
     /* The value that a fracture energy [J/m^2] stands for, at bonds between two phases; dies where the
      * material has none. */
     double (*from_fracture_energy)(const struct damage_view *see, int a, int b, double energy,
@@ -74,15 +74,15 @@ struct node_law {
 /* The deck's section, read for the phases of the domain. */
 struct damage_rules {
     int n_phases;
-    const struct damage_law *
-        *law;               /* [n_phases^2] of the bonds of each pair, NULL: they never break */
-    double *value;          /* [n_phases^2] */
+    /* [n_phases^2] of the bonds of each pair, NULL: they never break; and the value of the law. */
+    const struct damage_law **law;
+    double *value;
     struct node_rule *node; /* [n_phases] */
     int n_node_laws;        /* up to n_phases */
     struct node_law *node_laws;
     enum combination *integrity; /* [n_phases^2] of the bonds between two phases */
-    bool bonds;                  /* whether any of them may break */
-    bool degrading;              /* whether some nodes do so by degrees */
+    bool bonds;                  /* whether some law may break bonds by stretch or energy */
+    bool degrading; /* whether the stress of some nodes degrades before their bonds break */
 };
 
 extern const struct section section_damage, section_damage_rule;
@@ -100,21 +100,21 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
                           struct bonds *bonds);
 void damage_free(struct damage *damage);
 
-/* Finds what has to break at the body's u and plastic strain: whether there is anything anywhere.  It does so when
- * it is broken; then the force is to be found again.  Collective, both. */
+/* damage_find lists the bonds and nodes that have to break at the body's u and states, and says whether any rank has
+ * some.  damage_break breaks what is listed; then the force is to be found again.  Both collective. */
 bool damage_find(struct damage *damage);
 void damage_break(struct damage *damage);
 
-/* No owned node has moved by more than that [m] since the last call of damage_find, and since the last of this one; then
- * bonds far from breaking are not looked at.  Who has not said so has them looked at. */
+/* most [m] bounds how far any owned node has moved since the last call of damage_moved or damage_find: bonds with a margin
+ * beyond that are passed over.  Before a damage_find without such a call all bonds are tested. */
 void damage_moved(struct damage *damage, double most);
 
-/* Between the two: of what has been found only the worst are left, that many, with all that are as bad as the last
- * one (symmetric bodies stay so).  Collective. */
+/* Between damage_find and damage_break: keeps of the list the worst, most in number, with all that have as much excess
+ * as the last of them (symmetric bodies stay so).  Collective. */
 void damage_choose(struct damage *damage, double most);
 
-/* Moves the integrity of the nodes (integrity.h) on to what their committed plastic strain makes of it: the
- * largest change anywhere.  To be called once a state has been accepted, and nowhere else: forces in between
+/* The integrity of the nodes (integrity.h) becomes 1 - D of their committed states; returns the largest change of any
+ * node.  To be called once a state has been accepted, and nowhere else: forces in between
  * are those of damage that stands still.  Collective. */
 double damage_grow(struct damage *damage);
 

@@ -212,8 +212,7 @@ static void tell_weak(const struct damage_rules *rules, const struct materials *
 {
     if (materials->formulation->stress_of == STRESS_OF_NODES && rules->n_node_laws == 0)
         warn("damage: broken bonds alone hardly unload a correspondence material, since the "
-             "families "
-             "left take over; '%s' or '%s' does",
+             "families left take over; '%s' or '%s' does",
              damage_ductile.words.name, damage_plastic_strain.words.name);
 }
 

@@ -37,8 +37,8 @@ static void read(void *own, struct deck_node entry, double spacing)
 {
     struct ductile *law = own;
     if (!(law->full > law->onset))
-        deck_error(deck_get(entry, "full"), "%g: the node has to be gone beyond 'onset' (%g)",
-                   law->full, law->onset);
+        deck_error(deck_get(entry, "full"), "%g, expected more than 'onset' (%g)", law->full,
+                   law->onset);
     if (!(law->length > 0)) return;
     law->full = log(exp(law->onset) + (exp(law->full) - exp(law->onset)) * law->length / spacing);
     note("damage: nodes of '%s' are removed at a plastic strain of %.4g",

@@ -54,7 +54,7 @@ static const struct section back = {
 
 static const struct key solver_keys[] = {
     {"horizon", KEY_NUMBER, AT(horizon), "1", 1, 8,
-     .otherwise = "1 of correspondence, else required", .help = "in spacings"},
+     .otherwise = "1 of correspondence, else required", .help = "in spacings; not for corner"},
     {"influence", KEY_CHOICE, AT(influence), .usual = -1, .names = family_influences,
      .otherwise = "constant; of ordinary ones linear, of madenci_oterkus inverse and no other",
      .help = "of a bond of the length r, the horizon being d: constant; steep (dx/r)^8, not for "

@@ -157,15 +157,20 @@ static void resolve(struct scene_nodes *nodes, const struct domain *domain, doub
 }
 
 /* Those that move: of corners, all that particles of a set or block have, or those at the place. */
-static void resolve_moving(struct scene_nodes *nodes, const struct domain *domain,
+static void resolve_moving(struct scene_entry *entry, const struct domain *domain,
                            const struct domain *places, const struct lattice *lattice)
 {
+    struct scene_nodes *nodes = &entry->nodes;
     const bool named = nodes->selection.kind == SELECT_SET || nodes->selection.kind == SELECT_BLOCK;
     resolve(nodes, named ? domain : places, lattice->spacing);
     if (!lattice->corner || !named) return;
     int64_t *particles = nodes->numbers;
     nodes->numbers = corners_of_particles(lattice, particles, &nodes->count);
     free(particles);
+    if (entry->kind == SCENE_BODY_FORCE && nodes->count < lattice->n_nodes)
+        deck_error(entry->where,
+                   "corners that a set or block shares with other particles would have "
+                   "the whole of a body_force: give force, or a box or where");
 }
 
 void scene_resolve(struct scene *scene, const struct domain *domain, const struct domain *nodes,
@@ -173,9 +178,9 @@ void scene_resolve(struct scene *scene, const struct domain *domain, const struc
 {
     const double spacing = lattice->spacing;
     for (int i = 0; i < scene->n_boundary; i++)
-        resolve_moving(&scene->boundary[i].nodes, domain, nodes, lattice);
+        resolve_moving(&scene->boundary[i], domain, nodes, lattice);
     for (int i = 0; i < scene->n_initial; i++)
-        resolve_moving(&scene->initial[i].nodes, domain, nodes, lattice);
+        resolve_moving(&scene->initial[i], domain, nodes, lattice);
     for (int i = 0; i < scene->n_quantities; i++) {
         struct scene_quantity *quantity = &scene->quantities[i];
         if (quantity->place.index == 0) {

@@ -38,7 +38,7 @@ struct value value_read(struct deck_node where, const char *unit, double low, do
                         int allowed);
 void value_free(struct value *value);
 
-/* Its two forms with keys of their own. */
+/* The two forms of a value that have keys of their own. */
 extern const struct section section_ramp, section_steps;
 
 /* "250 steps": how many; where equilibrium is true the word equilibrium, too, as 0. */

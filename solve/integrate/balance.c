@@ -101,9 +101,9 @@ static double affine_energy(const struct integration *integration, const struct 
     return body_mass(integration, body) * speed * speed / 24;
 }
 
-/* The same for a body that sets with these speeds stretch against its rest. */
-static double held_energy(const struct integration *integration, const struct body *body,
-                          const struct boundary *boundary)
+/* Kinetic energy of a body stretched uniformly about its middle, by held sets that move at their speeds of now. */
+static double set_energy(const struct integration *integration, const struct body *body,
+                         const struct boundary *boundary)
 {
     double kinetic = integration->held, mass = 0;
     for (int b = 0; b < boundary->count; b++) {
@@ -136,8 +136,8 @@ static void finish(struct integration *integration, const struct body *body,
     exact_sum_finish(sums, count, all);
     for (int k = 0; k < SUMS; k++) values[k] = all[k];
     for (int b = 0; b < boundary->count; b++) {
-        boundary->sets[b].force_before = boundary->sets[b].total_force;
-        boundary->sets[b].total_force = all[SUMS + b];
+        boundary->sets[b].reaction_before = boundary->sets[b].reaction;
+        boundary->sets[b].reaction = all[SUMS + b];
     }
     free(sums);
     free(all);
@@ -154,7 +154,7 @@ static void take_energies(struct integration *integration, const struct body *bo
     balance->stabilisation = values[STABILISATION];
     balance->reference = fmax(balance->reference, values[LOADED]);
     if (!boundary_has_grips(boundary) || affine_energy(integration, body, boundary) == 0)
-        balance->reference = fmax(balance->reference, held_energy(integration, body, boundary));
+        balance->reference = fmax(balance->reference, set_energy(integration, body, boundary));
 }
 
 void balance_start(struct integration *integration, const struct body *body,
@@ -166,7 +166,7 @@ void balance_start(struct integration *integration, const struct body *body,
     integration->held = values[HELD];
     integration->balance.reference = affine_energy(integration, body, boundary);
     take_energies(integration, body, boundary, values);
-    integration->balance.initial = energy_held(&integration->balance);
+    integration->balance.initial = energy_total(&integration->balance);
 }
 
 /* Work of the sets over a step: mean force times way, and what their own mass has gained. */
@@ -177,7 +177,7 @@ static void add_work_of_sets(struct boundary *boundary, double *work)
         if (set->place[0]) continue;
         set->moved += set->way;
         *work +=
-            0.5 * (set->force_before + set->total_force) * set->way +
+            0.5 * (set->reaction_before + set->reaction) * set->way +
             0.5 * set->mass * (set->speed * set->speed - set->speed_before * set->speed_before);
     }
 }
@@ -210,7 +210,7 @@ void balance_motion(struct integration *integration, const struct body *body,
     const bool gained = values[0] > balance->kinetic;
     balance->kinetic = values[0];
     integration->held = values[1];
-    if (gained) balance->initial = energy_held(balance) - balance->work;
+    if (gained) balance->initial = energy_total(balance) - balance->work;
 }
 
 void balance_reactions(const struct body *body, struct boundary *boundary)
@@ -219,7 +219,7 @@ void balance_reactions(const struct body *body, struct boundary *boundary)
     double *values = memory_new((size_t)boundary->count, sizeof *values);
     boundary_reactions(boundary, body, sums);
     exact_sum_finish(sums, boundary->count, values);
-    for (int b = 0; b < boundary->count; b++) boundary->sets[b].total_force = values[b];
+    for (int b = 0; b < boundary->count; b++) boundary->sets[b].reaction = values[b];
     free(sums);
     free(values);
 }

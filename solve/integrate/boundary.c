@@ -23,8 +23,8 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
                                    double largest_stress)
 {
     const struct lattice *lattice = body->lattice;
-    const double spacing = lattice->spacing, middle = lattice_middle(lattice, 0);
-    const double area = spacing * fmax(spacing, lattice->thickness); /* of a node's largest face */
+    const double middle = lattice_middle(lattice, 0);
+    const double area = lattice_largest_face(lattice);
     struct members members = members_of_nodes(body, entry->nodes.numbers, entry->nodes.count);
     struct boundary_set set = {.direction = entry->direction,
                                .kind = entry->kind,
@@ -138,7 +138,7 @@ void boundary_set_ways(struct boundary *boundary, struct body *body, double time
     }
 }
 
-/* Reaction of a held component: what inner forces and loads leave to it [N]. */
+/* Reaction of a held component: minus the sum of inner force and load [N]. */
 static double reaction(const struct body *body, int direction, int64_t site)
 {
     double density = body->f[direction][site];

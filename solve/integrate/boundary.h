@@ -22,18 +22,17 @@ struct boundary_set {
     /* Where the value is the same at all nodes: */
     double moved, way;          /* along its direction so far, and in this step, m */
     double speed, speed_before; /* at the end of this step and of the one before, m/s */
-    /* Reaction: the force on the body along the direction, over all ranks, N; now and a step earlier. */
-    double total_force, force_before;
+    /* Reaction force: the force on the body along the direction, over all ranks, N; now and a step earlier. */
+    double reaction, reaction_before;
 };
 
 struct boundary {
     int count;
     struct boundary_set *sets;
-    uint8_t
-        *held; /* box field: bit a where the component along axis a is prescribed; NULL: nowhere */
-    int left,
-        right; /* the grips: of the sets with one motion along x that with the lowest and that with the
-                        highest mean x, -1 where there are not two, one beside the other */
+    uint8_t *held; /* box field: bit a where component a is prescribed; NULL: nowhere */
+    /* The grips: of the sets with one motion along x that with the lowest and that with the highest mean x; -1 where
+     * there are not two, one beside the other. */
+    int left, right;
     struct loads loads;
 };
 
@@ -51,7 +50,7 @@ void boundary_set_displacements(const struct boundary *boundary, struct body *bo
 void boundary_set_velocities(struct boundary *boundary, struct body *body, double time, double dt);
 /* The sets have no speed any more. */
 void boundary_stop(struct boundary *boundary);
-/* As boundary_set_velocities, for the step from time on: v becomes the way over dt. */
+/* As boundary_set_velocities, for the step from time on: v becomes the displacement of the step over dt. */
 void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt);
 
 /* This rank's part of the reactions, the force each set exerts on the body along its direction:
@@ -64,7 +63,7 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
 void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
                        struct exact_sum *work);
 
-/* The part of the sets alone. */
+/* The work of the sets alone. */
 void boundary_add_set_work(const struct boundary *boundary, const struct body *body,
                            double duration, struct exact_sum *work);
 
@@ -76,9 +75,9 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
 /* Velocity of a set with one motion at a time between steps [m/s]. */
 double boundary_speed(const struct boundary_set *set, double time, double dt);
 
-/* Strain rate between the grips at such a time [1/s]; 0 without grips. */
+/* Strain rate between the grips at a time between steps [1/s]; 0 without grips. */
 double boundary_strain_rate(const struct boundary *boundary, double time, double dt);
-/* That at full speed; 0 where the grips' velocities are not given as numbers. */
+/* Strain rate between the grips at full speed [1/s]; 0 where the grips' velocities are not given as numbers. */
 double boundary_full_strain_rate(const struct boundary *boundary);
 
 static inline bool boundary_has_grips(const struct boundary *boundary)

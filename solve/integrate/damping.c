@@ -39,11 +39,11 @@ static void affine_velocity(const struct affine *affine, const struct body *body
 static double damped(const struct integration *integration, double beyond, double keep,
                      double force, double inverse_density)
 {
-    const double left = keep * beyond;
-    if (!(integration->local_damping > 0)) return left;
+    const double kept = keep * beyond;
+    if (!(integration->local_damping > 0)) return kept;
     const double speed =
         integration->local_damping * fabs(force) * inverse_density * 0.5 * integration->dt;
-    return copysign(fmax(fabs(left) - speed, 0), left);
+    return copysign(fmax(fabs(kept) - speed, 0), kept);
 }
 
 void damping_apply(const struct integration *integration, struct body *body,

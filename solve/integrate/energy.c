@@ -2,14 +2,14 @@
 
 #include <math.h>
 
-double energy_held(const struct energy_balance *b)
+double energy_total(const struct energy_balance *b)
 {
     return b->kinetic + b->stored + b->plastic + b->stabilisation + b->damping + b->fracture;
 }
 
 double energy_drift(const struct energy_balance *b)
 {
-    double held = energy_held(b);
+    double held = energy_total(b);
     double given = b->initial + b->work;
     double largest = fmax(fmax(fabs(held), fabs(given)), b->reference);
     return largest > 0 ? (held - given) / largest : 0;

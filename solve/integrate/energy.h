@@ -18,7 +18,7 @@ struct energy_balance {
 
 double energy_drift(const struct energy_balance *balance);
 
-double energy_held(const struct energy_balance *balance); /* the left side, J */
+double energy_total(const struct energy_balance *balance); /* the left side, J */
 double
 energy_internal(const struct energy_balance *balance); /* stored + plastic + stabilisation, J */
 

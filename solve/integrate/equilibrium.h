@@ -20,7 +20,7 @@
 struct equilibrium;
 
 struct equilibrium_method {
-    int64_t usual_evaluations; /* at most, of one solution, where nobody says another number */
+    int64_t usual_evaluations; /* at most, of one solution, where the deck says no other number */
     bool preconditions;        /* else it takes equilibrium->bound */
     const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
     void *(*start)(const struct equilibrium *equilibrium);
@@ -52,7 +52,7 @@ struct equilibrium {
     int64_t last;                /* evaluation at which a method gives up */
 };
 
-/* The method of that number in equilibrium_methods.  Collective. */
+/* method: its number in equilibrium_methods.  Collective. */
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials);
@@ -70,7 +70,7 @@ double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, do
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
-/* Those that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */
+/* The methods that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */
 #define EQUILIBRIUM_METHOD(name) equilibrium_##name
 extern const struct equilibrium_method EQUILIBRIUM_METHODS(EQUILIBRIUM_METHOD);
 

@@ -16,7 +16,7 @@ void integration_force(struct integration *integration, struct model *model, str
     profile_enter(body->profile, before);
 }
 
-double integration_held_energy(const struct force_energy *energy)
+double integration_internal_energy(const struct force_energy *energy)
 {
     double values[3];
     exact_sum_finish(

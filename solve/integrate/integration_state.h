@@ -8,10 +8,9 @@
 #include "model.h"
 
 struct integration {
-    bool moving;     /* with inertia */
-    double dt, time; /* of the steps from here on; s */
-    double force_time,
-        committed_time; /* which the next force is of; of the last one with mode.commit; s */
+    bool moving;                       /* with inertia */
+    double dt, time;                   /* of the steps from here on; s */
+    double force_time, committed_time; /* of the next force, of the last with mode.commit; s */
     int64_t step;
     int64_t evaluations;      /* of the force so far */
     double residual;          /* of the last equilibrium, relative; 0 after an explicit step */
@@ -21,9 +20,8 @@ struct integration {
     struct force_energy zero; /* empty sums with their extractors */
     struct exact_sum kinetic_zero;
     double held; /* kinetic energy of nodes held in a motion that depends on place, J */
-    struct energy_balance
-        balance;           /* damping and work of all steps, the rest of the last that was asked */
-    struct damage *damage; /* NULL: nothing breaks */
+    struct energy_balance balance; /* damping and work of all steps; energies as last asked for */
+    struct damage *damage;         /* NULL: nothing breaks */
 };
 
 /* model_force, counted, with the times of mode. */
@@ -31,7 +29,7 @@ void integration_force(struct integration *integration, struct model *model, str
                        struct force_mode mode, struct force_energy *energy);
 
 /* stored + plastic + stabilisation of the sums that a force has filled [J].  Collective. */
-double integration_held_energy(const struct force_energy *energy);
+double integration_internal_energy(const struct force_energy *energy);
 
 static inline double integration_inverse_density(const struct integration *integration,
                                                  const struct body *body, int64_t site)

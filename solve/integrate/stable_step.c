@@ -1,3 +1,9 @@
+/* stable_step.c - the critical time step by Lanczos' method (stable_step.h).
+ *
+ * A formula of wave speed and spacing knows nothing of formulation, influence, stabilisation, surface and damage, each of which
+ * moves the limit.  Lanczos needs no matrix, only forces of small displacements, so whatever the force is made of is seen.
+ * The force is that of frozen states: plastic flow and slip only soften.  No reorthogonalisation: what it
+ * loses are copies of values found already, and the largest is found first. */
 #include "stable_step.h"
 
 #include "material.h"
@@ -21,7 +27,7 @@ struct lanczos {
     struct model *model;
     struct body *body;
     const struct materials *materials;
-    struct vector rest, force; /* as the body is: displacement, and the force to it */
+    struct vector rest, force; /* displacement of the body as it is, and the force at it */
     struct vector current, before, image;
 };
 

@@ -62,11 +62,11 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
     struct symbol symbol = {{0}, {0}};
     const int reach = lattice->corner ? 1 : 3 * family->reach;
     struct lattice block = block_new(lattice, lattice->corner ? 1 : family->reach, phase);
-    size_t room = 1;
+    size_t size = 1;
     for (int a = 0; a < 3; a++) {
         /* Force to stress, along a bond of the stabilisation, and to strain. */
         symbol.reach[a] = block.size[a] > 1 ? reach : 0;
-        room *= (size_t)symbol.reach[a] + 1;
+        size *= (size_t)symbol.reach[a] + 1;
     }
     const struct offset *near;
     struct model *model = model_new(solver, family, materials);
@@ -80,7 +80,7 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
     struct bonds *bonds = bonds_new(&body);
     model_start(model, &body, bonds);
     for (int a = 0; a < 3; a++) {
-        symbol.answer[a] = memory_new(room, sizeof(double));
+        symbol.answer[a] = memory_new(size, sizeof(double));
         push(&symbol, model, &body, a, symbol.answer[a]);
     }
     model_free(model);

@@ -86,8 +86,8 @@ enum { BLOCK = 512 };
 
 static int block_length(const struct unknowns *unknowns, int64_t from)
 {
-    const int64_t left = unknowns->length - from;
-    return (int)(left < BLOCK ? left : BLOCK);
+    const int64_t remaining = unknowns->length - from;
+    return (int)(remaining < BLOCK ? remaining : BLOCK);
 }
 
 void vector_add_all(const struct unknowns *unknowns, int count, const double a[], double *const x[],
@@ -166,19 +166,4 @@ double vector_product(const struct unknowns *unknowns, double *x, const double *
     double product;
     vector_products(unknowns, 1, &x, &x_norm, y, y_norm, &product);
     return product;
-}
-
-double held_norm(const struct unknowns *unknowns, double *const fields[3])
-{
-    const struct strips *owned = &unknowns->body->owned;
-    double *held = vector_new(unknowns);
-    for (int a = 0; a < 3; a++) {
-        int64_t at = a * unknowns->n_nodes;
-        for (int64_t s = 0; s < owned->count; s++)
-            for (int i = 0; i < owned->items[s].count; i++, at++)
-                held[at] = unknowns->free[at] > 0 ? 0 : fields[a][owned->items[s].site + i];
-    }
-    const double norm = vector_norm(unknowns, held);
-    free(held);
-    return norm;
 }

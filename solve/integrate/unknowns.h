@@ -42,7 +42,4 @@ double vector_product(const struct unknowns *unknowns, double *x, const double *
 void vector_products(const struct unknowns *unknowns, int count, double *const x[],
                      const double norms[], const double *y, double norm, double products[]);
 
-/* Euclidean norm of the held components of fields, in the body. Collective. */
-double held_norm(const struct unknowns *unknowns, double *const fields[3]);
-
 #endif

@@ -1,3 +1,10 @@
+/* verlet.c - one explicit step (verlet.h).
+ *
+ * Second order, one force a step, and symplectic: the error of the energy stays bounded instead of adding up, which makes the
+ * balance of energies a check of the run.  Written with half kicks, since velocities are known at full steps then,
+ * where energies, records and damping need them, and since a bond that breaks in the middle of a step gives its
+ * first half the old force and its second half the new one.  Motion is prescribed at half steps, the positions
+ * follow; so work is force times the way actually gone.  The largest way goes to damage.h, which passes over bonds by it. */
 #include "verlet.h"
 
 #include "balance.h"
@@ -12,7 +19,7 @@ HS_SIMD static void kick(int count, const double *restrict f,
 {
     for (int i = 0; i < count; i++) v[i] += half_step * f[i] * inverse_density[i];
 }
-/* The same with a force from outside. */
+/* v += half_step (f + b)/rho, b the force from outside. */
 HS_SIMD static void kick_loaded(int count, const double *restrict f, const double *restrict b,
                                 const double *restrict inverse_density, double half_step,
                                 double *restrict v)
@@ -89,14 +96,14 @@ static void break_bonds(struct integration *integration, struct body *body, stru
         *energy = integration->zero;
         integration_force(integration, model, body, (struct force_mode){.energy = true}, energy);
     }
-    const double before = integration_held_energy(energy) + half_step_power(integration, body);
+    const double before = integration_internal_energy(energy) + half_step_power(integration, body);
     damage_break(integration->damage);
     *energy = integration->zero;
     integration_force(integration, model, body,
                       (struct force_mode){.commit = true, .energy = true, .record = record},
                       energy);
     integration->balance.fracture +=
-        before - integration_held_energy(energy) - half_step_power(integration, body);
+        before - integration_internal_energy(energy) - half_step_power(integration, body);
 }
 
 void verlet_step(struct integration *integration, struct body *body, struct boundary *boundary,

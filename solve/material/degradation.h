@@ -1,4 +1,4 @@
-/* degradation.h - points of which a share of the stress is left, and what they have dissipated.
+/* degradation.h - points whose stress is degraded, and what they have dissipated.
  *
  *   P = c P~,  stored energy c psi~                                                  (degradation.1)
  *   dissipated: the integral of c dw~ - psi~ dc                                      (degradation.2)
@@ -20,14 +20,14 @@ enum { LAST_INTEGRITY, LAST_STORED, WITHHELD, DEGRADATION };
 /* Records of sound points, kept as their states are; freed with free(). */
 double *degradation_new(const struct strips *strips);
 
-/* Moves the records of count points on, at a commit: left, their integrities of now; dissipating, what the sound
+/* Moves the records of count points on, at a commit: integrity, that of each point now; dissipating, what the sound
  * material has dissipated in the step, and stored, its energy now [J/m^3]. */
-void degradation_book(int count, const double *left, const double *dissipating,
+void degradation_book(int count, const double *integrity, const double *dissipating,
                       const double *stored, double *record, int64_t stride);
 
-/* Points of the integrities left[count] after the update of any law, with its energies: P, stored and dissipated become
+/* Points of the integrities integrity[count] after the update of any law, with its energies: P, stored and dissipated become
  * those above; at a commit the records move on. */
-void degradation_apply(struct points *points, bool commit, const double *left, double *record,
+void degradation_apply(struct points *points, bool commit, const double *integrity, double *record,
                        int64_t stride);
 
 #endif

@@ -30,7 +30,7 @@ struct state {
     const char *help; /* one line */
 };
 
-/* What a component of it begins with. */
+/* What a component of a state begins with. */
 static inline double state_initial(const struct state *state, int component)
 {
     const int step = state->components == TENSOR ? 4 : 1;
@@ -64,7 +64,7 @@ struct points {
     double P[TENSOR][LANES];   /* out: first Piola-Kirchhoff stress [Pa] */
     double stored[LANES];      /* out: energy density that comes back [J/m^3] */
     double dissipated[LANES];  /* out: work density that does not, of all steps up to now [J/m^3] */
-    double dissipating[LANES]; /* out, at a commit: the part of this step in it [J/m^3] */
+    double dissipating[LANES]; /* out, at a commit: what this step adds to dissipated [J/m^3] */
 };
 
 struct law {

@@ -19,9 +19,8 @@ struct material {
 /* A law that some phase obeys. */
 struct law_in_use {
     const struct law *law;
-    void *pairs; /* what its update reads, by pair; NULL: nothing */
-    int *
-        component; /* of each state there is (laws.h): which component of the law's, -1: not one of its */
+    void *pairs;    /* what its update reads, by pair; NULL: nothing */
+    int *component; /* of each state (laws.h): its component among the law's; -1: not one of them */
 };
 
 /* All materials of a run and what the kernels read of them.  A bond between phases a and b takes the
@@ -29,7 +28,7 @@ struct law_in_use {
 struct materials {
     int count;
     enum plane plane;
-    const struct formulation *formulation; /* of all of them */
+    const struct formulation *formulation; /* of all phases */
     struct material *items;
     double *shear, *bulk; /* [count * count] by pair, Pa */
     int n_laws;

@@ -121,8 +121,9 @@ static void find_moduli(struct deck_node map, const struct kind *kind, enum plan
         value[E] = has[K] ? 3 * value[K] * (1 - 2 * value[NU]) : 2 * value[G] * (1 + value[NU]);
     }
     if (!(value[NU] > -0.99 && value[NU] < 0.4999))
-        deck_error(map, "material '%s': its moduli give a Poisson's ratio of %g", m->name,
-                   value[NU]);
+        deck_error(
+            map, "material '%s': its moduli give a Poisson's ratio of %g, expected -0.99 to 0.4999",
+            m->name, value[NU]);
     m->youngs_modulus = value[E];
     m->poissons_ratio = value[NU];
     m->shear_modulus = value[E] / (2 * (1 + value[NU]));

@@ -16,9 +16,9 @@ struct point_store {
     const struct materials *materials;
     int64_t offset;
     double **state; /* of each law */
-    int64_t **
-        place; /* [points / UNIT] by law: where its points of a strip begin in state, -1: it has none there; NULL: all
-                        points obey this one law */
+    /* [points / UNIT] by law: where its points of a strip begin in state, -1 where the strip has none; NULL: all points
+     * obey one law. */
+    int64_t **place;
     double *records; /* of degradation, strip by strip; NULL: none degrades */
 };
 
@@ -199,9 +199,10 @@ static void update_part(const struct law_in_use *use, const struct part *part,
 }
 
 void points_update(struct point_store *store, const struct strip *strip, struct points *points,
-                   struct force_mode mode, const double *left)
+                   struct force_mode mode, const double *integrity)
 {
-    const struct step step = {mode.dt, mode.time, mode.commit, mode.frozen, mode.energy || left};
+    const struct step step = {mode.dt, mode.time, mode.commit, mode.frozen,
+                              mode.energy || integrity};
     points->flows = false;
     for (int law = 0; law < store->materials->n_laws; law++) {
         const struct law_in_use *use = &store->materials->laws[law];
@@ -213,9 +214,9 @@ void points_update(struct point_store *store, const struct strip *strip, struct 
         else
             use->law->update(use->pairs, points, part.state, part.stride, step);
     }
-    if (left)
-        degradation_apply(points, mode.commit, left, store->records + DEGRADATION * strip->store,
-                          strip->stride);
+    if (integrity)
+        degradation_apply(points, mode.commit, integrity,
+                          store->records + DEGRADATION * strip->store, strip->stride);
     if (!mode.frozen) profile_count(store->body->profile, WORK_FLOW_STRIPS, points->flows, 1);
 }
 

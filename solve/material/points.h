@@ -21,9 +21,9 @@ void points_free(struct point_store *store);
 /* Moduli, pair and shift of the points of a strip. */
 void points_load(const struct point_store *store, const struct strip *strip, struct points *points);
 
-/* The law's answer to points->H; left: integrities of the points, NULL: all are sound. */
+/* The law's answer to points->H; integrity: those of the points, NULL: all are sound. */
 void points_update(struct point_store *store, const struct strip *strip, struct points *points,
-                   struct force_mode mode, const double *left);
+                   struct force_mode mode, const double *integrity);
 
 /* A component of the state of a number (laws.h), and the current flow stress [Pa], of the points of a strip: where it is kept, or in
  * buffer, [LANES].  Of points whose law has no such state what it begins with; infinite where nothing flows. */

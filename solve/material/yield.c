@@ -41,8 +41,7 @@ static const struct key scatter_keys[] = {
 static const struct section section_scatter = {
     .path = "materials.NAME.yield_scatter",
     .help = "A yield stress that varies from node to node: it is multiplied by 1 + d g, g a number "
-            "of the "
-            "normal distribution, cut at three deviations.",
+            "of the normal distribution, cut at three deviations.",
     .keys = KEYS(scatter_keys),
 };
 
@@ -80,9 +79,9 @@ void *yield_pairs(int count, const void *const first[], const void *const second
         ends[k] = first[k] ? &((const struct yield *)first[k])->hardening : &none;
         ends[count + k] = second[k] ? &((const struct yield *)second[k])->hardening : &none;
     }
-    struct flow_curves curves = flow_curves_new(count, ends, ends + count);
+    double *table = flow_curves_new(count, ends, ends + count);
     free(ends);
-    return curves.table;
+    return table;
 }
 
 static double uniform(uint64_t hash)

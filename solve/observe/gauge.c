@@ -13,7 +13,7 @@ struct gauge {
     double from, to;  /* x of the planes, m */
     double *fraction; /* [n_phases] */
     double *volume;   /* [n_phases] of the nodes between the planes, in mean volumes */
-    int64_t *layer;   /* [layers] nodes of the body in each layer */
+    double *layer; /* [layers] volume of the particles of the body in each layer, in mean volumes */
 };
 
 const struct gauge_mean gauge_means[] = {
@@ -60,9 +60,9 @@ static void count_phases(struct gauge *gauge, const struct body *body)
         if (lattice->phase[site] == ABSENT) continue;
         lattice_position(lattice, site, at);
         lattice_particle(lattice, at, x);
-        gauge->layer[layer(lattice, x[0], at[0])]++;
-        if (!between(gauge, lattice, x[0])) continue;
         const double volume = relative_volume(lattice, site);
+        gauge->layer[layer(lattice, x[0], at[0])] += volume;
+        if (!between(gauge, lattice, x[0])) continue;
         gauge->volume[lattice->phase[site]] += volume;
         all += volume;
     }
@@ -143,11 +143,12 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         int at[3];
         body_particle_position(body, site, x);
         grid_position(&body->grid, site, at);
-        double section = (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
-        exact_sum_add(&sections[layer(body->lattice, x[0], at[0])], section);
+        const double volume = body_particle_volume(body, site) / body->volume,
+                     section =
+                         (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
+        exact_sum_add(&sections[layer(body->lattice, x[0], at[0])], volume * section);
         if (!between(gauge, body->lattice, x[0])) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * MEANS;
-        const double volume = body_particle_volume(body, site) / body->volume;
         for (int k = 0; k < MEANS; k++)
             exact_sum_add(&phase[k], volume * member(node, gauge_means[k].member)[i]);
     }
@@ -160,10 +161,9 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
     struct gauge_section smallest = {INFINITY, 0};
     const double first = lattice->origin[0] + (lattice->corner ? 0.5 * lattice->spacing : 0);
     for (int x = 0; x < layers(lattice); x++) {
-        const int64_t nodes = gauge->layer[x];
-        if (nodes == 0 || sections[x] / (double)nodes >= smallest.ratio) continue;
-        smallest =
-            (struct gauge_section){sections[x] / (double)nodes, first + x * lattice->spacing};
+        const double volume = gauge->layer[x];
+        if (!(volume > 0) || sections[x] / volume >= smallest.ratio) continue;
+        smallest = (struct gauge_section){sections[x] / volume, first + x * lattice->spacing};
     }
     return smallest;
 }

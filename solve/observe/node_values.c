@@ -13,51 +13,21 @@
 
 /* --- sources ---------------------------------------------------------------------------------- */
 
-static const double *displacement(const struct body *body, const struct damage *damage,
-                                  int component, double *room)
-{
-    (void)damage;
-    return corners_mean(body, body->u[component], room);
-}
-
-static const double *velocity(const struct body *body, const struct damage *damage, int component,
-                              double *room)
-{
-    (void)damage;
-    return corners_mean(body, body->v[component], room);
-}
-
-static const double *force(const struct body *body, const struct damage *damage, int component,
-                           double *room)
-{
-    (void)damage;
-    return corners_mean(body, body->f[component], room);
-}
-
-static const double *external_force(const struct body *body, const struct damage *damage,
-                                    int component, double *room)
-{
-    (void)damage;
-    if (body->b[component]) return corners_mean(body, body->b[component], room);
-    body_clear(body, &room, 1);
-    return room;
-}
-
 static const double *phase(const struct body *body, const struct damage *damage, int component,
-                           double *room)
+                           double *buffer)
 {
     (void)damage, (void)component;
     for (int64_t i = 0; i < body->grid.n_sites; i++)
-        if (body->grid.flags[i] & SITE_OWNED) room[i] = body->grid.phase[i];
-    return room;
+        if (body->grid.flags[i] & SITE_OWNED) buffer[i] = body->grid.phase[i];
+    return buffer;
 }
 
 static const double *damage_of(const struct body *body, const struct damage *damage, int component,
-                               double *room)
+                               double *buffer)
 {
     (void)body, (void)component;
-    damage_index(damage, room);
-    return room;
+    damage_index(damage, buffer);
+    return buffer;
 }
 
 static void stress(const struct node_state *state, int component, double *values)
@@ -79,18 +49,18 @@ static void von_mises(const struct node_state *state, int component, double *val
 /* --- table ------------------------------------------------------------------------------------ */
 
 static const struct node_value table[] = {
-    {"displacement", "m", 3, .field = displacement, .help = "from the reference position"},
-    {"velocity", "m/s", 3, .field = velocity, .help = "0 in equilibria"},
-    {"force", "N/m3", 3, .density = true, .field = force,
+    {"displacement", "m", 3, .member = offsetof(struct body, u),
+     .help = "from the reference position"},
+    {"velocity", "m/s", 3, .member = offsetof(struct body, v), .help = "0 in equilibria"},
+    {"force", "N/m3", 3, .density = true, .member = offsetof(struct body, f),
      .help = "inner force on a node, per volume"},
-    {"external_force", "N/m3", 3, .density = true, .field = external_force,
+    {"external_force", "N/m3", 3, .density = true, .member = offsetof(struct body, b),
      .help = "loads on a node, per volume"},
     {"stress", "Pa", 6, .observe = stress, .help = "Cauchy stress"},
     {"von_mises", "Pa", 1, .observe = von_mises, .help = "of the Cauchy stress"},
     {"damage", "1", 1, .field = damage_of,
      .help = "0 to 1: share of the family's volume that bonds no longer reach, or the loss of "
-             "stress by "
-             "ductile damage where that is more"},
+             "stress by ductile damage where that is more"},
     {"phase", "1", 1, .label = true, .field = phase,
      .help = "number of the material, in the order of the domain's blocks, from 0"},
 };
@@ -182,42 +152,48 @@ int node_component_read(struct deck_node word)
 
 struct node_values {
     const struct damage *damage;
-    double *room; /* box field */
+    double *buffer; /* box field */
 };
 
 struct node_values *node_values_new(const struct body *body, const struct damage *damage)
 {
     struct node_values *values = memory_new(1, sizeof *values);
     values->damage = damage;
-    values->room = memory_new((size_t)body->grid.n_sites, sizeof *values->room);
+    values->buffer = memory_new((size_t)body->grid.n_sites, sizeof *values->buffer);
     return values;
 }
 
 void node_values_free(struct node_values *values)
 {
     if (!values) return;
-    free(values->room);
+    free(values->buffer);
     free(values);
 }
 
 const double *node_values_field(struct node_values *values, struct node_component which,
                                 struct model *model, const struct body *body)
 {
-    if (which.value.field)
-        return which.value.field(body, values->damage, which.component, values->room);
+    double *buffer = values->buffer;
+    if (which.value.member) {
+        double *const *fields = (double *const *)((const char *)body + which.value.member);
+        if (fields[which.component]) return corners_mean(body, fields[which.component], buffer);
+        body_clear(body, &buffer, 1);
+        return buffer;
+    }
+    if (which.value.field) return which.value.field(body, values->damage, which.component, buffer);
     const int state = which.value.observe ? -1 : law_state_number(which.value.name);
     const struct strips *strips = model_strips(model, body);
     for (int64_t s = 0; s < strips->count; s++) {
         const struct strip *strip = &strips->items[s];
         struct node_state seen;
-        double buffer[LANES], *out = values->room + strip->site;
+        double lanes[LANES], *out = buffer + strip->site;
         if (state >= 0) {
-            memcpy(out, model_state(model, strip, state, which.component, buffer),
+            memcpy(out, model_state(model, strip, state, which.component, lanes),
                    (size_t)strip->count * sizeof *out);
             continue;
         }
         model_observe(model, body, strip, &seen);
         which.value.observe(&seen, which.component, out);
     }
-    return values->room;
+    return buffer;
 }

@@ -7,6 +7,8 @@
 
 #include "deck.h"
 
+#include <stddef.h>
+
 struct body;
 struct damage;
 struct model;
@@ -22,10 +24,12 @@ struct node_value {
     bool density;     /* per volume: as a quantity it is that of the whole node, unit * m3 */
     bool label;       /* no quantity: it says which, not how much */
     const char *help; /* one line for the manual */
-    /* One of the two: where a component is as a box field, in *room where it has to be made; or its values in a
-     * state of nodes, [state->count].  Neither: it is the state of that name of a law (laws.h). */
+    /* One of the three: the offset of box fields in struct body, one a component, NULL where all is 0; where a component is
+     * as a box field, in *buffer where it has to be made; or its values in a state of nodes, [state->count].  None: it is
+     * the state of that name of a law (laws.h). */
+    size_t member;
     const double *(*field)(const struct body *body, const struct damage *damage, int component,
-                           double *room);
+                           double *buffer);
     void (*observe)(const struct node_state *state, int component, double *values);
 };
 
@@ -42,7 +46,7 @@ struct node_component {
 };
 /* Component i of all that can be quantities; the name of its value is NULL beyond the last one. */
 struct node_component node_component(int i);
-/* Which of them a word of the deck means; dies as above. */
+/* Which component a word of the deck means; dies where there is none, naming the nearest. */
 int node_component_read(struct deck_node word);
 
 /* The variable's name in a file, a new text: StressXX. */

@@ -21,12 +21,12 @@ void progress_update(struct progress *progress, double done, int64_t step, doubl
     double now = ranks_clock();
     if (now - progress->last < (progress->terminal ? 0.5 : 30)) return;
     progress->last = now;
-    double spent = now - progress->started, left = done > 0 ? spent * (1 - done) / done : 0;
+    double spent = now - progress->started, remaining = done > 0 ? spent * (1 - done) / done : 0;
     fprintf(stderr, "%shssolve: %3.0f %%  step %lld  ", progress->terminal ? "\r\033[K" : "",
             100 * done, (long long)step);
     if (!isnan(strain))
         fprintf(stderr, "gauge strain %.4f  stress %.1f MPa  ", strain, stress * 1e-6);
-    fprintf(stderr, "energy drift %.1e  %.0f s left%s", drift, left,
+    fprintf(stderr, "energy drift %.1e  %.0f s left%s", drift, remaining,
             progress->terminal ? "" : "\n");
     fflush(stderr);
 }

@@ -3,6 +3,7 @@
 #include "broken.h"
 #include "memory.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 struct record record_empty(void)
@@ -43,20 +44,20 @@ static void add_test(struct list *columns, const struct record *record)
     const struct energy_balance *energy = &record->integration->balance;
     const double internal = energy_internal(energy), per_internal = internal > 0 ? 1 / internal : 0;
     const struct record_column rows[] = {
-        {"force_left", "N", NEEDS_GRIPS, left->total_force,
+        {"force_left", "N", NEEDS_GRIPS, left->reaction,
          "axial force that the left grip exerts on the specimen, along +x: below 0 in tension"},
-        {"force_right", "N", NEEDS_GRIPS, right->total_force,
-         "the same of the right grip: above 0 in tension"},
+        {"force_right", "N", NEEDS_GRIPS, right->reaction,
+         "axial force that the right grip exerts on the specimen: above 0 in tension"},
         {"extension", "m", NEEDS_GAUGE, planes.right - planes.left,
          "growth of the distance of the gauge planes"},
         {"grip_extension", "m", NEEDS_GRIPS, right->moved - left->moved,
          "growth of the distance of the grips"},
-        {"kinetic_energy", "J", 0, energy->kinetic, "of the whole body, as the energies below"},
-        {"stored_energy", "J", 0, energy->stored, "elastic energy"},
+        {"kinetic_energy", "J", 0, energy->kinetic, "kinetic energy of the whole body"},
+        {"stored_energy", "J", 0, energy->stored, "elastic energy of the whole body"},
         {"plastic_energy", "J", 0, energy->plastic,
          "plastic work, with what growing ductile damage releases"},
-        {"stabilisation_energy", "J", 0, energy->stabilisation, "of the stabilisation"},
-        {"damping_energy", "J", 0, energy->damping, "lost to damping"},
+        {"stabilisation_energy", "J", 0, energy->stabilisation, "energy of the stabilisation"},
+        {"damping_energy", "J", 0, energy->damping, "energy lost to damping"},
         {"external_work", "J", 0, energy->work, "work of prescribed motions and loads"},
         {"energy_drift", "1", 0, energy_drift(energy),
          "(sum of the energies - energy at the start - external work)/largest term"},
@@ -65,10 +66,11 @@ static void add_test(struct list *columns, const struct record *record)
         {"minimum_section_ratio", "1", NEEDS_GAUGE, record->section.ratio,
          "smallest current section along x over the initial one, from the mean of F_yy F_zz of "
          "each layer of nodes"},
-        {"minimum_section_x", "m", NEEDS_GAUGE, record->section.x, "where"},
+        {"minimum_section_x", "m", NEEDS_GAUGE, record->section.x, "reference x of that section"},
         {"gauge_left_displacement", "m", NEEDS_GAUGE, planes.left,
          "mean displacement along x of the left gauge plane"},
-        {"gauge_right_displacement", "m", NEEDS_GAUGE, planes.right, "the same of the right one"},
+        {"gauge_right_displacement", "m", NEEDS_GAUGE, planes.right,
+         "mean displacement along x of the right gauge plane"},
     };
     add_columns(columns, COUNT(rows), rows);
 }
@@ -87,15 +89,17 @@ static void add_run(struct list *columns, const struct record *record)
         {"broken_bonds", "1", 0, run->damage ? damage_broken_bonds(run->damage) : 0,
          "bonds of the whole body that have broken, without those cut by cracks"},
         {"removed_nodes", "1", 0, run->damage ? damage_removed_nodes(run->damage) : 0,
-         "nodes of the whole body that laws of phases (`plastic_strain`, `ductile`) have removed"},
+         "nodes of the whole body that laws of phases (plastic_strain, ductile) have removed"},
         {"nodes_without_gradient", "1", 0, unsupported(record->body),
          "nodes without a deformation gradient: their families do not span space, from the start "
          "or since their bonds broke"},
         {"quasi_static", "1", 0, run->moving ? 0 : 1,
          "1 where the record is of an equilibrium, 0 where of an explicit step"},
         {"residual", "1", 0, run->residual,
-         "of that equilibrium: norm of the unbalanced forces over that of reactions and loads"},
-        {"force_evaluations", "1", 0, (double)run->evaluations, "so far"},
+         "of the equilibrium of a record: norm of the unbalanced forces over that of reactions and "
+         "loads"},
+        {"force_evaluations", "1", 0, (double)run->evaluations,
+         "evaluations of the force since the start"},
     };
     add_columns(columns, COUNT(rows), rows);
 }
@@ -107,6 +111,41 @@ struct record_column *record_columns(const struct record *record, unsigned has, 
     add_run(&columns, record);
     *count = columns.count;
     return columns.items;
+}
+
+static struct key manual_row(char *title, const char *unit, const char *help)
+{
+    return (struct key){title, KEY_NODE, .form = strcmp(unit, "1") == 0 ? "number" : unit,
+                        .otherwise = "", .help = help};
+}
+
+const struct section *record_section(void)
+{
+    static struct section section = {
+        .path = "output.history",
+        .help = "The columns of a history, which are no keys. Those of forces and grip_extension "
+                "need two grips, those of the gauge, its phases and sections the node sets "
+                "gauge_left and gauge_right; without them they are absent. Behind them stand "
+                "output.quantities."};
+    const struct record empty = record_empty();
+    int count;
+    struct record_column *columns = record_columns(&empty, ~0u, &count);
+    struct key *rows = memory_new((size_t)(count + gauge_mean_count), sizeof *rows);
+    for (int i = 0; i < count; i++)
+        rows[i] = manual_row(column_title(columns[i].name, columns[i].unit), columns[i].unit,
+                             columns[i].help);
+    free(columns);
+    for (int k = 0; k < gauge_mean_count; k++) {
+        const struct gauge_mean *mean = &gauge_means[k];
+        char *title = column_title(mean->name, mean->unit);
+        rows[count + k] =
+            manual_row(memory_print("PHASE_%s", title), mean->unit,
+                       memory_print("mean over the nodes of the phase between the gauge planes: %s",
+                                    mean->help));
+        free(title);
+    }
+    section.keys = (struct keys){count + gauge_mean_count, rows};
+    return &section;
 }
 
 char *column_title(const char *name, const char *unit)

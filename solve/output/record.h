@@ -8,6 +8,7 @@
 #include "boundary.h"
 #include "gauge.h"
 #include "integration.h"
+#include "keys.h"
 
 /* Columns of a tension test are there where the scene has what they measure. */
 enum { NEEDS_GRIPS = 1, NEEDS_GAUGE = 2 };
@@ -36,7 +37,10 @@ struct record record_empty(void);
 /* The columns that need no more than there is, to be freed. */
 struct record_column *record_columns(const struct record *record, unsigned has, int *count);
 
-/* Its title in the file, a new text: force_left_N.  A pure number's is its name. */
+/* All columns that a run may write, for the manual: one row each, with its unit.  Lives as long as the program. */
+const struct section *record_section(void);
+
+/* Title of a column in the file, a new text: force_left_N; of a pure number the name alone. */
 char *column_title(const char *name, const char *unit);
 
 #endif

@@ -77,7 +77,7 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
     set_environment();
     setenv("HSSOLVE_COMMAND", a->command, 1);
     if (isatty(STDERR_FILENO)) setenv("HSSOLVE_TERMINAL", "1", 1);
-    prctl(PR_SET_PDEATHSIG, SIGTERM); /* the ranks do not outlive the one who started them */
+    prctl(PR_SET_PDEATHSIG, SIGTERM); /* the ranks do not outlive the process that started them */
     int nothing = open("/dev/null", O_RDONLY);
     if (nothing >= 0) dup2(nothing, STDIN_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); /* nothing stray may reach the pipe */

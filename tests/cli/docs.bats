@@ -7,16 +7,21 @@ setup() {
     cd "$BATS_TEST_TMPDIR" || return 1
 }
 
-@test "deck.md and hsdeck(5) have the keys that the programs know: make docs changes nothing" {
-    cp "$docs/deck.md" "$docs/man/hsdeck.5" .
-    "$docs/keys" deck.md hsdeck.5
+@test "deck.md, formats.md and hsdeck(5) have the keys and columns that the programs know: make docs changes nothing" {
+    cp "$docs/deck.md" "$docs/formats.md" "$docs/man/hsdeck.5" .
+    "$docs/keys" deck.md formats.md hsdeck.5
     diff "$docs/deck.md" deck.md
+    diff "$docs/formats.md" formats.md
     diff "$docs/man/hsdeck.5" hsdeck.5
     # and it is these blocks that are compared
     sed '/^| `ufg_fraction`/d' deck.md >old.md
     run ! diff -q old.md deck.md
     "$docs/keys" old.md
     diff old.md deck.md
+    sed '/^| `broken_bonds`/d; /: damage`/d' formats.md >old.md
+    run ! diff -q old.md formats.md
+    "$docs/keys" old.md
+    diff old.md formats.md
 }
 
 @test "a section without a block and a block without a section are told, and the file is kept" {

@@ -3,17 +3,17 @@
 #include "damage.h"
 
 /* value - (|y| - |xi|) */
-HS_INLINE void find_room(const struct bond_pass *p, int k, struct bond b)
+HS_INLINE void find_margin(const struct bond_pass *p, int k, struct bond b)
 {
     p->each[0][k] = p->given[0][k] - bond_extension(b);
 }
-BOND_KERNELS(find_rooms, find_room(p, k, b))
+BOND_KERNELS(find_margins, find_margin(p, k, b))
 
-static void room(const struct damage_view *see, const struct bond_strip *strip, const double *value,
-                 double *room)
+static void margin(const struct damage_view *see, const struct bond_strip *strip,
+                   const double *value, double *margin)
 {
-    struct bond_pass pass = {.given = {value}, .each = {room}};
-    bond_run(find_rooms, see->bonds, strip, (struct bond_fields){0}, &pass);
+    struct bond_pass pass = {.given = {value}, .each = {margin}};
+    bond_run(find_margins, see->bonds, strip, (struct bond_fields){0}, &pass);
 }
 
 static const struct key keys[] = {
@@ -22,5 +22,5 @@ static const struct key keys[] = {
 const struct damage_law damage_critical_extension = {
     .words = {"critical_extension", "A bond breaks beyond an extension.", KEYS(keys)},
     .size = sizeof(double),
-    .room = room,
+    .margin = margin,
 };

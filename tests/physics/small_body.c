@@ -52,6 +52,11 @@ static struct lattice lattice_of(const struct small_case *wanted)
         lattice.size[a] = wanted->size[a];
         lattice.n_sites *= wanted->size[a];
     }
+    for (int a = 0; a < 3; a++) {
+        const double edge = wanted->edge[a] > 0 ? wanted->edge[a] : 1;
+        lattice.edge[a] = SMALL_SPACING * edge;
+        lattice.node_volume *= edge;
+    }
     lattice.phase = memory_new((size_t)lattice.n_sites, 1);
     uint8_t *phase = lattice.phase;
     for (int z = 0; z < wanted->size[2]; z++)

@@ -22,6 +22,7 @@ struct small_case {
     int n_phases;              /* 0: one */
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
     enum plane plane; /* not SPACE: one layer as thick as the spacing */
+    double edge[3];   /* of a cell, in spacings; 0: 1 */
     bool partial;     /* volumes */
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
     double jitter;    /* scattered: each moved by up to this many spacings along each axis */

@@ -333,6 +333,37 @@ static void test_cracks_cut_what_they_cross(void **state)
     }
 }
 
+/* Nodes on the plane belong to the side that the normal points to, the first edge times the second. */
+static void test_nodes_on_a_crack_belong_to_the_side_of_its_normal(void **state)
+{
+    (void)state;
+    static const char *const edges[] = {"[0, 2, 0], [0, 0, 2]", "[0, 0, 2], [0, 2, 0]"};
+    for (int reversed = 0; reversed < 2; reversed++) {
+        struct small_body small;
+        char *text =
+            memory_print("cracks: [{rectangle: [[3 spacings, -1, -1], %s]}]", edges[reversed]);
+        small_body_new(&small,
+                       &(struct small_case){.size = {6, 3, 3},
+                                            .horizon = 1,
+                                            .materials = "{A: {model: bond_based, density: 1, "
+                                                         "youngs_modulus: 1 GPa}}",
+                                            .breaking = text});
+        for (int64_t s = 0; s < small.bonds->count; s++) {
+            const struct bond_view view = bonds_view(small.bonds, &small.bonds->strips[s]);
+            for (int b = 0; b < view.count; b++) {
+                int at[3], to[3];
+                small_body_position(&small, bond_lower(&view, b), at);
+                small_body_position(&small, bond_upper(&view, b), to);
+                const bool cut = at[0] != to[0] && at[0] == (reversed ? 3 : 2);
+                assert_int_equal(cut, !(view.weight[b * view.weight_step] > 0));
+            }
+        }
+        assert_int_equal(small.cut, 9);
+        small_body_free(&small);
+        free(text);
+    }
+}
+
 /* A cut counts as damage, as the share of the family's volume. */
 static void test_damage_index(void **state)
 {
@@ -365,6 +396,7 @@ int main(void)
         cmocka_unit_test(test_far_nodes_keep_their_bits),
         cmocka_unit_test(test_fragments_fly_on),
         cmocka_unit_test(test_cracks_cut_what_they_cross),
+        cmocka_unit_test(test_nodes_on_a_crack_belong_to_the_side_of_its_normal),
         cmocka_unit_test(test_damage_index),
     };
     return cmocka_run_group_tests_name("broken", tests, small_ranks_start, small_ranks_stop);

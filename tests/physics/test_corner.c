@@ -14,7 +14,7 @@
 #define ELASTIC    "{A: {model: corner, law: elastic, " ELASTICITY "}}"
 
 static const double young = 210e9, poisson = 0.31, spacing = SMALL_SPACING;
-static const char *const residuals[] = {"{form: flowing}", "{form: points}"};
+static const char *const residuals[] = {"{form: flowing}", "{form: four_points}"};
 enum { RESIDUALS_TESTED = 2 };
 
 /* A staircase without two of its edges. */
@@ -29,16 +29,18 @@ static double force_on(const struct body *body, int a, int64_t site)
     return body->f[a][site] * body->volumes[site];
 }
 
-/* A uniform uniaxial stress to 20 % of strain: the corners inside and on faces along the load are at rest, and each
- * particle with nothing before it along the load pulls at its four corners there with a quarter of P dx^2.  Exact but
+/* A uniform uniaxial stress to 20 % of strain, in cubes and in boxes: the corners inside and on faces along the load are at rest, and each
+ * particle with nothing before it along the load pulls at its four corners there with a quarter of P dy dz.  Exact but
  * for rounding: 1e-11 of the largest force. */
 static void test_uniaxial_stress_in_a_staircase(void **state)
 {
     (void)state;
-    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+    for (int k = 0; k < 2 * RESIDUALS_TESTED; k++) {
+        const double y = k / 2 ? 0.7 : 1, z = k / 2 ? 3 : 1;
         struct small_body small;
         small_body_new(&small, &(struct small_case){.size = {5, 4, 3},
-                                                    .residual = residuals[k],
+                                                    .edge = {1, y, z},
+                                                    .residual = residuals[k % 2],
                                                     .materials = NICKEL,
                                                     .phase = staircase});
         struct small_point point = small_point_new(&small.materials);
@@ -49,16 +51,16 @@ static void test_uniaxial_stress_in_a_staircase(void **state)
         }
         const struct body *body = &small.body;
         const struct lattice *l = &small.lattice;
-        const double face = point.stress * spacing * spacing;
+        const double face = point.stress * y * z * spacing * spacing;
         for (int64_t site = 0; site < body->grid.n_sites; site++) {
             int at[3];
             double expected = 0;
             if (!small_body_has(&small, site)) continue;
             small_body_position(&small, site, at);
             for (int c = 0; c < 4; c++) {
-                const int y = at[1] - (c & 1), z = at[2] - (c >> 1);
-                expected += (lattice_phase(l, at[0], y, z) != ABSENT) -
-                            (lattice_phase(l, at[0] - 1, y, z) != ABSENT);
+                const int row = at[1] - (c & 1), layer = at[2] - (c >> 1);
+                expected += (lattice_phase(l, at[0], row, layer) != ABSENT) -
+                            (lattice_phase(l, at[0] - 1, row, layer) != ABSENT);
             }
             assert_near(force_on(body, 0, site), expected * face / 4, 1e-11 * face);
             assert_near(force_on(body, 1, site), 0, 1e-11 * face);

@@ -142,7 +142,9 @@ static void test_known_critical_stretches(void **state)
     (void)state;
     const double pi = acos(-1), E = 210e9;
     const struct family family = family_new(3, 0, false);
-    struct lattice lattice = {.dimensions = 3, .spacing = SMALL_SPACING};
+    struct lattice lattice = {.dimensions = 3,
+                              .spacing = SMALL_SPACING,
+                              .edge = {SMALL_SPACING, SMALL_SPACING, SMALL_SPACING}};
     const double delta = 3 * SMALL_SPACING;
     struct material m = {.youngs_modulus = E, .poissons_ratio = 0.25, .bulk_modulus = E / 1.5};
     /* The moments are integrals by Simpson's rule, exact to round-off for powers up to the third. */
@@ -166,6 +168,56 @@ static void test_known_critical_stretches(void **state)
                     1e-10);
     family_free(&inverse);
     family_free((struct family *)&family);
+}
+
+/* sum over x > 0 of r^power x, over the sum of all r^power, of the points of a fine grid in a ball or a disc of radius 1: bonds
+ * across a plane, over the whole family. */
+static double share_across(int power, enum plane plane)
+{
+    enum { R = 60 };
+    double across = 0, all = 0;
+    for (int x = -R; x <= R; x++)
+        for (int y = -R; y <= R; y++)
+            for (int z = plane == SPACE ? -R : 0; z <= (plane == SPACE ? R : 0); z++) {
+                const double r = sqrt(x * x + y * y + z * z) / R;
+                if (!(r > 0 && r <= 1)) continue;
+                all += pow(r, power);
+                if (x > 0) across += pow(r, power) * x / R;
+            }
+    return across / all;
+}
+
+/* Of ordinary materials of any Poisson's ratio, by such sums: springs b w e^2/2 at either end with b = 15 mu/m, in a plane 8 mu/m, and k
+ * theta^2/2 of the dilatation that the bonds cut make, theta = n sum w |xi| e V/m, at its mean over the layer on either
+ * side.  w = 1, w = 1/r, and the latter with 1/r in theta, too.  The grid is good to 1e-3. */
+static void test_openings_are_sums_over_the_bonds_cut(void **state)
+{
+    (void)state;
+    const double mu = 80e9, nu = 0.45, delta = 3 * SMALL_SPACING, E = 2 * mu * (1 + nu);
+    const struct material m = {.youngs_modulus = E,
+                               .poissons_ratio = nu,
+                               .shear_modulus = mu,
+                               .bulk_modulus = E / (3 * (1 - 2 * nu))};
+    const double of_plane[] = {[SPACE] = m.bulk_modulus - 5 * mu / 3,
+                               [PLANE_STRESS] = E / (2 * (1 - nu)) - 2 * mu,
+                               [PLANE_STRAIN] = m.bulk_modulus + mu / 3 - 2 * mu};
+    const struct lattice lattice = {.dimensions = 3, .spacing = SMALL_SPACING};
+    for (enum plane plane = SPACE; plane <= PLANE_STRAIN; plane++) {
+        const double n = plane == SPACE ? 3 : 2, spring = (plane == SPACE ? 15 : 8) * mu * delta;
+        double share[3]; /* of w r^2 = 1, r, r^2 */
+        for (int power = 0; power < 3; power++) share[power] = share_across(power, plane);
+#define DILATATION(share) (of_plane[plane] * delta * (n * (share)) * (n * (share)))
+        for (int power = 1; power <= 2; power++) {
+            struct family family =
+                family_new(3, power == 2 ? 0 : family_influence("inverse"), false);
+            assert_relative(opening_ordinary(&m, plane, &family, &lattice),
+                            spring * share[power] + DILATATION(share[power]), 3e-3);
+            assert_relative(opening_madenci_oterkus(&m, plane, &family, &lattice),
+                            spring * share[1] + DILATATION(share[0]), 3e-3);
+            family_free(&family);
+        }
+#undef DILATATION
+    }
 }
 
 static uint8_t halves(const int size[3], const int at[3])
@@ -216,21 +268,64 @@ static void test_rules_of_pairs(void **state)
     }
 }
 
-/* The bond across the interface obeys its own value, those of pairs not named never break. */
-static void test_bonds_obey_their_pair(void **state)
+/* A crack along an interface opens bonds that the springs of both phases make: the energy at one stretch is the mean of
+ * theirs, and 1/s^2 of a fracture energy, which is that over it, too. */
+static void test_fracture_energy_of_an_interface(void **state)
 {
     (void)state;
     struct small_body small;
     struct damage_rules rules;
-    read_rules(&small, &rules, "damage: [{pair: [A, B], law: critical_stretch, value: 0.05}]");
-    small_body_deform(&small, (double[9]){0.049, 0, 0, 0, 0.5});
-    assert_false(damage_find(small.damage));
-    small_body_deform(&small, (double[9]){0.051, 0, 0, 0, 0.5});
-    assert_true(damage_find(small.damage));
-    damage_break(small.damage);
-    assert_near(damage_broken_bonds(small.damage), 4, 0);
+#define FRACTURE(pair) "{pair: " pair ", law: critical_stretch, fracture_energy: 1 kJ/m2}"
+    read_rules(&small, &rules,
+               "damage: [" FRACTURE("[A, A]") ", " FRACTURE("[B, B]") ", " FRACTURE("[A, B]") "]");
+#undef FRACTURE
+    const double *s = rules.value; /* of AA, AB, BA, BB */
+    assert_relative(s[3] / s[0], sqrt(210.0 / 70), 1e-12);
+    assert_relative(1 / (s[1] * s[1]), 0.5 / (s[0] * s[0]) + 0.5 / (s[3] * s[3]), 1e-12);
+    assert_relative(s[2], s[1], 1e-15);
     damage_rules_free(&rules);
     small_body_free(&small);
+}
+
+/* The bond across the interface obeys its own value, whichever phase is named first; those of pairs not named never break. */
+static void test_bonds_obey_their_pair(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "damage: [{pair: [A, B], law: critical_stretch, value: 0.05}]",
+        "damage: [{pair: [B, A], law: critical_stretch, value: 0.05}]"};
+    for (int k = 0; k < 2; k++) {
+        struct small_body small;
+        struct damage_rules rules;
+        read_rules(&small, &rules, texts[k]);
+        small_body_deform(&small, (double[9]){0.049, 0, 0, 0, 0.5});
+        assert_false(damage_find(small.damage));
+        small_body_deform(&small, (double[9]){0.051, 0, 0, 0, 0.5});
+        assert_true(damage_find(small.damage));
+        damage_break(small.damage);
+        assert_near(damage_broken_bonds(small.damage), 4, 0);
+        damage_rules_free(&rules);
+        small_body_free(&small);
+    }
+}
+
+/* Of a bond alone, w = c s^2 |xi|/2 with c = 18 K/(4 pi M |dx|^4), M = 1/4 at a horizon of one spacing and K = E/1.5 at Poisson's
+ * ratio 1/4: s = 0.02 holds the value.  Pushed together it holds as much and stays whole. */
+static void test_bonds_hold_an_energy_only_pulled(void **state)
+{
+    (void)state;
+    struct small_body small;
+    const double modulus = 18 * (210e9 / 1.5) / (acos(-1) * pow(SMALL_SPACING, 4));
+    char *text = memory_print("damage: [{pair: [A, A], law: bond_energy, value: %.17g}]",
+                              0.5 * modulus * 0.02 * 0.02 * SMALL_SPACING);
+    start(&small, text, 2, 1, 1, 1);
+    assert_false(pull(&small, 0.02 * (1 - 1e-9)));
+    assert_false(pull(&small, -0.02 * (1 + 1e-9)));
+    assert_false(pull(&small, -0.5));
+    assert_true(pull(&small, 0.02 * (1 + 1e-9)));
+    assert_near(damage_broken_bonds(small.damage), 1, 0);
+    small_body_free(&small);
+    free(text);
 }
 
 static void read_wrong(const void *breaking)
@@ -373,6 +468,68 @@ static void test_passing_over_strips_changes_no_bit(void **state)
     assert_true(skipped.bits == tested.bits);
 }
 
+static uint8_t third_is_soft(const int size[3], const int at[3])
+{
+    return 3 * at[0] < size[0] ? 0 : 1;
+}
+
+/* All nodes are beyond the limits of their phases, the soft ones by more in plastic strain (0.0048 of 0.0042, 0.0033 of 0.0028:
+ * (q_trial - yield)/(3 mu + modulus) with q_trial = 1.2 GPa), the others by more of their limit: they are the worst. */
+static void test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits(void **state)
+{
+    (void)state;
+    struct small_body small;
+#define PHASE(yield)                                                                               \
+    "{model: correspondence, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31, "       \
+    "hardening: {law: linear, yield: " yield ", modulus: 1 GPa}}"
+    small_body_new(
+        &small,
+        &(struct small_case){.size = {6, 3, 3},
+                             .horizon = 1,
+                             .stabilisation = small_mix,
+                             .materials = "{A: " PHASE("40 MPa") ", B: " PHASE("400 MPa") "}",
+                             .n_phases = 2,
+                             .phase = third_is_soft,
+                             .breaking = "damage: [{phase: A, law: plastic_strain, value: 0.0042}, "
+                                         "{phase: B, law: plastic_strain, value: 0.0028}]"});
+#undef PHASE
+    small_body_deform(&small, (const double[9]){0.005, 0, 0, 0, -0.0025, 0, 0, 0, -0.0025});
+    small_body_force(&small, true, false);
+    assert_true(damage_find(small.damage));
+    damage_choose(small.damage, 36);
+    damage_break(small.damage);
+    assert_near(damage_removed_nodes(small.damage), 36, 0);
+    assert_true(damage_find(small.damage));
+    damage_break(small.damage);
+    assert_near(damage_removed_nodes(small.damage), 54, 0);
+    small_body_free(&small);
+}
+
+/* Stretched by 5 % along x and by 4.2 % along y, bonds along x are beyond the stretch of 2 % by the most; those along a
+ * diagonal, 1.41 times as long, by the most of a length: 2.6 % of it. */
+static void test_the_worst_bonds_are_most_beyond_in_stretch(void **state)
+{
+    (void)state;
+    struct small_body small;
+    int broken = 0;
+    start(&small, "damage: [{pair: [A, A], law: critical_stretch, value: 0.02}]", 3, 3, 1, 1.5);
+    small_body_deform(&small, (double[9]){0.05, 0, 0, 0, 0.042});
+    assert_true(damage_find(small.damage));
+    damage_choose(small.damage, 6);
+    damage_break(small.damage);
+    assert_near(damage_broken_bonds(small.damage), 6, 0);
+    for (int64_t s = 0; s < small.bonds->count; s++) {
+        const struct bond_view view = bonds_view(small.bonds, &small.bonds->strips[s]);
+        for (int k = 0; k < view.count; k++) {
+            if (view.weight[k * view.weight_step] > 0) continue;
+            assert_near(view.xi[1][k * view.geometry_step], 0, 0);
+            broken++;
+        }
+    }
+    assert_int_equal(broken, 6);
+    small_body_free(&small);
+}
+
 /* One soft node flows more than its limit: all bonds of its family break, those that its neighbours begin, too, and no others. */
 static void test_a_removed_node_takes_all_its_bonds(void **state)
 {
@@ -422,10 +579,15 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_removed_node_takes_all_its_bonds),
+        cmocka_unit_test(test_the_worst_bonds_are_most_beyond_in_stretch),
+        cmocka_unit_test(test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits),
         cmocka_unit_test(test_two_particles),
+        cmocka_unit_test(test_bonds_hold_an_energy_only_pulled),
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
+        cmocka_unit_test(test_openings_are_sums_over_the_bonds_cut),
         cmocka_unit_test(test_rules_of_pairs),
+        cmocka_unit_test(test_fracture_energy_of_an_interface),
         cmocka_unit_test(test_bonds_obey_their_pair),
         cmocka_unit_test(test_errors_are_told),
         cmocka_unit_test(test_energy_balance_through_fracture),

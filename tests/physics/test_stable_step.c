@@ -185,13 +185,17 @@ static void test_two_particles_of_unlike_density(void **state)
     attributes_free(&points.attributes);
 }
 
-/* Force, displacement and gradient stay what they were, to the last bit. */
+/* The force stays what it was, to the last bit: that of a step with flow, which an elastic answer from the state after it
+ * has but for rounding. */
 static void test_the_body_stays_as_it_is(void **state)
 {
     (void)state;
     for (int t = 0; t < TRIALS; t += 4) {
         struct small_body small;
-        body_of(&small, &trials[t], 8, 7, 6);
+        small_body_new(&small, &(struct small_case){.size = {8, 7, 6},
+                                                    .horizon = trials[t].horizon,
+                                                    .stabilisation = trials[t].stabilisation,
+                                                    .materials = small_nickel});
         small_body_deform(&small, (const double[9]){0.02, 0.01, 0, 0, -0.006, 0, 0, 0, -0.006});
         small_body_shake(&small, 0.01, 1);
         small_body_force(&small, true, false);

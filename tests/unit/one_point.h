@@ -8,6 +8,7 @@
 #include "flow_curve.h"
 #include "laws.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static inline struct hardening read_law(const char *text)
@@ -24,7 +25,7 @@ enum { J2_PLASTIC = 6, J2_STATE = 8 };
 /* One point of a material. */
 struct point {
     struct hardening law;
-    struct flow_curves curves;
+    double *curves;
     struct points strip; /* point 0 */
     double state[J2_STATE];
 };
@@ -37,21 +38,21 @@ static inline void point_new(struct point *point, const char *law, double youngs
     point->curves = flow_curves_new(1, laws_of, laws_of);
     point->strip.count = 1;
     assert_int_equal(law_components(&law_j2), J2_STATE);
-    law_start(&law_j2, point->curves.table, &point->strip, point->state, 1);
+    law_start(&law_j2, point->curves, &point->strip, point->state, 1);
     point->strip.mu[0] = youngs_modulus / (2 * (1 + poissons_ratio));
     point->strip.bulk[0] = youngs_modulus / (3 * (1 - 2 * poissons_ratio));
 }
 
 static inline void point_free(struct point *point)
 {
-    flow_curves_free(&point->curves);
+    free(point->curves);
     hardening_free(&point->law);
 }
 
 static inline void deform(struct point *point, const double H[9], bool commit)
 {
     for (int k = 0; k < TENSOR; k++) point->strip.H[k][0] = H[k];
-    law_j2.update(point->curves.table, &point->strip, point->state, 1,
+    law_j2.update(point->curves, &point->strip, point->state, 1,
                   (struct step){.commit = commit, .energy = true});
 }
 

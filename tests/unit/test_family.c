@@ -8,7 +8,8 @@
 
 static struct lattice box(int x, int y, int z)
 {
-    struct lattice lattice = {.size = {x, y, z}, .spacing = 1, .n_sites = (int64_t)x * y * z};
+    struct lattice lattice = {
+        .size = {x, y, z}, .spacing = 1, .edge = {1, 1, 1}, .n_sites = (int64_t)x * y * z};
     lattice.n_nodes = lattice.n_sites;
     lattice.phase = memory_new((size_t)lattice.n_sites, 1);
     return lattice;

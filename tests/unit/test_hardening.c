@@ -4,6 +4,7 @@
 #include "deck.h"
 #include "flow_curve.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static struct hardening read_law(const char *text)
@@ -116,7 +117,7 @@ static void test_kinks_and_ends(void **state)
     assert_true(hardening_stress(&points, 3) == 500e6);
     assert_true(hardening_slope(&power, 0.01) == 0);
     assert_true(hardening_stress(&none, 1) > 1e14 && hardening_slope(&none, 1) == 0);
-    assert_string_equal(hardening_name(&power), "hollomon");
+    assert_string_equal(power.law->variant.name, "hollomon");
     hardening_free(&points);
     hardening_free(&power);
 }
@@ -138,18 +139,18 @@ static double table_tolerance(int law, double p)
     return near_kink(law, p) ? 2e9 * 0.016 * p / 8 / 180e6 : 1e-9;
 }
 
-static void check_table(int law, const struct hardening *exact, const struct flow_curves *curves)
+static void check_table(int law, const struct hardening *exact, const double *table)
 {
     double before = 0;
     for (double p = 1e-8; p < 4; p *= 1.0037) {
         const int64_t cell = flow_cell(0, p);
-        const double stress = flow_stress(curves->table, cell, p);
+        const double stress = flow_stress(table, cell, p);
         assert_relative(stress, hardening_stress(exact, p), table_tolerance(law, p));
         assert_true(stress >= before * (1 - 1e-15)); /* never softens, but for its rounding */
         before = stress;
         if (near_kink(law, p) || laws[law].formula == ludwik) continue;
         /* enters as a correction of 3 mu = 240 GPa: 1e-7 of that */
-        assert_near(flow_slope(curves->table, cell, p), hardening_slope(exact, p), 24e3);
+        assert_near(flow_slope(table, cell, p), hardening_slope(exact, p), 24e3);
     }
 }
 
@@ -159,15 +160,15 @@ static void test_tables_follow_the_laws(void **state)
     for (int k = 0; k < LAWS; k++) {
         struct hardening law = read_law(laws[k].text);
         const struct hardening *const pointer[] = {&law};
-        struct flow_curves curves = flow_curves_new(1, pointer, pointer);
-        check_table(k, &law, &curves);
+        double *curves = flow_curves_new(1, pointer, pointer);
+        check_table(k, &law, curves);
         /* beyond the last cell along its tangent */
         const int64_t last = flow_cell(0, 5);
-        assert_relative(flow_stress(curves.table, last, 5),
-                        hardening_stress(&law, curves.table[last]) +
-                            (5 - curves.table[last]) * hardening_slope(&law, curves.table[last]),
+        assert_relative(flow_stress(curves, last, 5),
+                        hardening_stress(&law, curves[last]) +
+                            (5 - curves[last]) * hardening_slope(&law, curves[last]),
                         1e-12); /* roundings */
-        flow_curves_free(&curves);
+        free(curves);
         hardening_free(&law);
     }
 }
@@ -178,15 +179,15 @@ static void test_means_and_work(void **state)
     (void)state;
     struct hardening soft = read_law(VOCE), hard = read_law(STRONG);
     const struct hardening *const first[] = {&soft, &soft}, *const second[] = {&soft, &hard};
-    struct flow_curves curves = flow_curves_new(2, first, second);
+    double *curves = flow_curves_new(2, first, second);
     for (int i = 0; i < STRAINS - 1; i++) {
         const double p = strains[i];
         const int64_t own = flow_cell(0, p), mean = flow_cell(1, p);
-        assert_relative(flow_stress(curves.table, mean, p), 0.5e6 * (voce(p) + strong(p)), 1e-9);
+        assert_relative(flow_stress(curves, mean, p), 0.5e6 * (voce(p) + strong(p)), 1e-9);
         double work = 1e6 * (182 * p + 513 * (p + expm1(-5.32 * p) / 5.32));
-        assert_relative(flow_work(curves.table, own, p), work, 1e-9); /* as its integrand */
+        assert_relative(flow_work(curves, own, p), work, 1e-9); /* as its integrand */
     }
-    flow_curves_free(&curves);
+    free(curves);
     hardening_free(&soft);
     hardening_free(&hard);
 }

@@ -98,18 +98,18 @@ static void test_each_point_by_its_own_curve(void **state)
         strip.bulk[i] = 211e9 / 3;
         strip.pair[i] = i;
     }
-    struct flow_curves curves = flow_curves_new(POINTS, pointer, pointer);
-    law_start(&law_j2, curves.table, &strip, states, POINTS);
+    double *curves = flow_curves_new(POINTS, pointer, pointer);
+    law_start(&law_j2, curves, &strip, states, POINTS);
     for (int n = 1; n <= 50; n++) {
         for (int i = 0; i < POINTS; i++) strip.H[4][i] = 0.002 * n;
-        law_j2.update(curves.table, &strip, states, POINTS, (struct step){.commit = true});
+        law_j2.update(curves, &strip, states, POINTS, (struct step){.commit = true});
     }
     for (int i = 0; i < POINTS; i++) {
         double exact = (211e9 * log(1.1) - yield[i]) / (1.5 * 211e9 + 5e9);
         assert_relative(states[6 * POINTS + i], exact, many_steps);
         hardening_free(&law[i]);
     }
-    flow_curves_free(&curves);
+    free(curves);
 }
 
 /* Flow stress of the law itself, not of its table. */
@@ -122,7 +122,7 @@ static long double law_stress(const struct hardening *law, long double p)
  * infinite at first yield, what a cell's width does to it. */
 static double table_error(const struct hardening *law)
 {
-    const char *name = hardening_name(law);
+    const char *name = law->law->variant.name;
     bool kinked = strcmp(name, "hollomon") == 0 || strcmp(name, "tabulated") == 0;
     return kinked ? 1e-4 : 1e-9;
 }

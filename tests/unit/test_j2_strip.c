@@ -28,7 +28,7 @@ enum { LAWS = sizeof laws / sizeof *laws, STEPS = 40 };
 /* The law's curve, with points of this law or, for law = LAWS, of all of them in turn. */
 struct strip {
     struct hardening law[LAWS];
-    struct flow_curves curves;
+    double *curves;
     struct points j2;
     double state[J2_STATE * LANES];
 };
@@ -47,13 +47,13 @@ static void strip_new(struct strip *strip, int law)
         strip->j2.bulk[i] = 180e9;
         strip->j2.pair[i] = law < LAWS ? law : i % LAWS;
     }
-    law_start(&law_j2, strip->curves.table, &strip->j2, strip->state, LANES);
+    law_start(&law_j2, strip->curves, &strip->j2, strip->state, LANES);
 }
 
 static void strip_free(struct strip *strip)
 {
     for (int k = 0; k < LAWS; k++) hardening_free(&strip->law[k]);
-    flow_curves_free(&strip->curves);
+    free(strip->curves);
 }
 
 /* Of any size from a tenth of the strain at yield, 1e-4, to a thousand times that. */
@@ -76,7 +76,7 @@ static void check_point(const struct strip *before, const struct strip *after, i
     alone.pair[0] = before->j2.pair[i];
     for (int k = 0; k < TENSOR; k++) alone.H[k][0] = before->j2.H[k][i];
     for (int k = 0; k < J2_STATE; k++) state[k] = before->state[k * LANES + i];
-    law_j2.update(before->curves.table, &alone, state, 1, mode);
+    law_j2.update(before->curves, &alone, state, 1, mode);
     for (int k = 0; k < TENSOR; k++) assert_true(alone.P[k][0] == after->j2.P[k][i]);
     for (int k = 0; k < J2_STATE; k++) assert_true(state[k] == after->state[k * LANES + i]);
     assert_true(alone.stored[0] == after->j2.stored[i]);
@@ -92,7 +92,7 @@ static void check_law(int law)
     for (int n = 0; n < STEPS; n++) {
         random_strains(&after->j2, stream);
         *before = *after;
-        law_j2.update(after->curves.table, &after->j2, after->state, LANES,
+        law_j2.update(after->curves, &after->j2, after->state, LANES,
                       (struct step){.commit = true, .energy = true});
         for (int i = 0; i < LANES; i++) {
             const int p = J2_PLASTIC * LANES + i;

@@ -25,7 +25,8 @@ static int stop(void **state)
 /* A plate with its middle cut narrow, as a dog-bone. */
 static struct lattice waisted(int x, int y, int z)
 {
-    struct lattice lattice = {.size = {x, y, z}, .spacing = 1, .n_sites = (int64_t)x * y * z};
+    struct lattice lattice = {
+        .size = {x, y, z}, .spacing = 1, .edge = {1, 1, 1}, .n_sites = (int64_t)x * y * z};
     lattice.phase = memory_new((size_t)lattice.n_sites, 1);
     for (int64_t site = 0; site < lattice.n_sites; site++) {
         int64_t at_x = site % x, at_y = site / x % y;
@@ -107,7 +108,8 @@ static void take_more_ranks_than_cells(const void *lattice)
 static void test_most_ranks(void **state)
 {
     (void)state;
-    struct lattice lattice = {.size = {6, 4, 4}, .spacing = 1, .n_sites = 96, .n_nodes = 96};
+    struct lattice lattice = {
+        .size = {6, 4, 4}, .spacing = 1, .edge = {1, 1, 1}, .n_sites = 96, .n_nodes = 96};
     lattice.phase = memory_new(96, 1);
     int64_t counts[12];
     struct partition partition = partition_new(&lattice, 1, 0, 12);

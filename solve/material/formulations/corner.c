@@ -38,6 +38,11 @@ static void *corner_read(struct deck_node solver, const struct family *family,
                          const struct materials *materials)
 {
     struct corner *model = memory_new(1, sizeof *model);
+    static const char *const of_bonds[] = {"horizon", "influence", "volumes"};
+    for (size_t k = 0; k < sizeof of_bonds / sizeof *of_bonds; k++)
+        if (deck_has(solver, of_bonds[k]))
+            deck_error(deck_get(solver, of_bonds[k]),
+                       "corner has no '%s': the family of a particle is its corners", of_bonds[k]);
     (void)family;
     model->materials = materials;
     model->residual = residual_read(deck_find(solver, "residual"), &model->self);
@@ -52,7 +57,7 @@ static void corner_start(void *self, const struct body *body, struct bonds *bond
     const int64_t row[4] = {0, y, z, y + z};
     (void)bonds;
     memcpy(model->row, row, sizeof row);
-    for (int a = 0; a < 3; a++) model->slope[a] = 0.25 / body->lattice->spacing;
+    for (int a = 0; a < 3; a++) model->slope[a] = 0.25 / body->lattice->edge[a];
     model->points = points_new(body, model->materials, &body->near, 0);
     model->nominal = memory_new((size_t)body->grid.n_sites, sizeof *model->nominal);
     model->residual->start(model->self, body, model->materials, &body->near);
@@ -212,10 +217,10 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     load(model, body, strip, &points, &cells);
     for (int i = 0; i < strip->count; i++)
         cells.volume[i] = body_particle_volume(body, strip->site + i);
-    cells.left = integrity_of_nodes(body, strip->site, strip->count);
+    cells.integrity = integrity_of_nodes(body, strip->site, strip->count);
     memcpy(flow, points_flow_stress(model->points, strip, flow),
            (size_t)strip->count * sizeof *flow);
-    points_update(model->points, strip, &points, mode, cells.left);
+    points_update(model->points, strip, &points, mode, cells.integrity);
     for (int k = 0; k < TENSOR; k++)
         weigh_stress(strip->count, share, cells.volume, points.P[k], cells.A[k]);
     if (body->lattice->dimensions == 2) memset(cells.m, 0, sizeof cells.m);

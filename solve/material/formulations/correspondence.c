@@ -6,7 +6,12 @@
  * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18; total Lagrangian.  The
  * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
  * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
- * deformation gradient carries no stress and keeps its plastic state. */
+ * deformation gradient carries no stress and keeps its plastic state.
+ *
+ * Any law of a point serves, at the price of motions that every gradient misses (zero-energy modes), which a stabilisation
+ * controls.  Gradient, law and division by K read and write the fields of the same nodes, so they go
+ * through the body in one walk, plane by plane, while the caches still hold what a plane needs; the divergence, which waits for
+ * the neighbours, comes after it.  S K^-1 is put in the place of S, since each neighbour reads Q and nobody S again. */
 #include "broken.h"
 #include "die.h"
 #include "family_sums.h"
@@ -42,8 +47,7 @@ struct correspondence {
     struct task *tasks;
     struct point_store *points; /* of the nodes */
     double *flow;               /* [n_sites] flow stress, where the stabilisation wants it */
-    double *
-        nominal; /* [n_sites] stress xx with the share of the bonds, as of the last force to be recorded */
+    double *nominal; /* [n_sites] stress xx, share of the bonds included, at the last record */
 };
 
 static int compare_tasks(const void *a, const void *b)
@@ -57,16 +61,12 @@ static int compare_tasks(const void *a, const void *b)
 static void append_tasks(struct correspondence *model, const struct grid *grid,
                          const struct strips *strips, int kind)
 {
-    size_t size = (size_t)(model->n_tasks + strips->count) * sizeof *model->tasks;
-    struct task *tasks = memory_new(size, 1);
-    if (model->n_tasks) memcpy(tasks, model->tasks, (size_t)model->n_tasks * sizeof *tasks);
-    free(model->tasks);
-    model->tasks = tasks;
     for (int64_t s = 0; s < strips->count; s++) {
         int at[3];
         grid_position(grid, strips->items[s].site, at);
         const int bond = kind >= 0;
-        tasks[model->n_tasks++] =
+        model->tasks = memory_grow(model->tasks, model->n_tasks, sizeof *model->tasks);
+        model->tasks[model->n_tasks++] =
             (struct task){strips->items[s], {at[2] + bond, bond, at[1], kind}, kind};
     }
 }
@@ -141,7 +141,8 @@ static void correspondence_start(void *self, const struct body *body, struct bon
                  model->stabilisation->words.name);
     model->n_sites = body->grid.n_sites;
     model->nominal = memory_new((size_t)model->n_sites, sizeof *model->nominal);
-    model->node_share = model->stabilisation->node_share(model->self);
+    model->node_share =
+        model->stabilisation->node_share ? model->stabilisation->node_share(model->self) : 1;
     model->near_nodes = model->stabilisation->add_family != NULL;
     model->nodes = model->near_nodes ? &body->near : &body->owned;
     model->points = points_new(body, model->materials, model->nodes, 0);
@@ -291,7 +292,8 @@ static void walk(struct correspondence *model, struct body *body, struct force_m
     divide_by_shape(body, divided, body->owned.count);
 }
 
-/* The same where bonds reach farther, or are listed: the flow stress of both ends must be known before their bond. */
+/* Gradients, laws and Q where bonds of the stabilisation reach farther, or are listed: the flow stress of both ends must be known
+ * before their bond. */
 static void near_nodes_first(struct correspondence *model, struct body *body,
                              struct force_mode mode, struct force_energy *energy)
 {

@@ -149,7 +149,7 @@ static void push_strip(struct ordinary *model, struct body *body, int64_t number
     struct bond_pass pass;
     const bool yields = flows && ordinary_plastic_flows(model, number);
     if (model->plastic) profile_count(body->profile, WORK_FLOW_STRIPS, yields, 1);
-    if (yields) ordinary_plastic_room(model, number);
+    if (yields) ordinary_plastic_make_slip(model, number);
     const int depth = fill_pass(model, number, &pass) ? STORED : ELASTIC;
     if (yields)
         run(pushing[YIELDING], model, number, NODE_COUNT, 3, body->f, &pass);
@@ -185,7 +185,7 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
 static void find_weighted_volume(struct ordinary *model, const struct body *body)
 {
     body_clear(body, &model->weighted_volume, 1);
-    surface_add_moments(model->bonds, 2, model->weighted_volume);
+    surface_add_weighted_volumes(model->bonds, 2, model->weighted_volume);
     model->weighted_changes = model->bonds->changes;
 }
 
@@ -238,8 +238,8 @@ static void settle_flow(struct ordinary *model, const struct body *body)
     double *const *node = model->node;
     for (int64_t i = 0; i < body->grid.n_sites; i++) {
         if (!(node[NODE_FLOW][i] > 0)) continue;
-        const double left = body->integrity ? body->integrity->node[i] : 1,
-                     spring = left * model->distortion[i];
+        const double integrity = body->integrity ? body->integrity->node[i] : 1,
+                     spring = integrity * model->distortion[i];
         node[NODE_PULL][i] -= spring * node[NODE_FLOW][i] * node[NODE_CENTRE][i];
         node[NODE_SPRING][i] = spring;
         node[NODE_FLOW][i] = 0;
@@ -338,8 +338,8 @@ static void find_moduli(struct ordinary *model, const struct body *body)
     const bool corrected = model->correction != SURFACE_NONE;
     const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
     body_clear(body, body->before_f, 2);
-    surface_add_moments(model->bonds, 2, weighted_volume);
-    surface_add_moments(model->bonds, 1, isotropic);
+    surface_add_weighted_volumes(model->bonds, 2, weighted_volume);
+    surface_add_weighted_volumes(model->bonds, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             const int64_t i = body->owned.items[s].site + k;

@@ -73,7 +73,7 @@ void ordinary_plastic_free(struct ordinary_plastic *plastic);
 /* Whether a node anywhere is beyond yield, from the sums of the owned nodes.  Collective. */
 bool ordinary_plastic_beyond(const struct ordinary *model, const struct body *body);
 
-/* From the sums of the owned nodes what the second pass reads of them; energy may be NULL. */
+/* Makes of the sums of the owned nodes the numbers that the second pass reads; energy may be NULL. */
 void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,
                             struct force_energy *energy);
 
@@ -82,8 +82,8 @@ struct slip {
     double *end[2];
 };
 struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
-/* Makes them where there are none. */
-void ordinary_plastic_room(struct ordinary *model, int64_t strip);
+/* Makes the e^p of the strip, 0, where there are none. */
+void ordinary_plastic_make_slip(struct ordinary *model, int64_t strip);
 /* Whether an end of a bond of the strip is about to flow. */
 bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
 

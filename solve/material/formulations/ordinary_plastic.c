@@ -96,12 +96,12 @@ struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t number)
     return (struct slip){{slip, slip + (first[1] - first[0])}};
 }
 
-void ordinary_plastic_room(struct ordinary *model, int64_t number)
+void ordinary_plastic_make_slip(struct ordinary *model, int64_t number)
 {
     struct ordinary_plastic *plastic = model->plastic;
     const int line = model->bonds->strips[number].line;
-    const int64_t room = plastic->first[line + 1] - plastic->first[line];
-    if (!plastic->slip[line]) plastic->slip[line] = memory_new(2 * (size_t)room, sizeof(double));
+    const int64_t bonds = plastic->first[line + 1] - plastic->first[line];
+    if (!plastic->slip[line]) plastic->slip[line] = memory_new(2 * (size_t)bonds, sizeof(double));
 }
 
 const double *ordinary_plastic_strain(const struct ordinary *model)
@@ -128,7 +128,7 @@ bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip)
 /* A strip of nodes. */
 struct strip_state {
     double mu[LANES], centre[LANES], square[LANES], q[LANES], yield[LANES];
-    double grown[LANES], scale[LANES], open[LANES], shift[LANES];
+    double increment[LANES], scale[LANES], open[LANES], shift[LANES];
     int64_t curve[LANES];
 };
 
@@ -142,14 +142,14 @@ HS_SIMD static int64_t trial(int count, const double *restrict distortion,
     for (int i = 0; i < count; i++) {
         double along = dilatation[i];
         double centre = weighted_volume[i] > 0 ? along / weighted_volume[i] : 0;
-        double left = square[i] - centre * along;
-        left = left > 0 ? left : 0;
-        double q = sqrt(3 * s->mu[i] * distortion[i] * left);
+        double deviatoric = square[i] - centre * along;
+        deviatoric = deviatoric > 0 ? deviatoric : 0;
+        double q = sqrt(3 * s->mu[i] * distortion[i] * deviatoric);
         s->centre[i] = centre;
-        s->square[i] = left;
+        s->square[i] = deviatoric;
         s->q[i] = q;
         s->scale[i] = 1;
-        s->grown[i] = 0;
+        s->increment[i] = 0;
         double yield = flow_stress(table, flow_cell(s->curve[i], p[i]), p[i]) + s->shift[i];
         s->yield[i] = yield;
         beyond |= q > yield;
@@ -182,7 +182,7 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
     for (int k = 0; k < strip->count; k++) {
         const int64_t i = strip->site + k;
         const double along = model->sum[SUM_DILATATION][i],
-                     p = model->plastic->strain[i] + s->grown[k];
+                     p = model->plastic->strain[i] + s->increment[k];
         stored[k] = 0.5 * (model->volumetric[i] * along * along +
                            model->distortion[i] *
                                (s->centre[k] * along + s->scale[k] * s->scale[k] * s->square[k]));
@@ -192,7 +192,7 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
 
 /* Degrades what write_nodes and find_energy have found: (degradation.1) with the force states for P. */
 static void degrade(struct ordinary *model, const struct strip *strip, const struct strip_state *s,
-                    const double *left, bool commit, double *stored, double *plastic)
+                    const double *integrity, bool commit, double *stored, double *plastic)
 {
     const double *table = model->plastic->table;
     const int64_t i = strip->site, stride = model->bonds->body->grid.n_sites;
@@ -202,11 +202,11 @@ static void degrade(struct ordinary *model, const struct strip *strip, const str
         dissipating[k] =
             plastic[k] - (flow_work(table, flow_cell(s->curve[k], p), p) + s->shift[k] * p);
     }
-    if (commit) degradation_book(strip->count, left, dissipating, stored, record, stride);
+    if (commit) degradation_book(strip->count, integrity, dissipating, stored, record, stride);
     for (int k = 0; k < strip->count; k++) {
-        model->node[NODE_PULL][i + k] *= left[k];
-        model->node[NODE_SPRING][i + k] *= left[k];
-        stored[k] *= left[k];
+        model->node[NODE_PULL][i + k] *= integrity[k];
+        model->node[NODE_SPRING][i + k] *= integrity[k];
+        stored[k] *= integrity[k];
         plastic[k] -= record[k + WITHHELD * stride];
     }
 }
@@ -257,18 +257,18 @@ static void update_strip(struct ordinary *model, const struct body *body, const 
     const int64_t beyond = try_strip(model, body, strip, &s);
     if (beyond && !mode.frozen)
         radial_return(&(struct radial_return){strip->count, s.mu, s.q, s.yield, p, s.shift, s.curve,
-                                              s.grown, s.scale, s.open, model->plastic->table});
+                                              s.increment, s.scale, s.open, model->plastic->table});
     write_nodes(strip->count, model->volumetric + i, model->distortion + i, sum[SUM_DILATATION] + i,
                 &s, node[NODE_PULL] + i, kept ? node[NODE_SPRING] + i : sound[0],
                 kept ? node[NODE_FLOW] + i : sound[1], kept ? node[NODE_CENTRE] + i : sound[2]);
     double stored[LANES], plastic[LANES];
-    const double *left = integrity_of_nodes(body, i, strip->count);
+    const double *integrity = integrity_of_nodes(body, i, strip->count);
     const bool commit = mode.commit && !mode.frozen;
-    if (energy || left) find_energy(model, strip, &s, stored, plastic);
-    if (left) degrade(model, strip, &s, left, commit, stored, plastic);
+    if (energy || integrity) find_energy(model, strip, &s, stored, plastic);
+    if (integrity) degrade(model, strip, &s, integrity, commit, stored, plastic);
     if (energy) add_energy(body, strip, stored, plastic, energy);
     if (commit)
-        for (int k = 0; k < strip->count; k++) p[k] += s.grown[k];
+        for (int k = 0; k < strip->count; k++) p[k] += s.increment[k];
 }
 
 void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, struct force_mode mode,

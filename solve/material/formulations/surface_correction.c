@@ -1,3 +1,9 @@
+/* surface_correction.c - weights of bonds near a surface, raised by what the families of their ends lack (surface_correction.h).
+ *
+ * The constants of bond-based and ordinary materials are those of a full family; a node with half a family is too soft.  The
+ * correction is made once, at the start, and goes into the weights: the loops over bonds know nothing of it, and strips
+ * of the interior, whose factors are 1, keep their one weight in a register.  Both ends give the bond one factor, so
+ * that the forces at its ends stay opposite.  Correspondence needs none of it: its shape tensor does the same. */
 #include "surface_correction.h"
 
 #include "bond_loop.h"
@@ -17,28 +23,29 @@ enum surface_correction surface_correction_read(struct deck_node solver)
 }
 
 /* w |xi|^power n^4, power from 0 to 2 */
-HS_INLINE double moment(double weight, double length, double power, double n)
+HS_INLINE double weighted(double weight, double length, double power, double n)
 {
     const double once = weight * n * n * n * n * (power > 0 ? length : 1);
     return power > 1 ? once * length : once;
 }
 
-/* The same of a bond, times the volume of the other end; the pass's number is the power. */
-HS_INLINE void add_moment(const struct bond_pass *p, int k, struct bond b, double n)
+/* Adds to each end w |xi|^power n^4 times the volume of the other end; the pass's number is the power. */
+HS_INLINE void add_weighted_volume(const struct bond_pass *p, int k, struct bond b, double n)
 {
-    const double one = moment(b.weight, b.length, p->number, n);
+    const double one = weighted(b.weight, b.length, p->number, n);
     p->sum[0][0][k] += one * b.volume_j;
     p->sum[1][0][k] += one * b.volume_i;
 }
-BOND_KERNELS(moments, add_moment(p, k, b, 1))
-BOND_KERNELS(moments_x, add_moment(p, k, b, b.xi_x / b.length))
-BOND_KERNELS(moments_y, add_moment(p, k, b, b.xi_y / b.length))
-BOND_KERNELS(moments_z, add_moment(p, k, b, b.xi_z / b.length))
+BOND_KERNELS(weighted_volumes, add_weighted_volume(p, k, b, 1))
+BOND_KERNELS(weighted_volumes_x, add_weighted_volume(p, k, b, b.xi_x / b.length))
+BOND_KERNELS(weighted_volumes_y, add_weighted_volume(p, k, b, b.xi_y / b.length))
+BOND_KERNELS(weighted_volumes_z, add_weighted_volume(p, k, b, b.xi_z / b.length))
 
 /* n of an axis; axis < 0: 1 */
-static void add_moments(const struct bonds *bonds, int power, int axis, double *sum)
+static void add_weighted_volumes(const struct bonds *bonds, int power, int axis, double *sum)
 {
-    static bond_kernel *const *const kernels[] = {moments, moments_x, moments_y, moments_z};
+    static bond_kernel *const *const kernels[] = {weighted_volumes, weighted_volumes_x,
+                                                  weighted_volumes_y, weighted_volumes_z};
     for (int64_t s = 0; s < bonds->count; s++) {
         struct bond_pass pass;
         pass.number = power;
@@ -47,12 +54,12 @@ static void add_moments(const struct bonds *bonds, int power, int axis, double *
     }
 }
 
-void surface_add_moments(const struct bonds *bonds, int power, double *sum)
+void surface_add_weighted_volumes(const struct bonds *bonds, int power, double *sum)
 {
-    add_moments(bonds, power, -1, sum);
+    add_weighted_volumes(bonds, power, -1, sum);
 }
 
-/* The moment of a full family: the same, summed up. */
+/* Sum of w |xi|^power n^4 V over a full family; axis as of add_weighted_volumes. */
 static double full_family(const struct bonds *bonds, int power, int axis)
 {
     const struct body *body = bonds->body;
@@ -67,14 +74,13 @@ static double full_family(const struct bonds *bonds, int power, int axis)
               family_moment(family, power + (flat ? 1 : 2)) * pow(dx, 3 + power);
         if (!isfinite(sum))
             die_user("no surface correction of scattered particles with the steep influence "
-                     "function: its "
-                     "continuum has no full family");
+                     "function: its continuum has no full family");
         return sum;
     }
     for (int o = 0; o < family->n_half; o++) {
         const struct bond_geometry *g = &bonds->geometry[o];
         if (flat && family->half[o].step[2] != 0) continue;
-        sum += 2 * moment(g->weight, g->length, power, axis < 0 ? 1 : g->xi[axis] / g->length) *
+        sum += 2 * weighted(g->weight, g->length, power, axis < 0 ? 1 : g->xi[axis] / g->length) *
                body->volume;
     }
     return sum;
@@ -90,7 +96,7 @@ static void find_ratio(const struct bonds *bonds, int power, int axis, double *f
 {
     const struct body *body = bonds->body;
     const double full = full_family(bonds, power, axis);
-    add_moments(bonds, power, axis, field);
+    add_weighted_volumes(bonds, power, axis, field);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             double *value = &field[body->owned.items[s].site + k];

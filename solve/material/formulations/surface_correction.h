@@ -27,9 +27,9 @@ enum surface_correction surface_correction_read(struct deck_node solver);
 void surface_correction_apply(enum surface_correction kind, struct bonds *bonds, int power);
 
 /* sum += sum_j w |xi|^power V_j of each node, over the bonds there are; of power 2 the weighted volume. */
-void surface_add_moments(const struct bonds *bonds, int power, double *sum);
+void surface_add_weighted_volumes(const struct bonds *bonds, int power, double *sum);
 
-/* The same of a node deep inside the body. */
+/* sum_j w |xi|^power V_j of a node deep inside the body. */
 double surface_full_family(const struct bonds *bonds, int power);
 
 #endif

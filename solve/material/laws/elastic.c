@@ -3,7 +3,11 @@
  *   e = (ln F F^T)/2,  tau = 2 mu dev e + K tr(e) 1,  P = tau F^-T                     (elastic.1)
  *
  * Hencky, Z. Techn. Phys. 9 (1928) 215.  It is what j2.c answers before the first yield, to the last bit, without a
- * state: an elastic phase remembers nothing. */
+ * state: an elastic phase remembers nothing.
+ *
+ * In the logarithm elastic and plastic strains add up, so that an elastic phase beside a plastic one has the same elastic
+ * law; in small strains it is Hooke's.  Taken by a series (logarithmic.h), not by eigenvectors: nothing branches, and equal or close
+ * principal strains need no care. */
 #include "logarithmic.h"
 
 #include <math.h>

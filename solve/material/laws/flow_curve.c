@@ -1,9 +1,14 @@
+/* flow_curve.c - hardening laws put into tables of cubics (flow_curve.h).
+ *
+ * The return asks for sigma_y and its slope several times a point; powers and exponentials would set its pace, and those of a
+ * library differ by the width of vectors.  Filled once, with the law's own functions, a table costs a few products a look,
+ * with the same bits at any width.  The work up to each cell is the integral of the very cubics, so that stored energy, plastic
+ * work and stress of a point belong to one potential.  Bonds between phases have the mean law of their ends. */
 #include "flow_curve.h"
 
 #include "memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Left end of a cell: the inverse of flow_cell. */
 static double cell_start(int cell)
@@ -59,18 +64,11 @@ static void fill_curve(double *table, const struct hardening *first, const struc
     }
 }
 
-struct flow_curves flow_curves_new(int count, const struct hardening *const first[],
-                                   const struct hardening *const second[])
+double *flow_curves_new(int count, const struct hardening *const first[],
+                        const struct hardening *const second[])
 {
     const size_t stride = (size_t)FLOW_CELLS * FLOW_COEFFICIENTS;
-    struct flow_curves curves = {count, memory_new((size_t)count * stride, sizeof(double))};
-    for (int i = 0; i < count; i++)
-        fill_curve(curves.table + (size_t)i * stride, first[i], second[i]);
-    return curves;
-}
-
-void flow_curves_free(struct flow_curves *curves)
-{
-    free(curves->table);
-    *curves = (struct flow_curves){0};
+    double *table = memory_new((size_t)count * stride, sizeof *table);
+    for (int i = 0; i < count; i++) fill_curve(table + (size_t)i * stride, first[i], second[i]);
+    return table;
 }

@@ -23,16 +23,10 @@ enum {
 };
 #define FLOW_REFERENCE_STRAIN 0x1p-12
 
-struct flow_curves {
-    int count;
-    double *table; /* [count * FLOW_CELLS * FLOW_COEFFICIENTS] */
-};
-
-/* count curves, curve i being the mean of the laws first[i] and second[i] (the same one twice for a
- * phase's own law). */
-struct flow_curves flow_curves_new(int count, const struct hardening *const first[],
-                                   const struct hardening *const second[]);
-void flow_curves_free(struct flow_curves *curves);
+/* A table of count curves, [count * FLOW_CELLS * FLOW_COEFFICIENTS], curve i being the mean of the laws first[i] and
+ * second[i] (the same one twice for a phase's own law).  Freed with free(). */
+double *flow_curves_new(int count, const struct hardening *const first[],
+                        const struct hardening *const second[]);
 
 /* Where curve's cell of p starts in the table. */
 static inline int64_t flow_cell(int64_t curve, double p)

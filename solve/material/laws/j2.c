@@ -19,7 +19,7 @@
 
 #include <math.h>
 
-/* Of the state: Cp^-1, p, and sigma_y(p), which is looked up only where p has grown. */
+/* Of the state: Cp^-1, p, and sigma_y(p), which is looked up only where p has changed. */
 enum { PLASTIC = SYMMETRIC, FLOW_STRESS };
 
 static const struct state states[] = {
@@ -33,7 +33,7 @@ static const struct state states[] = {
 struct trial {
     double e[SYMMETRIC][LANES]; /* deviator of the elastic strain */
     double trace[LANES], q[LANES];
-    double grown[LANES], scale[LANES], open[LANES]; /* as in radial_return.h */
+    double increment[LANES], scale[LANES], open[LANES]; /* as in radial_return.h */
 };
 
 /* (j2.1): elastic trial strain and its deviator's norm; returns whether any point is beyond yield. */
@@ -59,7 +59,7 @@ HS_SIMD static int64_t trial_strain(int count, const struct points *restrict s,
         double q = 2 * s->mu[i] * sqrt(1.5 * square_of(e));
         t->q[i] = q;
         t->scale[i] = 1;
-        t->grown[i] = 0;
+        t->increment[i] = 0;
         beyond |= q > flow[i];
     }
     return beyond;
@@ -79,7 +79,7 @@ HS_SIMD static void stress(int count, struct points *restrict s, const struct tr
         point_stress(s, t, i, inverse_tensor(deformation_gradient(s, i)));
 }
 
-/* The same, and (j2.4) where the point has flowed; the others keep their state to the last bit. */
+/* P, and (j2.4) where the point has flowed; points that have not keep their state to the last bit. */
 HS_SIMD static void stress_and_state(int count, struct points *restrict s,
                                      const struct trial *restrict t, double *restrict xx,
                                      double *restrict yy, double *restrict zz, double *restrict xy,
@@ -94,14 +94,14 @@ HS_SIMD static void stress_and_state(int count, struct points *restrict s,
                               scale * t->e[2][i] + third, scale * t->e[3][i],
                               scale * t->e[4][i],         scale * t->e[5][i]};
         struct symmetric C = push_forward(G, double_exponential(e));
-        double grown = t->grown[i];
-        xx[i] = grown > 0 ? C.xx : xx[i];
-        yy[i] = grown > 0 ? C.yy : yy[i];
-        zz[i] = grown > 0 ? C.zz : zz[i];
-        xy[i] = grown > 0 ? C.xy : xy[i];
-        yz[i] = grown > 0 ? C.yz : yz[i];
-        zx[i] = grown > 0 ? C.zx : zx[i];
-        p[i] = p[i] + grown;
+        double increment = t->increment[i];
+        xx[i] = increment > 0 ? C.xx : xx[i];
+        yy[i] = increment > 0 ? C.yy : yy[i];
+        zz[i] = increment > 0 ? C.zz : zz[i];
+        xy[i] = increment > 0 ? C.xy : xy[i];
+        yz[i] = increment > 0 ? C.yz : yz[i];
+        zx[i] = increment > 0 ? C.zx : zx[i];
+        p[i] = p[i] + increment;
         flow[i] = flow_stress(table, flow_cell(s->pair[i], p[i]), p[i]) + s->shift[i];
     }
 }
@@ -147,7 +147,7 @@ static void update(const void *table, struct points *s, double *state, int64_t s
     if (step.energy && moves) plastic_work(s->count, s, p, table, before);
     if (beyond)
         radial_return(&(struct radial_return){s->count, s->mu, t.q, flow, p, s->shift, s->pair,
-                                              t.grown, t.scale, t.open, table});
+                                              t.increment, t.scale, t.open, table});
     if (moves)
         stress_and_state(s->count, s, &t, c[0], c[1], c[2], c[3], c[4], c[5], p, flow, table);
     else

@@ -15,15 +15,15 @@
 /* All arrays [count], count at most LANES. */
 struct radial_return {
     int count;
-    const double *mu;      /* shear modulus [Pa] */
-    const double *q;       /* trial stress [Pa] */
-    const double *yield;   /* sigma_y(p) [Pa], shift included */
-    const double *p;       /* equivalent plastic strain before */
-    const double *shift;   /* what sigma_y has over the flow curve [Pa] */
-    const int64_t *curve;  /* index of the flow curve */
-    double *grown, *scale; /* out: g, and 1 - 3 mu g/q_trial; 0 and 1 below yield */
-    double *open;          /* work */
-    const double *table;   /* struct flow_curves.table */
+    const double *mu;          /* shear modulus [Pa] */
+    const double *q;           /* trial stress [Pa] */
+    const double *yield;       /* sigma_y(p) [Pa], shift included */
+    const double *p;           /* equivalent plastic strain before */
+    const double *shift;       /* what sigma_y has over the flow curve [Pa] */
+    const int64_t *curve;      /* index of the flow curve */
+    double *increment, *scale; /* out: g, and 1 - 3 mu g/q_trial; 0 and 1 below yield */
+    double *open;              /* work */
+    const double *table;       /* flow curves (flow_curve.h) */
 };
 
 void radial_return(const struct radial_return *points);

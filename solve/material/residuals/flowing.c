@@ -44,7 +44,7 @@ static void start(void *self, const struct body *body, const struct materials *m
                   const struct strips *strips)
 {
     struct flowing *flowing = self;
-    const double dx[3] = {body->lattice->spacing, body->lattice->spacing, body->lattice->spacing};
+    const double *dx = body->lattice->edge;
     bool flows = false;
     for (int m = 0; m < MODES; m++) {
         double square = 0;
@@ -188,11 +188,11 @@ static void degrade(struct flowing *flowing, const struct cells *cells, bool com
     const struct strip *strip = cells->strip;
     double *record = flowing->records + DEGRADATION * strip->store;
     if (commit)
-        degradation_book(strip->count, cells->left, w->dissipating, w->stored, record,
+        degradation_book(strip->count, cells->integrity, w->dissipating, w->stored, record,
                          strip->stride);
     for (int i = 0; i < strip->count; i++) {
-        w->scale[i] *= cells->left[i];
-        w->stored[i] *= cells->left[i];
+        w->scale[i] *= cells->integrity[i];
+        w->stored[i] *= cells->integrity[i];
         w->dissipated[i] -= record[WITHHELD * strip->stride + i];
     }
 }
@@ -245,8 +245,8 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     else
         no_flow(n, &w);
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
-    if (mode.energy || cells->left) find_energies(n, flowing->modulus, mu, &w);
-    if (cells->left) degrade(flowing, cells, mode.commit, &w);
+    if (mode.energy || cells->integrity) find_energies(n, flowing->modulus, mu, &w);
+    if (cells->integrity) degrade(flowing, cells, mode.commit, &w);
     for (int m = 0; m < modes; m++) {
         double *plastic = state + 3 * m * stride;
         add_forces(n, flowing->weight[m], &w, (const double(*)[LANES])w.e + 3 * m,

@@ -19,9 +19,9 @@ enum { PAD = 8, PADDED = PAD + LANES + 8 };
 /* A strip of particles between their corners. */
 struct cells {
     const struct strip *strip;
-    struct points *points;     /* in: H, moduli; of particles that carry nothing zero */
-    double volume[LANES];      /* in [m^3] */
-    const double *left;        /* in: integrities; NULL: all are sound */
+    struct points *points;      /* in: H, moduli; of particles that carry nothing zero */
+    double volume[LANES];       /* in [m^3] */
+    const double *integrity;    /* in: integrities; NULL: all are sound */
     double h[MODES][3][LANES];  /* in: amplitudes [m] */
     double A[TENSOR][PADDED];   /* in and out: conjugate to H [J] */
     double m[MODES][3][PADDED]; /* out: conjugate to h [N] */
@@ -41,7 +41,7 @@ struct residual {
 };
 
 /* All of them: residual_NAME, each in a file of its own; the first is the default. */
-#define RESIDUALS(DO)  DO(flowing), DO(points)
+#define RESIDUALS(DO)  DO(flowing), DO(four_points)
 #define RESIDUAL(name) residual_##name
 extern const struct residual RESIDUALS(RESIDUAL);
 

@@ -13,7 +13,11 @@
  *
  * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
  * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
- * it does not act as a strain-gradient stiffness in plastic flow. */
+ * it does not act as a strain-gradient stiffness in plastic flow.
+ *
+ * The springs are made of all bonds of the family, so that longer horizons, whose gradient sees less of short waves, have more
+ * of them.  One strip of bonds is worked on at a time, its springs in buffers: stiffness, cap, z, slip, and then the
+ * forces at lower ends before those at upper ones, which fixes the order of each node's terms. */
 #include "broken.h"
 #include "integrity.h"
 #include "memory.h"
@@ -66,12 +70,6 @@ static void capped_start(void *self, const struct body *body, const struct mater
     if (!body->integrity) return;
     c->before = memory_new(points, sizeof *c->before);
     for (size_t k = 0; k < points; k++) c->before[k] = 1;
-}
-
-static double capped_node_share(const void *self)
-{
-    (void)self;
-    return 1;
 }
 
 /* What one strip of bonds works on. */
@@ -247,24 +245,25 @@ static void add_to_end(const struct springs *s, struct body *body, const struct 
     }
 }
 
-static void degrade(struct springs *s, const double *left)
+static void degrade(struct springs *s, const double *integrity)
 {
     for (int k = 0; k < s->count; k++) {
-        s->stiffness[k] *= left[k];
-        s->at_lower[k] *= left[k];
-        s->at_upper[k] *= left[k];
+        s->stiffness[k] *= integrity[k];
+        s->at_lower[k] *= integrity[k];
+        s->at_upper[k] *= integrity[k];
     }
 }
 
-/* What degrading since the last commit has released, as (degradation.2); sound: stiffness without damage. */
-static void add_released(const struct springs *s, const double *sound, const double *left,
+/* What degrading since the last commit has released: (degradation.2) with the energy of now for the mean of the step, by
+ * which its error is of first order, of energies that the cap keeps small; sound: stiffness without damage. */
+static void add_released(const struct springs *s, const double *sound, const double *integrity,
                          double *before, double *lost)
 {
     for (int k = 0; k < s->count; k++) {
         const double square =
             s->z[0][k] * s->z[0][k] + s->z[1][k] * s->z[1][k] + s->z[2][k] * s->z[2][k];
-        lost[k] += 0.5 * sound[k] * square * (before[k] - left[k]);
-        before[k] = left[k];
+        lost[k] += 0.5 * sound[k] * square * (before[k] - integrity[k]);
+        before[k] = integrity[k];
     }
 }
 
@@ -293,14 +292,14 @@ static void add_part(const struct capped *c, struct body *body, const struct bon
     struct springs s = {.count = view->count};
     find_caps(c, &s, body, view, flow);
     double buffer[LANES], sound[LANES];
-    const double *left = integrity_of_bonds(body, view, buffer);
+    const double *integrity = integrity_of_bonds(body, view, buffer);
     memcpy(sound, s.stiffness, (size_t)s.count * sizeof *sound);
-    if (left) degrade(&s, left);
+    if (integrity) degrade(&s, integrity);
     find_z(&s, body, view, zeta);
     int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
     add_to_end(&s, body, view, false, zeta);
     add_to_end(&s, body, view, true, zeta);
-    if (left && mode.commit) add_released(&s, sound, left, before, lost);
+    if (integrity && mode.commit) add_released(&s, sound, integrity, before, lost);
     if (any && mode.commit) commit_slip(&s, body, view, zeta);
     if (mode.energy) capped_energy(body, &s, view, lost, energy);
 }
@@ -336,7 +335,6 @@ const struct stabilisation stabilisation_capped = {
     .size = sizeof(struct capped),
     .bonds = capped_bonds,
     .start = capped_start,
-    .node_share = capped_node_share,
     .add_family = capped_add,
     .free = capped_free,
 };

@@ -188,8 +188,9 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     const int n_off = find_off(mix, body, axis, strip, j, off);
     for (int k = 0; k < n_off; k++) points_switch_off(&points, off[k]);
     const struct bond_view ends = {.count = count, .i = i, .j = j};
-    double left[LANES];
-    points_update(mix->bonds[axis], strip, &points, mode, integrity_of_bonds(body, &ends, left));
+    double integrity[LANES];
+    points_update(mix->bonds[axis], strip, &points, mode,
+                  integrity_of_bonds(body, &ends, integrity));
 
     double gi[LANES], gj[LANES];
     find_shares(count, mix->divisor[axis] + i, mix->divisor[axis] + j, gi, gj, beta);

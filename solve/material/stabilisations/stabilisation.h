@@ -23,7 +23,7 @@ struct stabilisation {
      * nodes the bonds add their nominal stress xx where mode.record, where they carry a share of it (box field). */
     void (*start)(void *self, const struct body *body, const struct materials *materials,
                   const struct strips bonds[], double *nominal);
-    double (*node_share)(const void *self); /* weight of the node's own law */
+    double (*node_share)(const void *self); /* weight of the node's own law; NULL: 1 */
     /* One of the two.  Forces go to body->f, stresses to body->S. */
     /* Bonds of a lattice whose lower end lies in the strip, along its offset number o. */
     void (*add)(void *self, struct body *body, int o, const struct strip *strip,

@@ -1,4 +1,4 @@
-/* points.c - the law once more at four points of the cell, which carry a share of the stress.
+/* four_points.c - the law once more at four points of the cell, which carry a share of the stress.
  *
  *   Pi = (1 - a) V psi(F) + a V/4 sum_q psi(F + sum_m h_m (x) grad s_m(r_q))               (four_points.1)
  *
@@ -30,7 +30,7 @@ static void start(void *self, const struct body *body, const struct materials *m
 {
     static const int sign[POINTS][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
     struct four_points *four = self;
-    const double dx[3] = {body->lattice->spacing, body->lattice->spacing, body->lattice->spacing};
+    const double *dx = body->lattice->edge;
     for (int q = 0; q < POINTS; q++) {
         double r[3];
         for (int a = 0; a < 3; a++) r[a] = sign[q][a] / sqrt(3);
@@ -94,7 +94,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                 add_scaled(n, four->slope[q][m][k % 3], cells->h[m][k / 3], points.H[k]);
         for (int i = 0; i < n; i++)
             if (!(points.mu[i] > 0)) points_switch_off(&points, i);
-        points_update(four->points[q], strip, &points, mode, cells->left);
+        points_update(four->points[q], strip, &points, mode, cells->integrity);
         for (int k = 0; k < TENSOR; k++)
             add_stress(n, weight, cells->volume, points.P[k], cells->A[k]);
         for (int m = 0; m < modes; m++)
@@ -105,8 +105,8 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     }
 }
 
-const struct residual residual_points = {
-    .words = {"points",
+const struct residual residual_four_points = {
+    .words = {"four_points",
               "The law at four points of the cell beside its middle: five updates of it for each "
               "particle, the reference.",
               KEYS(keys)},
