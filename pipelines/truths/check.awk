@@ -18,7 +18,7 @@ function falls(name, quantity, who, coarse, fine, power,   order) {
 }
 
 END {
-    corners = split("corner_flowing corner_points", who, " ")
+    corners = split("corner_flowing corner_four_points", who, " ")
     for (k = 1; k <= corners; k++) {
         # Exact, but for the residual of the equilibrium (1e-6 to 1e-8) and the printed digits.
         for (layer = 1; layer <= 2; layer++)
@@ -39,7 +39,7 @@ END {
     falls("inclined", "bar at 26.6 degrees", "corner_flowing", 6, small ? 10 : 20, 0.9)
     within("bending", "stiffness", "corner_flowing", 4, 2)
     must(error["block", "two phases nu 0.499 over 0.3", "mix", 8] > 3, "mix does not lock any more: say so in docs/errors.md")
-    split("corner_flowing corner_points mix ordinary", some, " ")
+    split("corner_flowing corner_four_points mix ordinary", some, " ")
     for (k = 1; k <= 4; k++) within("flow", "turned by 90 degrees", some[k], 8, 1e-3)
     for (k = 1; k <= 3; k++) {
         within("flow", "shear stress", some[k], 100, 0.1)

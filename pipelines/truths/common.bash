@@ -12,11 +12,11 @@ mkdir -p "$folder"
 SPACING=1e-3
 
 # What each formulation is called here, and what the deck says for it.
-all='corner_flowing corner_points mix capped capped_2 ordinary bond_based'
-[ "$form" != small ] || all='corner_flowing corner_points mix ordinary'
+all='corner_flowing corner_four_points mix capped capped_2 ordinary bond_based'
+[ "$form" != small ] || all='corner_flowing corner_four_points mix ordinary'
 
-# sizes FEW MORE: what a case runs through; the few alone in the small form and for the decks.
-sizes() { if [ -n "$form" ]; then echo "$1"; else echo "$1 $2"; fi; }
+# sizes FEW MORE: what a case runs through; the few alone in the small form, the first of them for the decks.
+sizes() { case $form in small) echo "$1" ;; decks) echo "${1%% *}" ;; *) echo "$1 $2" ;; esac; }
 
 # material FORMULATION NAME E NU [HARDENING]: without hardening an elastic one.
 material() {
@@ -34,7 +34,7 @@ material() {
 keys() {
     case $1 in
     corner_flowing) echo 'residual: {form: flowing}' ;;
-    corner_points) echo 'residual: {form: points}' ;;
+    corner_four_points) echo 'residual: {form: four_points}' ;;
     mix) echo 'horizon: 1, stabilisation: {law: mix}' ;;
     capped) echo 'horizon: 1, stabilisation: {law: capped}' ;;
     capped_2) echo 'horizon: 2, stabilisation: {law: capped}' ;;
