@@ -3,7 +3,7 @@
 #   awk -F, -v shape=hole|inclusion|cylinder -v radius=R -v E=... -v nu=... -v contrast=... -v stress=S -f circles.awk nodes.csv
 #   awk -v ... -v expressions=yes -f circles.awk      the displacements as two expressions of the deck, a line each
 #
-# Lengths in m.  hole, inclusion: in an infinite plane under S along x, the inclusion stiffer by the contrast, Poisson's ratio
+# Lengths in m; 1e-30 keeps the expressions finite at the centre, where no body is.  hole, inclusion: in an infinite plane under S along x, the inclusion stiffer by the contrast, Poisson's ratio
 # one; Muskhelishvili's potentials phi = p z/2 + A R^2/z, psi = B R^2/z - q z + A R^4/z^3 outside, p = q = S/2, with A, B from
 # the continuity of displacements and tractions on |z| = R (of a hole this is Kirsch's solution, of an inclusion Eshelby's:
 # its strain is uniform).  cylinder: Lame's, S the pressure within R, the outer surface at 2 R free.
@@ -23,13 +23,13 @@ BEGIN {
     if (expressions) {
         if (shape == "cylinder") {
             c = stress * (1 + nu) / (3 * E)
-            f = sprintf("%.12g*(%.12g+%.12g/(x*x+y*y))", c, 1 - 2 * nu, 4 * R * R)
+            f = sprintf("%.12g*(%.12g+%.12g/(x*x+y*y+1e-30))", c, 1 - 2 * nu, 4 * R * R)
             print "t*x*" f
             print "t*y*" f
             exit
         }
         # 2 mu u = (kappa - 1) p z/2 - B R^2/conj z + (kappa A R^2/r + q r) exp(-i t) + (A R^2/r - A R^4/r^3) exp(3 i t)
-        r2 = "(x*x+y*y)"
+        r2 = "(x*x+y*y+1e-30)"
         radial = sprintf("(%.12g-%.12g/%s)", (kappa - 1) * p / 2, B * R * R, r2)
         single = sprintf("(%.12g/%s+%.12g)", kappa * A * R * R, r2, q)
         triple = sprintf("(%.12g/%s^2*(1-%.12g/%s))", A * R * R, r2, R * R, r2)
