@@ -32,13 +32,19 @@ END {
         # A row of particles is bent like two points where Gauss has them: of the second order from there on.
         falls("bending", "stiffness", who[k], 2, 8, 2)
         falls("torsion", "torsion of a square bar", who[k], 2, small ? 4 : 16, small ? 1.5 : 2)
-        within("block", "two phases nu 0.499 over 0.3", who[k], 8, 1.5)
     }
     # Two cells at the same places in the plane are each other's mirror image at 45 degrees.
     within("inclined", "bar at 0 degrees", "corner_flowing", 10, 0.01)
     falls("inclined", "bar at 26.6 degrees", "corner_flowing", 6, small ? 10 : 20, 0.9)
     within("bending", "stiffness", "corner_flowing", 4, 2)
-    must(error["block", "two phases nu 0.499 over 0.3", "mix", 8] > 3, "mix does not lock any more: say so in docs/errors.md")
+    # One volume ratio a particle does not lock; several do, and the documents say so.
+    within("block", "two phases nu 0.499 over 0.3", "corner_flowing", 8, 0.5)
+    must(error["block", "two phases nu 0.499 over 0.3", "corner_four_points", 8] > 10 && error["block", "two phases nu 0.499 over 0.3", "mix", 8] > 10, "four_points or mix do not lock any more: say so in docs/errors.md")
+    # Of converged elements, which are known to 0.3 %.
+    for (k = 1; k <= split("0.005 0.01 0.02 0.05", strain, " "); k++) {
+        within("cell", "POW at " strain[k], "corner_flowing", 4, 1.5)
+        within("cell", "POW at " strain[k], "corner_flowing", 8, 0.5)
+    }
     split("corner_flowing corner_four_points mix ordinary", some, " ")
     for (k = 1; k <= 4; k++) within("flow", "turned by 90 degrees", some[k], 8, 1e-3)
     for (k = 1; k <= 3; k++) {

@@ -36,7 +36,7 @@ function compare(    k, f, best, base, to) {
             best = finest(f[1], f[2])
             add(f[1], f[2], f[3], f[4], 100 * (f[5] / stress[f[1], f[2], "C3D20R", best] - 1))
         } else {
-            best = finest(f[1], "nu 0.3")
+            best = finest(f[1], f[2])
             if (f[2] == "nu 0.3") { add(f[1], "two phases " f[2], f[3], f[4], 100 * (f[5] / stress[f[1], f[2], "C3D20R", best] - 1)); continue }
             base = stress[f[1], "nu 0.3", f[3], f[4]]
             to = stress[f[1], f[2], "C3D20R", best] / stress[f[1], "nu 0.3", "C3D20R", best]
