@@ -4,6 +4,7 @@
 #
 #   make first                 the small study of the README
 #   make errors                errors of the elastic constants, yield and hardening of every material
+#   make truths                every formulation where stress varies, against exact solutions and CalculiX: docs/errors.md (half an hour)
 #   make plate-cg              the homogeneous plate that proves E and the hardening curve
 #   make flagship              pipelines/ni-hs40
 #   make flagship-horizons     the same at horizons 1, 2 and 3 spacings
@@ -36,7 +37,7 @@ RANKS ?= 2
 SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
-STUDIES := first plate-cg errors flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking fracture \
+STUDIES := first plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking fracture \
            solver-switch solvers rates spacings finite-elements loops thesis-calibration strip
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
@@ -156,6 +157,26 @@ DECKS += $(RESULTS)/errors-finite/study.yaml $(RESULTS)/errors/plates
 .PHONY: $(RESULTS)/errors/plates
 $(RESULTS)/errors/plates:
 	pipelines/errors/plates pipelines/errors/plate.yaml $@ decks
+
+# Where stress varies: each case runs through formulations and spacings and writes rows.  What CalculiX gives comes from the folder;
+# CALCULIX=yes makes it anew.  The table goes into docs/errors.md, between its marks.
+TRUTHS := bending torsion laminate bar flow circles inclined block cell
+TRUTHS_CALCULIX := $(if $(CALCULIX),$(RESULTS)/truths,pipelines/truths)/calculix.csv
+truths: $(RESULTS)/truths/table.md
+	$(if $(SMALL),,awk -f pipelines/truths/insert.awk $< docs/errors.md > $(<D)/errors.md && cp $(<D)/errors.md docs/errors.md)
+$(RESULTS)/truths/calculix.csv: $(wildcard pipelines/truths/*)
+	@mkdir -p $(@D)
+	pipelines/truths/calculix $(@D)/calculix > $@
+$(TRUTHS:%=$(RESULTS)/truths/%.csv): $(RESULTS)/truths/%.csv: pipelines/truths/% $(wildcard pipelines/truths/*.bash pipelines/truths/[cs]*.awk) | all
+	@mkdir -p $(@D)
+	pipelines/truths/$* $(@D)/$* $(if $(SMALL),small) > $@
+$(RESULTS)/truths/table.md: $(TRUTHS:%=$(RESULTS)/truths/%.csv) $(TRUTHS_CALCULIX) $(wildcard pipelines/truths/*.awk)
+	awk -F, -v csv=$(@D)/table.csv -f pipelines/truths/table.awk $(filter %.csv,$^) > $@
+	$(call must,truths,$(if $(SMALL),-v small=yes)) $(@D)/table.csv
+DECKS += $(RESULTS)/truths/decks
+.PHONY: $(RESULTS)/truths/decks
+$(RESULTS)/truths/decks:
+	for case in $(TRUTHS); do pipelines/truths/$$case $@/$$case decks || exit 1; done
 
 # The bond-based sheet: a test for each plane, horizon, spacing, kind of volumes and of surface
 # correction; its folder has that name.  Plane strain differs by a factor, so one spacing and horizon do.

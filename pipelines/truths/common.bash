@@ -1,0 +1,102 @@
+# What the cases share; sourced by each.  A case is called as CASE FOLDER [small|decks] and writes rows of a table:
+#   case,quantity,formulation,particles,error_percent (of block and cell: stress in MPa, which table.awk compares)
+# decks: the decks alone, nothing is run; small: fewer of them.  hssolve and hspost are found in PATH.
+#
+# Bodies are written as text, particles of 1 mm (SPACING) and a phase each; lengths of the cases are in particles.
+set -euo pipefail
+shopt -s inherit_errexit
+folder=$1 form=${2:-} # the source's arguments
+case_name=$(basename "$0")
+here=$(dirname "$0")
+mkdir -p "$folder"
+SPACING=1e-3
+
+# What each formulation is called here, and what the deck says for it.
+all='corner_flowing corner_four_points mix capped capped_2 ordinary bond_based'
+[ "$form" != small ] || all='corner_flowing corner_four_points mix ordinary'
+
+# sizes FEW MORE: what a case runs through; the few alone in the small form, the first of them for the decks.
+sizes() { case $form in small) echo "$1" ;; decks) echo "${1%% *}" ;; *) echo "$1 $2" ;; esac; }
+
+# material FORMULATION NAME E NU [HARDENING]: without hardening an elastic one.
+material() {
+    local model law=${5:+hardening: $5} nu=", poissons_ratio: $4"
+    case $1 in
+    corner*) model="corner${5:-, law: elastic}" model=${model%%\{*} ;;
+    mix | capped*) model=correspondence$([ -n "${5:-}" ] || echo _elastic) ;;
+    ordinary) model=ordinary$([ -z "${5:-}" ] || echo _plastic) ;;
+    bond_based) model=bond_based nu='' ;;
+    esac
+    echo "  $2: {model: $model, density: 8000, youngs_modulus: $3$nu${law:+, $law}}"
+}
+
+# Keys of the section solver.
+keys() {
+    case $1 in
+    corner_flowing) echo 'residual: {form: flowing}' ;;
+    corner_four_points) echo 'residual: {form: four_points}' ;;
+    mix) echo 'horizon: 1, stabilisation: {law: mix}' ;;
+    capped) echo 'horizon: 1, stabilisation: {law: capped}' ;;
+    capped_2) echo 'horizon: 2, stabilisation: {law: capped}' ;;
+    *) echo 'horizon: 3.015, influence: linear, surface_correction: energy' ;;
+    esac
+}
+
+# Layers that a grip needs: those that a family reaches over, one of corners.
+layers() {
+    case $1 in
+    corner*) echo 1 ;;
+    mix | capped) echo 2 ;;
+    capped_2) echo 4 ;;
+    *) echo 4 ;;
+    esac
+}
+
+# 1 where the nodes are the corners of the particles, half a spacing farther out.
+corners() { case $1 in corner*) echo 1 ;; *) echo 0 ;; esac; }
+
+# particles NX NY NZ EXPRESSION [FUNCTIONS]: phases by an expression of awk in i, j, k from 0 and x, y, z in particles from the
+# centre; 0: no particle.
+particles() {
+    awk -v nx="$1" -v ny="$2" -v nz="$3" -v dx=$SPACING '
+    function phase(i, j, k, x, y, z) { return '"$4"' }
+    '"${5:-}"'
+    function abs(v) { return v < 0 ? -v : v }
+    BEGIN {
+        for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++) {
+            x = i - (nx - 1) / 2; y = j - (ny - 1) / 2; z = k - (nz - 1) / 2
+            p = phase(i, j, k, x, y, z)
+            if (p) printf "%.10g %.10g %.10g %d %.10g\n", x * dx, y * dx, z * dx, p, dx ^ 3
+        }
+    }'
+}
+
+# deck FORMULATION NAME NX NY NZ PHASES SOLVER: the deck of a run, its materials, boundary and output from standard input.
+# The domain is the box around the body, so that --check of hsgen reads it, too.
+deck() {
+    local plane='' sheet=''
+    if [ "$5" = 1 ]; then plane='plane: strain, ' sheet='dimensions: 2, '; fi
+    {
+        echo "title: $case_name $2 $1"
+        echo "domain: {specimen: plate, ${sheet}size: [$3 spacings, $4 spacings, $([ "$5" = 1 ] && echo $SPACING || echo "$5 spacings")], spacing: $SPACING, topology: homogeneous, phase: $6}"
+        cat
+        echo "solver: {type: quasi_static, $plane$7, $(keys "$1")}"
+    } >"$folder/$2-$1.yaml"
+}
+
+# solve FORMULATION NAME PARTICLES: leaves NAME-FORMULATION.csv of the history and .nodes.csv of the last frame.
+solve() {
+    local run="$folder/$2-$1"
+    hssolve -q -j 1 -d "$run.yaml" -i "$3" -H "$run.h" -o "$run.e"
+    hspost -q --columns "$run.h" >"$run.csv"
+    hspost --frames "$run.e" --csv >"$run.nodes.csv"
+    rm "$run.h" "$run.e"
+}
+
+# A column of the last record.
+last() { awk -F, -v name="$2" '/^#/ {next} !n {for (n = 1; $n != name; n++) if (n > NF) exit 1; next} {v = $n} END {print v}' "$1"; }
+
+# row QUANTITY FORMULATION PARTICLES VALUE EXACT: what of the exact value is missing or too much.
+row() { awk -v OFS=, -v v="$4" -v e="$5" -v c="$case_name" -v q="$1" -v f="$2" -v n="$3" 'BEGIN {printf "%s,%s,%s,%s,%.3f\n", c, q, f, n, 100 * (v / e - 1)}'; }
+# error QUANTITY FORMULATION PARTICLES PERCENT
+error() { printf '%s,%s,%s,%s,%.3f\n' "$case_name" "$1" "$2" "$3" "$4"; }
