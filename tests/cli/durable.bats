@@ -70,7 +70,7 @@ no_rank_left() { while pgrep -f "domain.g .*-H out.e|domain.g .*history out.e" >
 @test "signals end a run in order: 143, one line, the history and the last frame" {
     for ranks in 1 2; do
         for signal in TERM HUP USR1 XCPU; do
-            rm -f ./*.failed
+            rm -f ./*.failed ./*.checkpoint
             hssolve -q -j "$ranks" -i domain.g -H out.e -o fields.e 2>said &
             solver=$!
             until_there 'out.e.partial-*' 40k "$solver"
@@ -81,6 +81,7 @@ no_rank_left() { while pgrep -f "domain.g .*-H out.e|domain.g .*history out.e" >
             no_rank_left
             [ "$(ls)" = "domain.g
 fields.e.failed
+out.e.checkpoint
 out.e.failed
 said" ]
             same_start out.e.failed out.e.failed
