@@ -8,11 +8,11 @@ study() {
 title: Skip
 domain:
   specimen: plate
-  size: [0.25 mm, 0.1 mm, 0.1 mm]
+  size: [0.3 mm, 0.1 mm, 0.1 mm]
   spacing: 25 um
   topology: homogeneous
   phase: M
-  grips: {length: 2 spacings, phase: M}
+  grips: {length: 3 spacings, phase: M}
   ${GAUGE-gauge: {length: 0.1 mm\}}
 materials:
   M: {density: 8900 kg/m3, $1}
