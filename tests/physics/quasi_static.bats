@@ -20,7 +20,7 @@ domain:
   spacing: 25 um
   topology: homogeneous
   phase: M
-  grips: {length: 2 spacings, phase: M}
+  grips: {length: 3 spacings, phase: M}
   gauge: {length: 5 spacings}
 materials:
   M: {density: 8900 kg/m3, youngs_modulus: 210 GPa, $3}

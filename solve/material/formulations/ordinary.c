@@ -236,10 +236,33 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
     }
 }
 
+/* sum += g/r w |xi|^2 V_j, whose ratio to that without g/r is how much a node's dilatation would lack. */
+HS_INLINE void add_part(const struct bond_pass *p, int k, struct bond b, bool shared)
+{
+    const double one = b.weight * b.length * b.length;
+    p->sum[0][0][k] += one * b.volume_j * part_of(p, k, 0, shared);
+    p->sum[1][0][k] += one * b.volume_i * part_of(p, k, 1, shared);
+}
+BOND_KERNELS(parts, add_part(p, k, b, false))
+BOND_KERNELS(parts_shared, add_part(p, k, b, true))
+
+static void add_parts(const struct ordinary *model, double *sum)
+{
+    for (int64_t s = 0; s < model->bonds->count; s++) {
+        struct bond_pass pass;
+        const bool shared = is_shared(model, s);
+        if (shared) give_ends(model, s, &pass);
+        run(shared ? parts_shared : parts, model, s, 0, 1, &sum, &pass);
+    }
+}
+
 static void find_weighted_volume(struct ordinary *model, const struct body *body)
 {
     body_clear(body, &model->weighted_volume, 1);
-    surface_add_weighted_volumes(model->bonds, 2, model->weighted_volume);
+    if (model->ends)
+        add_parts(model, model->weighted_volume);
+    else
+        surface_add_weighted_volumes(model->bonds, 2, model->weighted_volume);
     model->weighted_changes = model->bonds->changes;
 }
 
@@ -396,26 +419,6 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
 {
     const struct ordinary *model = self;
     node_state_from_nominal(body, strip, model->materials, node);
-}
-
-/* sum += g/r w |xi|^2 V_j, whose ratio to that without g/r is how much a node's dilatation would lack. */
-HS_INLINE void add_part(const struct bond_pass *p, int k, struct bond b, bool shared)
-{
-    const double one = b.weight * b.length * b.length;
-    p->sum[0][0][k] += one * b.volume_j * part_of(p, k, 0, shared);
-    p->sum[1][0][k] += one * b.volume_i * part_of(p, k, 1, shared);
-}
-BOND_KERNELS(parts, add_part(p, k, b, false))
-BOND_KERNELS(parts_shared, add_part(p, k, b, true))
-
-static void add_parts(const struct ordinary *model, double *sum)
-{
-    for (int64_t s = 0; s < model->bonds->count; s++) {
-        struct bond_pass pass;
-        const bool shared = is_shared(model, s);
-        if (shared) give_ends(model, s, &pass);
-        run(shared ? parts_shared : parts, model, s, 0, 1, &sum, &pass);
-    }
 }
 
 /* The strips with bonds through two phases get the numbers of their ends. */
