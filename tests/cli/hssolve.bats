@@ -388,6 +388,10 @@ wrong() {
     [ -z "$output" ]
 }
 
+@test "a run of one process needs no directory of MPI's, which runs side by side would take from each other" {
+    run -0 env TMPDIR=/dev/null/none hssolve -q --check -i domain.g
+}
+
 @test "--check says what would be done, finds what a run would find, and leaves no file" {
     run --separate-stderr hssolve --check -i domain.g -H out.e -o fields.e
     [ "$status" -eq 0 ]
