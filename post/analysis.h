@@ -2,10 +2,10 @@
 #ifndef HS_ANALYSIS_H
 #define HS_ANALYSIS_H
 
+#include "curve_record.h"
 #include "measures.h"
 #include "phases.h"
 #include "properties.h"
-#include "curve_record.h"
 
 struct analysis {
     struct record record; /* what happened during the test */

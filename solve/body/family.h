@@ -37,8 +37,8 @@ struct family {
     int influence;
     bool partial;
     bool scattered; /* among particles that lie on no lattice: whoever makes it says so */
-    int reach;  /* largest |step| along an axis */
-    int n_half; /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
+    int reach;      /* largest |step| along an axis */
+    int n_half;     /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
     struct offset *half;
     struct columns *columns[3]; /* see family_sums.h: [component][|x| up to reach] */
 };

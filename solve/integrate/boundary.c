@@ -252,7 +252,7 @@ void boundary_visit(struct boundary *boundary, struct body *body, double time,
 {
     for (int b = 0; b < boundary->count; b++) {
         struct boundary_set *s = &boundary->sets[b];
-        double values[] = {s->moved,        s->way,         s->speed,
+        double values[] = {s->moved,        s->way,      s->speed,
                            s->speed_before, s->reaction, s->reaction_before};
         checkpoint_numbers(checkpoint, "motion and reaction of a set", values,
                            sizeof values / sizeof *values);
