@@ -1,27 +1,52 @@
 #include "assemble.h"
 
 #include "memory.h"
+#include "outline.h"
 #include "topology.h"
 
+#include <math.h>
 #include <stdlib.h>
+
+static double mean_along(const struct specimen *specimen, const struct domain *domain,
+                         const char *name)
+{
+    const struct node_set *set = domain_set(domain, name);
+    const double c = cos(specimen->angle), s = sin(specimen->angle);
+    double sum = 0;
+    for (int64_t i = 0; i < set->count; i++)
+        sum += c * domain->x[set->nodes[i]] + s * domain->y[set->nodes[i]];
+    return sum / (double)set->count;
+}
+
+/* Distance of the nodes of the gauge planes along the body. */
+static double gauge_length(const struct specimen *specimen, const struct domain *domain)
+{
+    int64_t layer[2];
+    specimen_gauge_layers(specimen, layer);
+    if (specimen->angle == 0) return (double)(layer[1] - layer[0]) * specimen->spacing[0];
+    return mean_along(specimen, domain, "gauge_right") - mean_along(specimen, domain, "gauge_left");
+}
 
 static void set_attributes(const struct recipe *recipe, const struct structure *structure,
                            const struct findings *findings, const char *fault,
-                           struct attributes *attributes)
+                           struct domain *domain)
 {
     const struct specimen *specimen = &recipe->specimen;
-    attributes_set_number(attributes, "spacing_m", specimen->spacing);
+    struct attributes *attributes = &domain->attributes;
+    const double *edge = specimen->spacing;
+    attributes_set_number(attributes, "spacing_m", edge[0]);
+    if (edge[1] != edge[0]) attributes_set_number(attributes, "spacing_y_m", edge[1]);
+    if (edge[2] != edge[0] && !specimen_is_sheet(specimen))
+        attributes_set_number(attributes, "spacing_z_m", edge[2]);
     if (specimen_is_sheet(specimen)) {
         attributes_set_number(attributes, "dimensions", (double)specimen->dimensions);
         attributes_set_number(attributes, "thickness_m", specimen->size[2]);
     }
-    attributes_set_number(attributes, "section_m2", specimen_section(specimen, structure->sites));
-    if (specimen->gauge_length > 0) {
-        int64_t layer[2];
-        specimen_gauge_layers(specimen, layer);
-        attributes_set_number(attributes, "gauge_length_m",
-                              (double)(layer[1] - layer[0]) * specimen->spacing);
-    }
+    attributes_set_number(attributes, "section_m2", outline_section(specimen, structure->sites));
+    if (specimen->gauge_length > 0)
+        attributes_set_number(attributes, "gauge_length_m", gauge_length(specimen, domain));
+    if (structure->sites->volume) attributes_set_text(attributes, "volumes", "cut");
+    if (specimen->angle != 0) attributes_set_number(attributes, "angle_rad", specimen->angle);
     if (!recipe->topology->single_phase)
         attributes_set_number(attributes, "ufg_fraction", findings->ufg_fraction);
     char *words = recipe->topology->describe(recipe, findings);
@@ -45,17 +70,16 @@ struct domain assemble_domain(const struct recipe *recipe, const struct structur
     domain.phase_names = memory_new((size_t)recipe->n_phases, sizeof *domain.phase_names);
     for (int phase = 0; phase < recipe->n_phases; phase++)
         domain.phase_names[phase] = memory_text(recipe->phase_names[phase]);
-    const double volume = specimen_node_volume(&recipe->specimen);
     for (size_t node = 0; node < n_nodes; node++) {
         double position[3];
         sites_position(sites, (int64_t)node, position);
         domain.x[node] = position[0];
         domain.y[node] = position[1];
         domain.z[node] = position[2];
-        domain.volume[node] = volume;
+        domain.volume[node] = sites_volume(sites, (int64_t)node);
         domain.phase[node] = structure->phase[node];
     }
     specimen_add_sets(&recipe->specimen, sites, recipe->sets, &domain);
-    set_attributes(recipe, structure, findings, fault, &domain.attributes);
+    set_attributes(recipe, structure, findings, fault, &domain);
     return domain;
 }

@@ -43,20 +43,24 @@ static void join_neighbours(const struct structure *structure, int phase, int ha
     }
 }
 
-/* First and last layer of the counted region along each axis. */
-static void counted_ends(const struct structure *structure, int64_t end[2][3])
+/* Where the first and the last layer of the counted region end, inwards, along each axis of the body; a layer is as
+ * thick as a cell is wide in that direction. */
+static void counted_ends(const struct structure *structure, double end[2][3])
 {
+    const struct sites *sites = structure->sites;
+    const double *edge = sites->spacing, c = fabs(sites->turn[0]), s = fabs(sites->turn[1]);
+    const double width[3] = {c * edge[0] + s * edge[1], s * edge[0] + c * edge[1], edge[2]};
     for (int axis = 0; axis < 3; axis++) {
-        end[0][axis] = INT64_MAX;
-        end[1][axis] = -1;
+        end[0][axis] = INFINITY;
+        end[1][axis] = -INFINITY;
     }
-    for (int64_t node = 0; node < structure->sites->n_nodes; node++) {
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
         if (!structure->counted[node]) continue;
-        int64_t at[3];
-        sites_index(structure->sites, node, at);
+        double at[3];
+        sites_in_body(sites, node, at);
         for (int axis = 0; axis < 3; axis++) {
-            end[0][axis] = at[axis] < end[0][axis] ? at[axis] : end[0][axis];
-            end[1][axis] = at[axis] > end[1][axis] ? at[axis] : end[1][axis];
+            end[0][axis] = fmin(end[0][axis], at[axis] + (1 - 1e-6) * width[axis]);
+            end[1][axis] = fmax(end[1][axis], at[axis] - (1 - 1e-6) * width[axis]);
         }
     }
 }
@@ -71,7 +75,7 @@ struct clusters clusters_find(const struct structure *structure, int phase,
     uint8_t *reaches = memory_new((size_t)n_nodes, sizeof *reaches); /* a bit an end and axis */
     for (int64_t node = 0; node < n_nodes; node++) parent[node] = (int32_t)node;
     join_neighbours(structure, phase, (int)neighbourhood, parent);
-    int64_t end[2][3];
+    double end[2][3];
     counted_ends(structure, end);
     for (int64_t node = 0; node < n_nodes; node++) {
         if (!is_member(structure, node, phase)) continue;
@@ -79,10 +83,12 @@ struct clusters clusters_find(const struct structure *structure, int phase,
         clusters.nodes++;
         clusters.count += size[root]++ == 0;
         clusters.largest = size[root] > clusters.largest ? size[root] : clusters.largest;
-        int64_t at[3];
-        sites_index(structure->sites, node, at);
-        for (int bit = 0; bit < 6; bit++)
-            if (at[bit / 2] == end[bit % 2][bit / 2]) reaches[root] |= (uint8_t)(1u << bit);
+        double at[3];
+        sites_in_body(structure->sites, node, at);
+        for (int axis = 0; axis < 3; axis++) {
+            if (at[axis] < end[0][axis]) reaches[root] |= (uint8_t)(1u << 2 * axis);
+            if (at[axis] > end[1][axis]) reaches[root] |= (uint8_t)(2u << 2 * axis);
+        }
         for (int axis = 0; axis < 3; axis++)
             if ((reaches[root] >> (2 * axis) & 3) == 3) clusters.percolates[axis] = true;
     }
@@ -110,30 +116,35 @@ static bool is_buried(const struct structure *structure, int64_t node, const int
 struct contact clusters_contact(const struct structure *structure, int limit)
 {
     const struct sites *sites = structure->sites;
+    const bool flat = sites->count[2] == 1;
+    const double furthest = limit * steps_unit(sites->spacing, flat);
     int n_steps;
-    struct step *steps = steps_ball(limit + 1, true, &n_steps);
-    struct contact contact = {0};
-    int nearest = INT32_MAX;
+    struct step *steps =
+        steps_ball(sites->spacing, furthest + steps_longest_edge(sites->spacing, flat), true, flat,
+                   STEPS_BY_FILM, &n_steps);
+    struct contact contact = {.film = INFINITY};
     for (int64_t node = 0; node < sites->n_nodes; node++) {
         if (!is_member(structure, node, PHASE_CG)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
-        /* Neighbours (square <= 3) are all counted; beyond them only what is nearer than known.
-         * From a buried node one of its neighbours is nearer to whatever lies beyond. */
-        int reach = is_buried(structure, node, at) ? 4 : INT32_MAX;
-        for (int s = 0; s < n_steps && steps[s].square < reach; s++) {
-            if (steps[s].square > 3 && steps[s].square >= nearest) break;
+        /* Neighbours are all counted; beyond them only what is nearer than known.  From a buried node
+         * its neighbour one step on, along the shortest edge that the step has, is nearer to whatever lies
+         * beyond, and the film is thinner: the direction turns to longer edges. */
+        const bool buried = is_buried(structure, node, at);
+        for (int s = 0; s < n_steps; s++) {
+            const double film = steps_film(&steps[s]);
+            const bool touch = steps_touch(&steps[s]);
+            if (!touch && (buried || film >= contact.film || film > furthest)) break;
             const int *offset = steps[s].offset;
             int64_t other =
                 sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
             if (!is_member(structure, other, PHASE_CG) ||
                 structure->core[other] == structure->core[node])
                 continue;
-            contact.touching += steps[s].square <= 3;
-            nearest = steps[s].square < nearest ? steps[s].square : nearest;
+            contact.touching += touch;
+            contact.film = fmin(contact.film, film);
         }
     }
-    contact.film = nearest == INT32_MAX ? INFINITY : sqrt(nearest) - 1;
     free(steps);
     return contact;
 }

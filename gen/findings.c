@@ -17,7 +17,7 @@ struct findings findings_of(const struct recipe *recipe, const struct structure 
         return findings;
     }
     findings.counted = structure->threshold.counted;
-    findings.ufg_fraction = 1 - (double)structure->threshold.coarse / (double)findings.counted;
+    findings.ufg_fraction = 1 - structure->threshold.share;
     findings.cg = clusters_find(structure, PHASE_CG, NEIGHBOURS_6);
     findings.ufg = clusters_find(structure, PHASE_UFG, NEIGHBOURS_6);
     findings.cg_26 = clusters_find(structure, PHASE_CG, NEIGHBOURS_26);

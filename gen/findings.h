@@ -6,7 +6,7 @@
 
 struct findings {
     int64_t counted;       /* nodes outside the grips */
-    double ufg_fraction;   /* of them, by volume (all nodes own the same) */
+    double ufg_fraction;   /* of them, by volume */
     struct clusters cg;    /* faces */
     struct clusters ufg;   /* faces */
     struct clusters cg_26; /* faces, edges and corners */

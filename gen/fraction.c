@@ -6,28 +6,32 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Counted nodes with a score of at most `limit`. */
-static int64_t count_up_to(int64_t n_nodes, const int64_t *score, const uint8_t *counted,
-                           int64_t limit)
+static double weight_of(const struct ranks *ranks, int64_t node)
 {
-    int64_t count = 0;
-    for (int64_t node = 0; node < n_nodes; node++) count += counted[node] && score[node] <= limit;
-    return count;
+    return ranks->weight ? ranks->weight[node] : 1;
 }
 
-/* Smallest score up to which at least `wanted` nodes are found: at most 64 passes. */
-static int64_t score_of_rank(int64_t n_nodes, const int64_t *score, const uint8_t *counted,
-                             int64_t wanted)
+/* Weight of the counted nodes with a score of at most `limit`. */
+static double weight_up_to(const struct ranks *ranks, int64_t limit)
+{
+    double weight = 0;
+    for (int64_t node = 0; node < ranks->n_nodes; node++)
+        if (ranks->counted[node] && ranks->score[node] <= limit) weight += weight_of(ranks, node);
+    return weight;
+}
+
+/* Smallest score up to which nodes of at least the weight `wanted` are found: at most 64 passes. */
+static int64_t score_of_rank(const struct ranks *ranks, double wanted)
 {
     int64_t low = INT64_MAX, high = INT64_MIN;
-    for (int64_t node = 0; node < n_nodes; node++) {
-        if (!counted[node]) continue;
-        low = score[node] < low ? score[node] : low;
-        high = score[node] > high ? score[node] : high;
+    for (int64_t node = 0; node < ranks->n_nodes; node++) {
+        if (!ranks->counted[node]) continue;
+        low = ranks->score[node] < low ? ranks->score[node] : low;
+        high = ranks->score[node] > high ? ranks->score[node] : high;
     }
     while (low < high) {
         int64_t middle = low + (high - low) / 2;
-        if (count_up_to(n_nodes, score, counted, middle) >= wanted)
+        if (weight_up_to(ranks, middle) >= wanted)
             high = middle;
         else
             low = middle + 1;
@@ -40,65 +44,81 @@ static uint64_t tie_of(long seed, int64_t site)
     return random_hash(seed, "ties", (uint64_t)site);
 }
 
+struct tie {
+    uint64_t hash;
+    double weight;
+};
+
 static int compare_ties(const void *a, const void *b)
 {
-    uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
-    return (first > second) - (first < second);
+    const struct tie *first = a, *second = b;
+    return (first->hash > second->hash) - (first->hash < second->hash);
 }
 
-/* The hash of the last of the `wanted` nodes that are taken among those on the threshold. */
-static uint64_t last_tie(int64_t n_nodes, const int64_t *score, const int64_t *site,
-                         const uint8_t *counted, const struct threshold *threshold, int64_t on,
-                         int64_t wanted)
+/* Takes nodes on the threshold, in the order of their hashes, as long as that brings the weight nearer to what is
+ * wanted: the last one's hash becomes the threshold's. */
+static void split_ties(const struct ranks *ranks, double under, double wanted,
+                       struct threshold *threshold)
 {
-    uint64_t *ties = memory_new((size_t)on, sizeof *ties);
-    int64_t count = 0;
-    for (int64_t node = 0; node < n_nodes; node++)
-        if (counted[node] && score[node] == threshold->score)
-            ties[count++] = tie_of(threshold->seed, site[node]);
+    struct tie *ties = memory_new((size_t)ranks->n_nodes, sizeof *ties);
+    int64_t on = 0, taken = 0;
+    for (int64_t node = 0; node < ranks->n_nodes; node++)
+        if (ranks->counted[node] && ranks->score[node] == threshold->score)
+            ties[on++] =
+                (struct tie){tie_of(threshold->seed, ranks->site[node]), weight_of(ranks, node)};
     qsort(ties, (size_t)on, sizeof *ties, compare_ties);
-    uint64_t last = ties[wanted - 1];
+    while (taken < on && under + 0.5 * ties[taken].weight <= wanted) under += ties[taken++].weight;
+    if (taken == 0)
+        threshold->score--;
+    else if (taken < on) {
+        threshold->tie = ties[taken - 1].hash;
+        threshold->split = on;
+    }
     free(ties);
-    return last;
 }
 
-struct threshold fraction_exact(int64_t n_nodes, const int64_t *score, const int64_t *site,
-                                const uint8_t *counted, double coarse_fraction, long seed)
+/* What became coarse. */
+static void sum_up(const struct ranks *ranks, struct threshold *threshold)
 {
-    struct threshold threshold = {.tie = UINT64_MAX, .seed = seed};
-    threshold.counted = count_up_to(n_nodes, score, counted, INT64_MAX);
-    threshold.coarse = (int64_t)llround(coarse_fraction * (double)threshold.counted);
-    threshold.below = threshold.above = (double)threshold.coarse / (double)threshold.counted;
-    if (threshold.coarse == 0) {
-        threshold.score = INT64_MIN;
-        return threshold;
+    double coarse = 0, total = 0;
+    for (int64_t node = 0; node < ranks->n_nodes; node++) {
+        if (!ranks->counted[node]) continue;
+        const int64_t site = ranks->site ? ranks->site[node] : node;
+        const bool is_coarse = fraction_is_coarse(threshold, ranks->score[node], site);
+        threshold->counted++;
+        threshold->coarse += is_coarse;
+        total += weight_of(ranks, node);
+        coarse += is_coarse ? weight_of(ranks, node) : 0;
     }
-    threshold.score = score_of_rank(n_nodes, score, counted, threshold.coarse);
-    int64_t up_to = count_up_to(n_nodes, score, counted, threshold.score);
-    int64_t under = count_up_to(n_nodes, score, counted, threshold.score - 1);
-    if (up_to > threshold.coarse) {
-        threshold.split = up_to - under;
-        threshold.tie = last_tie(n_nodes, score, site, counted, &threshold, up_to - under,
-                                 threshold.coarse - under);
+    threshold->share = coarse / total;
+}
+
+struct threshold fraction_exact(const struct ranks *ranks, double coarse_fraction, long seed)
+{
+    struct threshold threshold = {.tie = UINT64_MAX, .seed = seed, .score = INT64_MIN};
+    double wanted = coarse_fraction * weight_up_to(ranks, INT64_MAX);
+    if (!ranks->weight) wanted = (double)llround(wanted);
+    if (wanted > 0) {
+        threshold.score = score_of_rank(ranks, wanted);
+        if (weight_up_to(ranks, threshold.score) > wanted)
+            split_ties(ranks, weight_up_to(ranks, threshold.score - 1), wanted, &threshold);
     }
+    sum_up(ranks, &threshold);
+    threshold.below = threshold.above = threshold.share;
     return threshold;
 }
 
-struct threshold fraction_geometric(int64_t n_nodes, const int64_t *score, const uint8_t *counted,
-                                    double coarse_fraction)
+struct threshold fraction_geometric(const struct ranks *ranks, double coarse_fraction)
 {
     struct threshold threshold = {.tie = UINT64_MAX};
-    threshold.counted = count_up_to(n_nodes, score, counted, INT64_MAX);
-    double total = (double)threshold.counted;
-    int64_t wanted = (int64_t)ceil(coarse_fraction * total);
-    threshold.score = score_of_rank(n_nodes, score, counted, wanted < 1 ? 1 : wanted);
-    int64_t above = count_up_to(n_nodes, score, counted, threshold.score);
-    int64_t below = count_up_to(n_nodes, score, counted, threshold.score - 1);
-    threshold.above = (double)above / total;
-    threshold.below = (double)below / total;
-    bool lower = coarse_fraction - threshold.below < threshold.above - coarse_fraction;
-    threshold.coarse = lower ? below : above;
-    threshold.score -= lower;
+    const double total = weight_up_to(ranks, INT64_MAX);
+    double wanted = coarse_fraction * total;
+    if (!ranks->weight) wanted = fmax(1, ceil(wanted));
+    threshold.score = score_of_rank(ranks, wanted);
+    threshold.above = weight_up_to(ranks, threshold.score) / total;
+    threshold.below = weight_up_to(ranks, threshold.score - 1) / total;
+    threshold.score -= coarse_fraction - threshold.below < threshold.above - coarse_fraction;
+    sum_up(ranks, &threshold);
     return threshold;
 }
 

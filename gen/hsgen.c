@@ -2,6 +2,7 @@
 #include "assemble.h"
 #include "die.h"
 #include "exodus.h"
+#include "fill.h"
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
@@ -100,14 +101,15 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     enum { NODE_BYTES = 80 }; /* of memory, measured */
     const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
                                  c->picture, c->cores, c->peridigm};
-    struct sites sites = specimen_sites(&recipe->specimen);
+    struct sites sites = fill_sites(&recipe->specimen);
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
-    note("%s: %lld x %lld x %lld sites of %g m, %lld nodes, %lld cores",
+    char *cell = sites_cell(&sites);
+    note("%s: %lld x %lld x %lld sites of %s um, %lld nodes, %lld cores",
          recipe->topology->deck.name, (long long)sites.count[0], (long long)sites.count[1],
-         (long long)sites.count[2], sites.spacing, (long long)sites.n_nodes,
-         (long long)cores.count);
+         (long long)sites.count[2], cell, (long long)sites.n_nodes, (long long)cores.count);
+    free(cell);
     for (int i = 0; i < recipe->n_phases; i++) note("phase %s", recipe->phase_names[i]);
     for (int i = 0; i < domain.n_sets; i++)
         note("set %s: %lld nodes", domain.sets[i].name, (long long)domain.sets[i].count);
@@ -133,7 +135,7 @@ int main(int argc, char **argv)
     }
     struct spool output = spool_output(c.output);
 
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     struct cores cores = recipe_cores(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);

@@ -3,6 +3,7 @@
 #include "keys.h"
 #include "memory.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 struct box_set {
@@ -41,19 +42,26 @@ static void add_box(const struct sites *sites, const char *name, const int64_t l
     free(nodes);
 }
 
-static void add_layers(const struct sites *sites, const char *name, int64_t first, int64_t last,
-                       struct domain *out)
+/* Nodes whose centres lie from x = low to high (m) in the frame of the body. */
+static void add_slab(const struct sites *sites, const char *name, double low, double high,
+                     struct domain *out)
 {
-    int64_t low[3] = {first, 0, 0};
-    int64_t high[3] = {last, sites->count[1] - 1, sites->count[2] - 1};
-    add_box(sites, name, low, high, out);
+    int64_t *nodes = memory_new((size_t)sites->n_nodes, sizeof *nodes);
+    int64_t count = 0;
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
+        double at[3];
+        sites_in_body(sites, node, at);
+        if (at[0] >= low && at[0] <= high) nodes[count++] = node;
+    }
+    domain_add_set(out, name, count, nodes);
+    free(nodes);
 }
 
 /* First layer whose coordinate is not below the length, or last one that is not above it. */
 static int64_t layer_of(const struct sites *sites, int axis, double length, int last)
 {
     int64_t i = 0;
-    double slack = 1e-6 * sites->spacing;
+    double slack = 1e-6 * sites->spacing[axis];
     if (last) {
         while (i < sites->count[axis] && sites_coordinate(sites, axis, i) <= length + slack) i++;
         return i - 1;
@@ -65,7 +73,7 @@ static int64_t layer_of(const struct sites *sites, int axis, double length, int 
 static void add_deck_set(const struct sites *sites, struct deck_node map, struct domain *out)
 {
     struct box_set set;
-    keys_read(map, &specimen_set, 0, sites->spacing, &set, NULL);
+    keys_read(map, &specimen_set, 0, sites->spacing[0], &set, NULL);
     if (domain_set(out, set.name))
         deck_error(deck_get(map, "name"), "there is a node set '%s' already", set.name);
     struct deck_node box = set.box;
@@ -76,7 +84,7 @@ static void add_deck_set(const struct sites *sites, struct deck_node map, struct
             deck_error(box, "a box is two corners: [[x, y, z], [x, y, z]]");
         for (int axis = 0; axis < 3; axis++) {
             struct deck_node item = deck_item(deck_item(box, end), axis);
-            double length = deck_length(item, sites->spacing, -1e6, 1e6);
+            double length = deck_length(item, sites->spacing[axis], -1e6, 1e6);
             corner[end][axis] = layer_of(sites, axis, length, end);
         }
     }
@@ -88,16 +96,24 @@ static void add_deck_set(const struct sites *sites, struct deck_node map, struct
 void specimen_add_sets(const struct specimen *specimen, const struct sites *sites,
                        struct deck_node sets, struct domain *out)
 {
-    int64_t last = sites->count[0] - 1;
-    if (specimen->grip_layers > 0) {
-        add_layers(sites, "grip_left", 0, specimen->grip_layers - 1, out);
-        add_layers(sites, "grip_right", last - specimen->grip_layers + 1, last, out);
+    const double end = specimen->size[0], grip = 0.5 * end - specimen->grip_length;
+    if (specimen->grip_length > 0) {
+        add_slab(sites, "grip_left", -end, -grip, out);
+        add_slab(sites, "grip_right", grip, end, out);
     }
     if (specimen->gauge_length > 0) {
+        /* One layer; across the lattice the nodes within half a cell's thickness of the plane. */
+        const double *turn = sites->turn, *edge = sites->spacing;
+        double plane = 0.5 * specimen->gauge_length;
+        double half = (0.5 + 1e-6) * hypot(turn[0] * edge[0], turn[1] * edge[1]);
         int64_t layer[2];
         specimen_gauge_layers(specimen, layer);
-        add_layers(sites, "gauge_left", layer[0], layer[0], out);
-        add_layers(sites, "gauge_right", layer[1], layer[1], out);
+        if (specimen->angle == 0) {
+            plane = sites_coordinate(sites, 0, layer[1]);
+            half = 0.5 * half;
+        }
+        add_slab(sites, "gauge_left", -plane - half, -plane + half, out);
+        add_slab(sites, "gauge_right", plane - half, plane + half, out);
     }
     if (sets.index == 0) return;
     if (!deck_is_list(sets))

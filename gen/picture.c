@@ -41,32 +41,33 @@ static int phase_at(const struct structure *structure, const struct section *sec
     return node < 0 ? -1 : structure->phase[node];
 }
 
-/* One row of sites as few rectangles: runs of one phase. */
+/* One row of sites as few rectangles: runs of one phase.  cell: points, edges along x, y, z. */
 static void draw_row(struct canvas *canvas, const struct structure *structure,
-                     const struct section *section, double scale, int64_t up)
+                     const struct section *section, const double cell[3], int64_t up)
 {
+    const double step = cell[section->right], rise = cell[section->up];
     int64_t width = structure->sites->count[section->right];
     int64_t height = structure->sites->count[section->up];
     for (int64_t start = 0, end; start < width; start = end) {
         int phase = phase_at(structure, section, start, up);
         for (end = start + 1; end < width && phase_at(structure, section, end, up) == phase;) end++;
         if (phase < 0) continue;
-        canvas_cell(canvas, (double)start * scale, (double)(height - 1 - up) * scale,
-                    (double)(end - start) * scale, scale, colours[phase]);
+        canvas_cell(canvas, (double)start * step, (double)(height - 1 - up) * rise,
+                    (double)(end - start) * step, rise, colours[phase]);
     }
 }
 
 static void draw_section(struct canvas *canvas, const struct structure *structure,
-                         const struct section *section, double scale)
+                         const struct section *section, const double cell[3])
 {
     canvas_text(canvas, 0, -6, ALIGN_LEFT, section->title);
     for (int64_t up = 0; up < structure->sites->count[section->up]; up++)
-        draw_row(canvas, structure, section, scale, up);
+        draw_row(canvas, structure, section, cell, up);
 }
 
-static void draw_legend(struct canvas *canvas, const struct recipe *recipe, double scale)
+static void draw_legend(struct canvas *canvas, const struct recipe *recipe, const double cell[3])
 {
-    double length = recipe->specimen.size[0], metre = scale / recipe->specimen.spacing;
+    double length = recipe->specimen.size[0], metre = cell[0] / recipe->specimen.spacing[0];
     canvas_scale_bar(canvas, length, metre);
     double x = canvas_bar_length(length) * metre + 90;
     for (int phase = 0; phase < recipe->n_phases; phase++) {
@@ -76,23 +77,37 @@ static void draw_legend(struct canvas *canvas, const struct recipe *recipe, doub
     }
 }
 
+/* Edges of a cell in points; returns the longer side of the section xy. */
+static double size_cell(const struct sites *sites, double cell[3])
+{
+    const double *edge = sites->spacing;
+    const double y = edge[1] / edge[0], z = edge[2] / edge[0];
+    const double longest = fmax((double)sites->count[0], (double)sites->count[1] * y);
+    double scale = LONGEST_SIDE / longest;
+    if (scale > 1) scale = floor(scale); /* whole pixels along x: no seams */
+    cell[0] = scale;
+    cell[1] = scale * y;
+    cell[2] = scale * z;
+    return longest * scale;
+}
+
 void picture_write(const struct recipe *recipe, const struct structure *structure, const char *path)
 {
     picture_check_name(path);
     const int64_t *count = structure->sites->count;
-    int64_t longest = count[0] > count[1] ? count[0] : count[1];
-    double scale = (double)LONGEST_SIDE / (double)longest;
-    if (scale > 1) scale = floor(scale); /* whole pixels: no seams */
-    double width = fmax((double)longest * scale, 500) + 2 * MARGIN;
+    double cell[3];
+    const double longest = size_cell(structure->sites, cell);
+    double width = fmax(longest, 500) + 2 * MARGIN;
     const int shown = sections_of(recipe);
     double height = 2 * MARGIN;
-    for (int s = 0; s < shown; s++) height += (double)count[sections[s].up] * scale + GAP;
+    for (int s = 0; s < shown; s++)
+        height += (double)count[sections[s].up] * cell[sections[s].up] + GAP;
     struct canvas *canvas = canvas_open(path, width, height);
     canvas_move(canvas, MARGIN, MARGIN);
     for (int s = 0; s < shown; s++) {
-        draw_section(canvas, structure, &sections[s], scale);
-        canvas_move(canvas, 0, (double)structure->sites->count[sections[s].up] * scale + GAP);
+        draw_section(canvas, structure, &sections[s], cell);
+        canvas_move(canvas, 0, (double)count[sections[s].up] * cell[sections[s].up] + GAP);
     }
-    draw_legend(canvas, recipe, scale);
+    draw_legend(canvas, recipe, cell);
     canvas_close(canvas);
 }

@@ -4,6 +4,7 @@
 #include "sections.h"
 #include "topology.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char *const shapes[] = {"cell", "sphere", NULL};
@@ -26,12 +27,29 @@ static const struct key rows[] = {
      .help = "shape of the body, centred at the origin; x is the loading direction"},
     {"dimensions", KEY_INTEGER, MEMBER(specimen.dimensions), .low = 2, .high = 3, .usual = 3,
      .help = "2: a sheet, one layer of nodes in the plane z = 0"},
-    {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .required = true,
-     .help = "of the lattice of nodes"},
-    {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+    {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .size = 3,
+     .required = true,
      .help =
-         "of the whole, a dog-bone's heads included: whole numbers of spacings, 1 to 1e6 each; the "
-         "third of a sheet is its thickness, 1e-12 to 1e3 m"},
+         "edges of the lattice's cells, along x, y, z, or of its cubes; the third of a sheet is "
+         "its "
+         "thickness.  Lengths in spacings are in the edge along x, but the components of size and "
+         "of the boxes of sets in that axis' own"},
+    {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+     .help = "of the whole, heads included, of a round one its length alone: whole numbers of that "
+             "axis' "
+             "spacings, 1 to 1e6 each, but of a turned one any along x and y; the third of a sheet "
+             "is its "
+             "thickness, 1e-12 to 1e3 m"},
+    {"diameter", KEY_SPACINGS, MEMBER(specimen.diameter), .low = 1, .high = 1e6, .usual = NAN,
+     .help = "of a rod or of the heads of a round dog-bone; required of these"},
+    {"angle", KEY_NUMBER, MEMBER(specimen.angle), .unit = "rad", .low = -1.5707963267948966,
+     .high = 1.5707963267948966,
+     .help = "by which the body, with its structure, grips and gauge, is turned about z against "
+             "the lattice"},
+    {"volumes", KEY_CHOICE, MEMBER(specimen.volumes), .names = specimen_volumes,
+     .help = "whole: nodes whose centres are inside own their cells; cut: each owns the part of "
+             "its cell that is "
+             "inside, parts below 5 per cent given to a neighbour"},
     {"phases", KEY_SECTION, .section = &phases_section, .required = true, .users = TWO_PHASES,
      .help = "names of the two materials"},
     {"ufg_fraction", KEY_NUMBER, MEMBER(ufg_fraction), .unit = "1", .low = 1e-6, .high = 1 - 1e-6,
@@ -51,7 +69,11 @@ static const struct key rows[] = {
     {"grips", KEY_NODE, MEMBER(grips), .section = &specimen_grips,
      .help = "the ends, none without the key"},
     {"gauge", KEY_NODE, MEMBER(gauge), .section = &specimen_gauge,
-     .help = "planes between which strain is measured; required of a dog-bone"},
+     .help = "planes between which strain is measured; required of dog-bones"},
+    {"notch", KEY_NODE, MEMBER(notch), .section = &specimen_notch, .otherwise = "none",
+     .help = "in the middle"},
+    {"hole", KEY_NODE, MEMBER(hole), .section = &specimen_hole, .otherwise = "none",
+     .help = "through a flat body"},
     {"sets", KEY_NODE, MEMBER(sets), .form = "list of mappings", .section = &specimen_set,
      .help = "further node sets"},
 };
@@ -114,9 +136,7 @@ struct recipe recipe_read(const struct deck *deck)
     const int choice = keys_variant(domain, &domain_section);
     recipe.topology = topologies[choice];
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
-    if (recipe.specimen.shape == SPECIMEN_DOGBONE)
-        deck_get(domain, "gauge"); /* dies where it is missing */
-    specimen_read(&recipe.specimen, recipe.size, recipe.gauge, recipe.grips);
+    specimen_read(&recipe.specimen, domain);
     recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
     if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
@@ -135,8 +155,8 @@ struct cores recipe_cores(struct recipe *recipe)
         if (extent[axis] > cores.size[axis] * (1 + 1e-9))
             die_user("%s: the cores are for a body of %g x %g x %g m, the deck's is larger",
                      recipe->cores_file, cores.size[0], cores.size[1], cores.size[2]);
-    if (cores.distance < recipe->specimen.spacing ||
-        cores.distance > LONGEST_DISTANCE * recipe->specimen.spacing)
+    if (cores.distance < recipe->specimen.spacing[0] ||
+        cores.distance > LONGEST_DISTANCE * recipe->specimen.spacing[0])
         die_user("%s: distance_m %g is not between 1 and %g spacings", recipe->cores_file,
                  cores.distance, LONGEST_DISTANCE);
     recipe->shape = cores.shape;

@@ -31,7 +31,8 @@ struct recipe {
     double minimum_shell; /* spacings */
     bool override;
     int64_t seed;
-    struct deck_node size, gauge, grips, sets; /* as the deck has them; index 0: none */
+    struct deck_node size, gauge, grips, notch, hole,
+        sets; /* as the deck has them; index 0: none */
 };
 
 /* Reads the section `domain`; dies at the first thing that is wrong. */

@@ -1,7 +1,11 @@
-/* specimen.h - the outer shape: plate or dog-bone, its grips and its gauge.
+/* specimen.h - the outer shape of the body: flat or round, with heads, notches, a hole, its grips and its gauge.
  *
  * In two dimensions it is a sheet: one layer of nodes in the plane z = 0, whose thickness size[2] has
- * nothing to do with the spacing. */
+ * nothing to do with the spacing along x and y.  Lengths that a deck has in spacings are in the edge along x, but
+ * components of the size and of corners of boxes in that axis' own.
+ *
+ * The body has a frame of its own, which may be turned about z against that of the lattice; both have their origin
+ * in its centre. */
 #ifndef HS_SPECIMEN_H
 #define HS_SPECIMEN_H
 
@@ -11,44 +15,61 @@
 
 struct section;
 
-enum specimen_shape { SPECIMEN_PLATE, SPECIMEN_DOGBONE };
+enum specimen_shape { SPECIMEN_PLATE, SPECIMEN_DOGBONE, SPECIMEN_ROD, SPECIMEN_ROUND_DOGBONE };
+enum specimen_volumes { VOLUMES_WHOLE, VOLUMES_CUT };
 
 struct specimen {
     enum specimen_shape shape;
     int64_t dimensions; /* 2: a sheet; else 3 */
-    double size[3];     /* m, along x (loading), y, z */
-    double spacing;     /* m */
-    int64_t count[3];
-    double gauge_length;    /* m, between the gauge planes; 0: none asked for */
-    double gauge_width;     /* m, dog-bone: of the parallel part, along y */
-    double fillet;          /* m, dog-bone: radius between the parallel part and the heads */
-    int64_t grip_layers;    /* layers of nodes in each grip; 0: none asked for */
+    double size[3];     /* m, along the body's x (loading), y, z */
+    double spacing[3];  /* m, edges of a cell; the third of a sheet is its thickness */
+    int64_t count[3];   /* cells of the lattice, which hold the body */
+    double diameter;    /* m, of a round one, heads included */
+    double angle;       /* rad, about z, from the lattice's x to the body's */
+    enum specimen_volumes volumes;
+    double gauge_length; /* m, between the gauge planes; 0: none asked for */
+    double gauge_width;  /* m, of the parallel part between heads: along y, or its diameter */
+    double fillet;       /* m, radius between the parallel part and the heads */
+    double notch_radius, notch_depth;     /* m, all around or on both sides, at x = 0; 0: none */
+    double hole_centre[2], hole_diameter; /* m, along z, in the body's frame; 0: none */
+    double grip_length;     /* m, whole layers where the body is not turned; 0: none asked for */
     const char *grip_phase; /* NULL: the structure goes on under the grips */
 };
 
-/* Names of shapes, and the sections of the deck with the keys of gauge, grips and further node sets. */
+/* Names of shapes and volumes, and the sections of the deck with the keys of gauge, grips and so on. */
 extern const char *const specimen_shapes[];
-extern const struct section specimen_gauge, specimen_grips, specimen_set;
+extern const char *const specimen_volumes[];
+extern const struct section specimen_gauge, specimen_grips, specimen_notch, specimen_hole,
+    specimen_set;
 
-/* Reads the values of these keys of domain (index 0: none; a dog-bone has a gauge) into a specimen whose shape,
- * dimensions and spacing are known.  Each of the size's components must be a whole number of spacings within 1e-6, but the thickness of a
- * sheet. */
-void specimen_read(struct specimen *specimen, struct deck_node size, struct deck_node gauge,
-                   struct deck_node grips);
-
-struct sites specimen_sites(const struct specimen *specimen);
+/* Reads the keys of the section domain that are left into a specimen whose shape, dimensions, spacing, diameter and
+ * angle are known.  Along the axes of a lattice that it is to fill, each of the size's components must be a whole
+ * number of that axis' spacings within 1e-6, but the thickness of a sheet. */
+void specimen_read(struct specimen *specimen, struct deck_node domain);
 
 bool specimen_is_sheet(const struct specimen *specimen);
+bool specimen_is_round(const struct specimen *specimen);
+/* Whether it is a plain plate that lies along the lattice, which cells fill wholly. */
+bool specimen_is_block(const struct specimen *specimen);
 
-/* Volume (m^3) that a node owns: spacing^3, of a sheet spacing^2 times the thickness. */
+/* Volume (m^3) of a cell. */
 double specimen_node_volume(const struct specimen *specimen);
 
-/* The box (m) that the microstructure has to fill: the size; of a sheet the plane z = 0, so that its
- * structure is the middle section through one of three dimensions whatever the thickness. */
+/* The box (m) in the body's frame that the microstructure has to fill: the size; of a sheet the plane z = 0, so that
+ * its structure is the middle section through one of three dimensions whatever the thickness. */
 void specimen_extent(const struct specimen *specimen, double extent[3]);
 
-/* Half width (m, along y) of the dog-bone at the distance x from its middle: parallel, then an arc
- * of the fillet's radius that starts tangentially, then the head. */
+/* A place where the section is less: over 2 length of x the half width is `bottom`, then come arcs of the radius that
+ * start tangentially, up to `top` or, where they are a half turn, walls along y. */
+struct pocket {
+    double length, bottom, radius, top;
+};
+
+/* Those of the parallel part between heads and of the notch, outer first; returns how many. */
+int specimen_pockets(const struct specimen *specimen, struct pocket pockets[2]);
+
+/* Half width (m, along y; of a round body its radius) at the distance x from its middle, the hole apart.  It never
+ * falls away from the middle. */
 double specimen_half_width(const struct specimen *specimen, double x);
 
 /* [n_nodes] 1 where a node counts for fraction, topology and statistics: outside the grips. */
@@ -58,12 +79,8 @@ uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *s
 void specimen_add_sets(const struct specimen *specimen, const struct sites *sites,
                        struct deck_node sets, struct domain *out);
 
-/* Layers (indices along x) of the gauge planes: those nearest to -/+ half the gauge length. */
+/* Layers (indices along x) of the gauge planes of a body that is not turned: those nearest to -/+ half the gauge
+ * length. */
 void specimen_gauge_layers(const struct specimen *specimen, int64_t layer[2]);
-
-/* Area of the section between the gauge planes (m^2), both layers included: number of nodes times
- * spacing^2 (a sheet: spacing times thickness) over the number of layers; of the whole body where
- * there is no gauge. */
-double specimen_section(const struct specimen *specimen, const struct sites *sites);
 
 #endif

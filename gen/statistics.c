@@ -70,24 +70,70 @@ static double crossings(const struct structure *structure, const int offset[3])
     return pairs ? (double)unlike / (double)pairs : 0;
 }
 
+/* One octant of the sphere in equal parts; the others are its images. */
+static void count_directions(const double spacing[3], double share[NEIGHBOURS_26])
+{
+    enum { PARTS = 1000 };
+    double unit[NEIGHBOURS_26][3],
+        counted[2][2][2] = {0}; /* of the directions with these components */
+    for (int n = 0; n < NEIGHBOURS_26; n++)
+        for (int axis = 0; axis < 3; axis++)
+            unit[n][axis] = clusters_offset[n][axis] * spacing[axis] / spacing[0] /
+                            steps_to(spacing, clusters_offset[n]).distance;
+    for (int p = 0; p < PARTS * PARTS; p++) {
+        const double z = (p / PARTS + 0.5) / PARTS, turn = M_PI / 2 * (p % PARTS + 0.5) / PARTS;
+        const double at[3] = {sqrt(1 - z * z) * cos(turn), sqrt(1 - z * z) * sin(turn), z};
+        double best = 0;
+        int nearest = 0;
+        for (int n = 0; n < NEIGHBOURS_26; n++) {
+            const double cosine = at[0] * unit[n][0] + at[1] * unit[n][1] + at[2] * unit[n][2];
+            if (cosine > best) nearest = n;
+            best = fmax(best, cosine);
+        }
+        const int *offset = clusters_offset[nearest];
+        counted[offset[0] != 0][offset[1] != 0][offset[2] != 0]++;
+    }
+    for (int n = 0; n < NEIGHBOURS_26; n++) {
+        const int *o = clusters_offset[n];
+        const int alike = (o[0] ? 2 : 1) * (o[1] ? 2 : 1) * (o[2] ? 2 : 1);
+        share[n] = counted[o[0] != 0][o[1] != 0][o[2] != 0] / (alike * (double)PARTS * PARTS);
+    }
+}
+
+void statistics_direction_shares(const double spacing[3], double share[NEIGHBOURS_26])
+{
+    const bool cube = spacing[1] == spacing[0] && spacing[2] == spacing[0];
+    if (!cube) count_directions(spacing, share);
+    for (int n = 0; n < NEIGHBOURS_26 && cube; n++) {
+        const int *offset = clusters_offset[n];
+        share[n] = statistics_direction_share[abs(offset[0]) + abs(offset[1]) + abs(offset[2]) - 1];
+    }
+}
+
 struct interface statistics_interface(const struct structure *structure, bool sheet)
 {
     struct interface interface = {0};
-    double spacing = structure->sites->spacing;
+    const double *spacing = structure->sites->spacing;
+    const double slope = atan2(spacing[1], spacing[0]); /* of the diagonal, pi/4 of squares */
+    double share[NEIGHBOURS_26];
+    if (!sheet) statistics_direction_shares(spacing, share);
     for (int n = 0; n < NEIGHBOURS_26; n++) {
         const int *offset = clusters_offset[n];
         if (sheet && offset[2] != 0) continue;
-        int square = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
-        double per_length = crossings(structure, offset) / (sqrt(square) * spacing);
-        if (square == 1) interface.faces += per_length;
-        /* S_V = 2 P_L, both senses of a direction share its line; in the plane L_A = pi/2 P_L. */
-        interface.crofton += sheet ? M_PI / 2 / 4 * per_length
-                                   : 2 * 2 * statistics_direction_share[square - 1] * per_length;
+        double per_length =
+            crossings(structure, offset) / (steps_to(spacing, offset).distance * spacing[0]);
+        const bool face = abs(offset[0]) + abs(offset[1]) + abs(offset[2]) == 1;
+        if (face) interface.faces += per_length;
+        /* S_V = 2 P_L, both senses of a direction share its line; in the plane L_A = pi/2 P_L, and a direction's
+         * share of the half turn is half of the angles to the next ones. */
+        const double turn = !face ? M_PI / 4 : offset[0] ? slope : M_PI / 2 - slope;
+        interface.crofton +=
+            sheet ? M_PI / 2 * turn / M_PI * per_length : 2 * 2 * share[n] * per_length;
     }
     return interface;
 }
 
-enum { FURTHEST_CORE = 12 }; /* spacings */
+enum { FURTHEST_CORE = 12 }; /* edges of a cube of the cell's volume */
 
 /* 0 where the second core is too far. */
 static double shell_at(const struct structure *structure, int64_t node, const struct step *steps,
@@ -95,8 +141,8 @@ static double shell_at(const struct structure *structure, int64_t node, const st
 {
     const struct sites *sites = structure->sites;
     int64_t at[3];
+    const struct step *first = NULL;
     int32_t nearest = -1;
-    double thickness = -1;
     sites_index(sites, node, at);
     for (int s = 0; s < n_steps; s++) {
         const int *offset = steps[s].offset;
@@ -104,8 +150,12 @@ static double shell_at(const struct structure *structure, int64_t node, const st
         if (!is_counted(structure, other) || is_fine(structure, other) ||
             structure->core[other] == nearest)
             continue;
-        thickness += sqrt(steps[s].square);
-        if (nearest >= 0) return thickness;
+        if (first) {
+            const int across[3] = {offset[0] - first->offset[0], offset[1] - first->offset[1],
+                                   offset[2] - first->offset[2]};
+            return first->distance - steps_to(sites->spacing, across).edge + steps[s].distance;
+        }
+        first = &steps[s];
         nearest = structure->core[other];
     }
     return 0;
@@ -113,9 +163,13 @@ static double shell_at(const struct structure *structure, int64_t node, const st
 
 int64_t statistics_shell(const struct structure *structure, int64_t most, double *thickness)
 {
+    const struct sites *sites = structure->sites;
+    const bool flat = sites->count[2] == 1;
     int n_steps;
-    struct step *steps = steps_ball(FURTHEST_CORE, false, &n_steps);
-    int64_t n_nodes = structure->sites->n_nodes, fine = 0, seen = 0, found = 0;
+    struct step *steps =
+        steps_ball(sites->spacing, FURTHEST_CORE * steps_unit(sites->spacing, flat), false, flat,
+                   STEPS_BY_DISTANCE, &n_steps);
+    int64_t n_nodes = sites->n_nodes, fine = 0, seen = 0, found = 0;
     for (int64_t node = 0; node < n_nodes; node++)
         fine += structure->counted[node] && is_fine(structure, node);
     int64_t stride = (fine + most - 1) / most;

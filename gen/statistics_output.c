@@ -1,5 +1,6 @@
 #include "die.h"
 #include "memory.h"
+#include "outline.h"
 #include "output.h"
 #include "statistics.h"
 #include "topology.h"
@@ -27,8 +28,9 @@ static void print_fraction(const struct recipe *recipe, const struct structure *
 {
     const struct threshold *threshold = &structure->threshold;
     const char *ufg = recipe->phase_names[PHASE_UFG];
-    note("%s fraction %.9g by nodes and by volume (asked %.9g) of %lld counted nodes", ufg,
-         findings->ufg_fraction, recipe->ufg_fraction, (long long)findings->counted);
+    note("%s fraction %.9g %sby volume (asked %.9g) of %lld counted nodes", ufg,
+         findings->ufg_fraction, structure->sites->volume ? "" : "by nodes and ",
+         recipe->ufg_fraction, (long long)findings->counted);
     if (recipe->geometric)
         note("attainable with whole cores: %.9g and %.9g", 1 - threshold->above,
              1 - threshold->below);
@@ -39,15 +41,18 @@ static void print_fraction(const struct recipe *recipe, const struct structure *
 static void print_size(const struct recipe *recipe, const struct sites *sites)
 {
     const struct specimen *specimen = &recipe->specimen;
-    double volume = specimen_node_volume(specimen);
     if (specimen_is_sheet(specimen)) note("a sheet %.9g mm thick", 1e3 * specimen->size[2]);
-    note("%lld x %lld x %lld sites of %.6g um, %lld nodes, volume %.9g mm3, section %.9g mm2",
-         (long long)sites->count[0], (long long)sites->count[1], (long long)sites->count[2],
-         1e6 * sites->spacing, (long long)sites->n_nodes, 1e9 * volume * (double)sites->n_nodes,
-         1e6 * specimen_section(specimen, sites));
-    if (specimen->shape == SPECIMEN_DOGBONE)
-        note("nominal section of the gauge %.9g mm2; the lattice's is what runs",
-             1e6 * specimen->gauge_width * specimen->size[2]);
+    char *cell = sites_cell(sites);
+    note("%lld x %lld x %lld sites of %s um, %lld nodes, volume %.9g mm3, section %.9g mm2",
+         (long long)sites->count[0], (long long)sites->count[1], (long long)sites->count[2], cell,
+         (long long)sites->n_nodes, 1e9 * sites_whole_volume(sites, NULL),
+         1e6 * outline_section(specimen, sites));
+    free(cell);
+    if (specimen_is_block(specimen)) return;
+    const double length = specimen->gauge_length > 0 ? specimen->gauge_length : specimen->size[0];
+    note("nominal section of the gauge %.9g mm2, volume %.9g mm3; the lattice's is what runs",
+         1e6 * outline_between(specimen, length) / length,
+         1e9 * outline_between(specimen, specimen->size[0]));
 }
 
 void statistics_print(const struct recipe *recipe, const struct structure *structure,
@@ -104,7 +109,7 @@ static void write_along_axes(struct output *output, const struct structure *stru
     const struct sites *sites = structure->sites;
     for (int axis = 0; axis < dimensions; axis++)
         for (int64_t lag = 0; lag < sites->count[axis] && lag <= MOST_LAGS; lag++)
-            row(output, "two_point_ufg", axes[axis], (double)lag * sites->spacing,
+            row(output, "two_point_ufg", axes[axis], (double)lag * sites->spacing[axis],
                 statistics_two_point(structure, axis, lag), "1");
     for (int axis = 0; axis < dimensions; axis++)
         for (int64_t i = 0; i < sites->count[axis]; i++)
@@ -123,7 +128,7 @@ static void write_shell(struct output *output, const struct structure *structure
         share[bin < SHELL_BINS ? bin : SHELL_BINS - 1] += 1 / (double)found;
         mean += thickness[i] / (double)found;
     }
-    double spacing = structure->sites->spacing;
+    double spacing = structure->sites->spacing[0];
     row(output, "shell_thickness_mean", "", NAN, mean * spacing, "m");
     for (int bin = 0; bin < SHELL_BINS; bin++)
         row(output, "shell_thickness_share", "", bin * spacing, share[bin], "1");
@@ -136,18 +141,18 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
     const struct sites *sites = structure->sites;
     const bool sheet = specimen_is_sheet(&recipe->specimen);
     const int dimensions = sheet ? 2 : 3;
-    double volume = specimen_node_volume(&recipe->specimen);
     struct output output = output_open(path);
     fprintf(output.stream, "quantity,axis,position_m,value,unit\n");
     row(&output, "nodes_all", "", NAN, (double)sites->n_nodes, "1");
     row(&output, "nodes_counted", "", NAN, (double)findings->counted, "1");
-    row(&output, "volume", "", NAN, volume * (double)sites->n_nodes, "m3");
-    row(&output, "volume_counted", "", NAN, volume * (double)findings->counted, "m3");
-    row(&output, "section", "", NAN, specimen_section(&recipe->specimen, sites), "m2");
+    row(&output, "volume", "", NAN, sites_whole_volume(sites, NULL), "m3");
+    row(&output, "volume_counted", "", NAN, sites_whole_volume(sites, structure->counted), "m3");
+    row(&output, "section", "", NAN, outline_section(&recipe->specimen, sites), "m2");
     if (!recipe->topology->single_phase) {
         struct interface interface = statistics_interface(structure, sheet);
         row(&output, "ufg_fraction_asked", "", NAN, recipe->ufg_fraction, "1");
-        row(&output, "ufg_fraction_nodes", "", NAN, findings->ufg_fraction, "1");
+        row(&output, "ufg_fraction_nodes", "", NAN,
+            1 - (double)structure->threshold.coarse / (double)findings->counted, "1");
         row(&output, "ufg_fraction_volume", "", NAN, findings->ufg_fraction, "1");
         row(&output, "nodes_split", "", NAN, (double)structure->threshold.split, "1");
         write_clusters(&output, PHASE_CG, &findings->cg, dimensions);
@@ -160,7 +165,7 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
         row(&output, "clusters_26", "cg", NAN, (double)findings->cg_26.count, "1");
         row(&output, "touching_pairs", "cg", NAN, (double)findings->contact.touching, "1");
         row(&output, "core_film_geometric", "", NAN, findings->core_film, "m");
-        row(&output, "core_film_nodes", "", NAN, findings->contact.film * sites->spacing, "m");
+        row(&output, "core_film_nodes", "", NAN, findings->contact.film * sites->spacing[0], "m");
         write_shell(&output, structure);
     }
     output_close(&output);

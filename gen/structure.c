@@ -23,14 +23,13 @@ static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
     for (int64_t node = 0; node < n_nodes; node++) {
         double position[3];
         tell_progress(node, n_nodes);
-        sites_position(sites, node, position);
+        sites_in_body(sites, node, position);
         score[node] = recipe->topology->score(recipe, cores, position, &structure->core[node]);
     }
     double coarse = 1 - recipe->ufg_fraction;
-    structure->threshold =
-        recipe->geometric
-            ? fraction_geometric(n_nodes, score, structure->counted, coarse)
-            : fraction_exact(n_nodes, score, sites->site, structure->counted, coarse, recipe->seed);
+    const struct ranks ranks = {n_nodes, score, sites->site, structure->counted, sites->volume};
+    structure->threshold = recipe->geometric ? fraction_geometric(&ranks, coarse)
+                                             : fraction_exact(&ranks, coarse, recipe->seed);
     for (int64_t node = 0; node < n_nodes; node++)
         structure->phase[node] =
             fraction_is_coarse(&structure->threshold, score[node], sites->site[node]) ? PHASE_CG
@@ -63,5 +62,5 @@ void structure_free(struct structure *structure)
 
 double structure_reach(const struct structure *structure)
 {
-    return (double)structure->threshold.score * SCORE_UNIT * structure->sites->spacing;
+    return (double)structure->threshold.score * SCORE_UNIT * structure->sites->spacing[0];
 }

@@ -10,6 +10,7 @@
 #include "findings.h"
 #include "memory.h"
 #include "recipe.h"
+#include "steps.h"
 #include "topology.h"
 
 #include <math.h>
@@ -26,13 +27,14 @@ static const struct key rows[] = {
      .usual = NAN, .help = "of the nearest centres; required without cores"},
     {"jitter", KEY_NUMBER, MEMBER(jitter), .unit = "1", .low = 0, .high = 1,
      .help = "standard deviation of each coordinate of the centres, in core distances"},
-    {"minimum_shell", KEY_SPACINGS, MEMBER(minimum_shell), .low = 1, .high = 10, .usual = 1,
-     .help = "what the topology check demands between cores"},
+    {"minimum_shell", KEY_SPACINGS, MEMBER(minimum_shell), .low = 1, .high = 10, .usual = NAN,
+     .otherwise = "one layer of nodes", .help = "what the topology check demands between cores"},
 };
 
 static void check(struct deck_node domain, struct recipe *recipe)
 {
-    recipe->minimum_shell /= recipe->specimen.spacing;
+    recipe->minimum_shell =
+        isnan(recipe->minimum_shell) ? 0 : recipe->minimum_shell / recipe->specimen.spacing[0];
     if (recipe->cores_file) return;
     deck_get(domain, "core_distance"); /* dies where it is missing */
     struct deck_node lattice = deck_get(domain, "lattice");
@@ -56,22 +58,30 @@ static int64_t score(const struct recipe *recipe, const struct cores *cores, con
     struct core_place at = cores_place(cores, point, cores->shape == CORE_CELL);
     *core = (int32_t)at.core;
     double length = cores->shape == CORE_CELL ? -at.depth : at.distance;
-    return llround(length / (SCORE_UNIT * recipe->specimen.spacing));
+    return llround(length / (SCORE_UNIT * recipe->specimen.spacing[0]));
 }
 
-/* The largest distance of two lattice sites, in spacings, that is below minimum_shell + 1: nodes of
- * cores further apart than this always leave the film asked for. */
-static double film_needed(double minimum_shell, bool sheet)
+static bool is_film(const struct recipe *recipe, bool touching, double film)
 {
-    double limit = (minimum_shell + 1) * (minimum_shell + 1) * (1 - 1e-9);
-    int largest = 0, most = (int)ceil(minimum_shell + 1);
-    for (int i = 0; i <= most; i++)
-        for (int j = 0; j <= i; j++)
-            for (int k = 0; k <= (sheet ? 0 : j); k++) {
-                int square = i * i + j * j + k * k;
-                if (square < limit && square > largest) largest = square;
-            }
-    return sqrt(largest);
+    return !touching && film >= recipe->minimum_shell - 1e-9;
+}
+
+/* The largest distance of two lattice sites, in edges along x, that is too near: nodes of cores further apart
+ * than this always leave the film asked for. */
+static double film_needed(const struct recipe *recipe)
+{
+    const double *spacing = recipe->specimen.spacing;
+    const bool sheet = specimen_is_sheet(&recipe->specimen);
+    const double longest = steps_longest_edge(spacing, sheet);
+    double largest = 0;
+    int count;
+    struct step *steps = steps_ball(spacing, fmax(recipe->minimum_shell, longest) + longest, true,
+                                    sheet, STEPS_BY_DISTANCE, &count);
+    for (int s = 0; s < count; s++)
+        if (!is_film(recipe, steps_touch(&steps[s]), steps_film(&steps[s])))
+            largest = steps[s].distance;
+    free(steps);
+    return largest;
 }
 
 /* What spacing would do, as words; the caller frees it. */
@@ -81,9 +91,8 @@ static char *remedy(const struct recipe *recipe, const struct findings *findings
         return memory_print("at this fraction the cores overlap (film %.3g um): no spacing helps; "
                             "use another lattice, core: cell, less jitter or a larger ufg_fraction",
                             1e6 * findings->core_film);
-    bool sheet = specimen_is_sheet(&recipe->specimen);
-    double needed = findings->core_film / film_needed(recipe->minimum_shell, sheet);
-    double spacing = recipe->specimen.spacing;
+    double needed = findings->core_film / film_needed(recipe);
+    double spacing = recipe->specimen.spacing[0];
     double parts = floor(spacing / needed) + 1;
     return memory_print("the film between neighbouring cores is %.4g um = %.3g spacings thick; a "
                         "spacing below %.4g um is sure to resolve it (such as %.6g um, 1/%g of "
@@ -97,7 +106,7 @@ static char *fault(const struct recipe *recipe, const struct findings *findings)
     const struct clusters *ufg = &findings->ufg;
     bool shell = ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2];
     const struct contact *contact = &findings->contact;
-    if (shell && contact->film >= recipe->minimum_shell - 1e-9) return NULL;
+    if (shell && is_film(recipe, contact->touching > 0, contact->film)) return NULL;
     char *help = remedy(recipe, findings);
     char *text;
     if (contact->touching > 0)

@@ -56,7 +56,7 @@ static int64_t score(const struct recipe *recipe, const struct cores *cores, con
     int with_depth = cores->shape == CORE_CELL && !recipe->geometric;
     struct core_place at = cores_place(cores, point, with_depth);
     *core = (int32_t)at.core;
-    double unit = SCORE_UNIT * recipe->specimen.spacing;
+    double unit = SCORE_UNIT * recipe->specimen.spacing[0];
     if (cores->shape == CORE_SPHERE) return llround(at.distance / unit);
     if (!with_depth) return cores->order[at.core];
     /* Deeper nodes first; no depth fills the gap between two cells' scores. */

@@ -7,6 +7,7 @@
 #define NUMBER(member) .kind = KEY_NUMBER, .place = offsetof(struct choices, member)
 #define RANGE(member)  NUMBER(member), .unit = "1", .size = 2, .rising = true
 
+static const char *const standards[] = {"iso", "astm", NULL};
 static const double usual_hardening[] = {0.02, 0.2}, usual_fit[] = {0.002, 10};
 
 static const struct key rows[] = {
@@ -34,8 +35,13 @@ static const struct key rows[] = {
      .help = "true plastic strain for the hardening laws, at most to maximum force"},
     {"window", NUMBER(window), .unit = "1", .low = 1e-9, .high = 1, .usual = 0.01,
      .help = "true strain over which slopes are taken"},
-    {"yield_drop", NUMBER(yield_drop), .unit = "1", .low = 0, .high = 1, .usual = 0.02,
+    {"yield_drop", NUMBER(yield_drop), .unit = "1", .low = 0, .high = 1, .usual = 0.005,
      .help = "fall of stress, a share, that makes an upper yield point"},
+    {"standard", KEY_CHOICE, offsetof(struct choices, standard), .names = standards,
+     .usual = STANDARD_ISO,
+     .help = "where ISO 6892-1 and ASTM E8, E646 differ: upper yield point, strain of n"},
+    {"loop_offset", NUMBER(loop_offset), .unit = "1", .low = 1e-7, .high = 0.1, .usual = 1e-4,
+     .help = "strain off the elastic line at which a branch of a loop yields"},
     {"fracture_share", NUMBER(fracture_share), .unit = "1", .low = 0, .high = 1, .usual = 0.1,
      .help = "share of Rm; the specimen counts as broken where the stress falls below"},
 };

@@ -8,6 +8,8 @@
 
 struct deck;
 
+enum standard { STANDARD_ISO, STANDARD_ASTM };
+
 struct choices {
     const char *title;       /* name of the curve, as long as the deck lives; NULL: the file's */
     double gauge_length;     /* m; NAN: as the history says */
@@ -21,7 +23,9 @@ struct choices {
     double fit_range[2];       /* hardening laws, true plastic strain */
     double window;             /* true strain over which a slope is taken */
     double yield_drop;         /* share of ReH by which the stress must fall for a yield point */
-    double fracture_share;     /* share of Rm below which the specimen counts as broken */
+    enum standard standard;
+    double loop_offset;    /* strain at which a branch of a loop yields */
+    double fracture_share; /* share of Rm below which the specimen counts as broken */
 };
 
 extern const struct section post_section;

@@ -2,11 +2,12 @@
  *
  * stdout is for data; every line printed here goes to stderr behind the program's name.
  * Exit codes: 2, the user can mend it (option, deck, input file); 1, the run failed
- * (disk, memory, non-finite numbers, lost energy balance).  Never 0. */
+ * (disk, memory, non-finite numbers, lost energy balance); 143, it was asked to stop and did so in order (what a shell
+ * says of SIGTERM).  Never 0. */
 #ifndef HS_DIE_H
 #define HS_DIE_H
 
-enum { EXIT_RUN = 1, EXIT_USER = 2 };
+enum { EXIT_RUN = 1, EXIT_USER = 2, EXIT_STOPPED = 143 };
 
 #define HS_PRINTF(text, first) __attribute__((format(printf, text, first)))
 

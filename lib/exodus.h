@@ -38,6 +38,21 @@ struct history {
 };
 
 void exodus_write_history(const struct spool *output, const struct history *history);
+
+/* The same record by record: the file holds the history's columns and attributes; expected records find room even where
+ * others fill the disk. */
+struct exodus_history;
+struct exodus_history *exodus_history_open(const struct spool *output,
+                                           const struct history *history, int64_t expected);
+/* Those records of the history that are new; they are on the disk itself when the call returns. */
+void exodus_history_add(struct exodus_history *file, const struct history *history);
+/* Adds what is new, and closes it; numbers among the attributes become those of now. */
+void exodus_history_close(struct exodus_history *file, const struct history *history);
+
+/* A history or frames that were left behind unfinished become whole up to their last sound record; how many those are, and
+ * the time of the last one [s].  Dies (exit 2) where there is none, or the file is no such thing. */
+int64_t exodus_repair(const char *name, double *time);
+
 struct history exodus_read_history(const struct spool *input);
 void history_free(struct history *history);
 
@@ -46,11 +61,16 @@ void history_free(struct history *history);
 struct exodus_fields;
 struct exodus_fields *exodus_fields_open(const struct spool *output, const struct domain *domain,
                                          int n_variables, const char *const names[]);
-/* values[variable] is an array of n_nodes; the frame is on disk when the call returns.  A run that
+/* values[variable] is an array of n_nodes; the frame is on the disk itself when the call returns.  A run that
  * fails keeps its last good frame if a function given to die_at_exit (after spool_output) calls
  * exodus_fields_close and spool_finish. */
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
 void exodus_fields_close(struct exodus_fields *fields);
+
+int64_t exodus_fields_count(const struct exodus_fields *fields);
+/* Takes over so many frames of an earlier file, finished or not, of the same domain and variables; false, and nothing
+ * changed, where it is not there or has not got them. */
+bool exodus_fields_take(struct exodus_fields *fields, const char *name, int64_t frames);
 
 /* Frames read back; the domain beside them is read by exodus_read_domain from the same input. */
 struct frames {

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { UNUSED_ID = 0 };
 
@@ -48,7 +49,7 @@ void exodus_fields_write(struct exodus_fields *fields, double time, const double
             ex_put_var(file->id, frame, EX_NODAL, i + 1, UNUSED_ID, fields->n_nodes, values[i]),
             "a frame");
     exodus_wrote(file, ex_put_time(file->id, frame, &time), "a frame's time");
-    exodus_wrote(file, ex_update(file->id), "a frame");
+    exodus_sync(file);
 }
 
 void exodus_fields_close(struct exodus_fields *fields)
@@ -56,6 +57,48 @@ void exodus_fields_close(struct exodus_fields *fields)
     if (fields == NULL) return;
     exodus_finish(&fields->file);
     free(fields);
+}
+
+int64_t exodus_fields_count(const struct exodus_fields *fields)
+{
+    return fields->n_frames;
+}
+
+static bool is_alike(const struct exodus_fields *fields, const struct exodus_file *other,
+                     int64_t frames)
+{
+    int n_variables = 0;
+    return ex_get_variable_param(other->id, EX_NODAL, &n_variables) >= 0 &&
+           n_variables == fields->n_variables &&
+           ex_inquire_int(other->id, EX_INQ_NODES) == fields->n_nodes &&
+           ex_inquire_int(other->id, EX_INQ_TIME) >= frames;
+}
+
+bool exodus_fields_take(struct exodus_fields *fields, const char *name, int64_t frames)
+{
+    const struct spool input = {.descriptor = -1, .path = (char *)(uintptr_t)name};
+    const size_t nodes = (size_t)fields->n_nodes;
+    if (access(name, R_OK) != 0) return false;
+    struct exodus_file other = exodus_open_any(&input);
+    const bool alike = is_alike(fields, &other, frames);
+    const double **values = memory_new((size_t)fields->n_variables, sizeof *values);
+    double *all = memory_new((size_t)fields->n_variables * nodes, sizeof *all), time;
+    for (int frame = 1; alike && frame <= frames; frame++) {
+        for (int i = 0; i < fields->n_variables; i++) {
+            double *one = all + (size_t)i * nodes;
+            exodus_read(
+                &other,
+                ex_get_var(other.id, frame, EX_NODAL, i + 1, UNUSED_ID, fields->n_nodes, one),
+                "a frame");
+            values[i] = one;
+        }
+        exodus_read(&other, ex_get_time(other.id, frame, &time), "a frame's time");
+        exodus_fields_write(fields, time, values);
+    }
+    exodus_close(&other);
+    free(values);
+    free(all);
+    return alike;
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */

@@ -4,6 +4,7 @@
 #include "exodus.h"
 #include "memory.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -167,10 +168,27 @@ struct exodus_file exodus_create(const struct spool *output, const struct attrib
     return file;
 }
 
-void exodus_finish(struct exodus_file *file)
+void exodus_sync(const struct exodus_file *file)
+{
+    exodus_wrote(file, ex_update(file->id), "what is new");
+    spool_sync(file->path, file->shown);
+}
+
+void exodus_renew_numbers(const struct exodus_file *file, const struct attributes *attributes)
+{
+    for (int i = 0; i < attributes->count; i++) {
+        const struct attribute *item = &attributes->items[i];
+        if (item->text) continue;
+        char *name = memory_print(PREFIX "%s", item->name);
+        exodus_wrote(
+            file, nc_put_att_double(file->id, NC_GLOBAL, name, NC_DOUBLE, 1, &item->number), name);
+        free(name);
+    }
+}
+
+static void enter_length(const struct exodus_file *file)
 {
     int id;
-    exodus_wrote(file, ex_close(file->id), "the end");
     double bytes = (double)file_size(file);
     /* An attribute that keeps its size is rewritten in place. */
     exodus_wrote(file, nc_open(file->path, NC_WRITE, &id), "its length");
@@ -178,8 +196,20 @@ void exodus_finish(struct exodus_file *file)
                  "its length");
     exodus_wrote(file, nc_close(id), "its length");
     if ((double)file_size(file) != bytes) die_run("%s: changed while it was closed", file->shown);
+}
+
+static void forget(struct exodus_file *file)
+{
     free(file->path);
     free(file->shown);
+}
+
+void exodus_finish(struct exodus_file *file)
+{
+    exodus_wrote(file, ex_close(file->id), "the end");
+    spool_release(file->path);
+    enter_length(file);
+    forget(file);
 }
 
 static void check_length(const struct exodus_file *file, bool foreign)
@@ -194,13 +224,17 @@ static void check_length(const struct exodus_file *file, bool foreign)
     if (type == NC_DOUBLE && length == 1)
         exodus_read(file, nc_get_att_double(file->id, NC_GLOBAL, LENGTH_ATTRIBUTE, &bytes),
                     LENGTH_ATTRIBUTE);
-    if (bytes == 0) die_user("%s: was never finished by the program that wrote it", file->shown);
+    if (bytes == 0)
+        die_user(
+            "%s: was never finished by the program that wrote it (hssolve --repair gives back what "
+            "is whole in it)",
+            file->shown);
     if (bytes != (double)file->bytes)
         die_user("%s: truncated or damaged: %lld bytes, expected %.0f", file->shown,
                  (long long)file->bytes, bytes);
 }
 
-struct exodus_file exodus_open(const struct spool *input, bool foreign)
+struct exodus_file exodus_open_any(const struct spool *input)
 {
     int memory_word = sizeof(double), file_word = 0;
     float version;
@@ -213,6 +247,12 @@ struct exodus_file exodus_open(const struct spool *input, bool foreign)
     file.id = ex_open(file.path, EX_READ | EX_ALL_INT64_API, &memory_word, &file_word, &version);
     exodus_read(&file, file.id < 0 ? FAILED : 0, "it as Exodus");
     ex_set_max_name_length(file.id, EXODUS_NAME);
+    return file;
+}
+
+struct exodus_file exodus_open(const struct spool *input, bool foreign)
+{
+    struct exodus_file file = exodus_open_any(input);
     check_length(&file, foreign);
     return file;
 }
@@ -220,6 +260,44 @@ struct exodus_file exodus_open(const struct spool *input, bool foreign)
 void exodus_close(struct exodus_file *file)
 {
     ex_close(file->id);
-    free(file->path);
-    free(file->shown);
+    forget(file);
+}
+
+/* Records are written one behind the other, and time goes on: what is not so has not reached the disk. */
+static int64_t sound_records(const struct exodus_file *file, double *last)
+{
+    const int64_t records = ex_inquire_int(file->id, EX_INQ_TIME);
+    int64_t sound = 0;
+    exodus_bound(file, records, 8, "records");
+    double *time = memory_new((size_t)records, sizeof *time);
+    if (records > 0) exodus_read(file, ex_get_all_times(file->id, time), "the times");
+    while (sound < records && isfinite(time[sound]) && time[sound] < NC_FILL_FLOAT &&
+           (sound == 0 || (time[sound] > 0 && time[sound] >= time[sound - 1])))
+        sound++;
+    if (sound == 0) die_user("%s: not one whole record in it", file->shown);
+    *last = time[sound - 1];
+    free(time);
+    return sound;
+}
+
+int64_t exodus_repair(const char *name, double *time)
+{
+    const struct spool input = {.descriptor = -1, .path = (char *)(uintptr_t)name};
+    struct exodus_file file = exodus_open_any(&input);
+    nc_type type;
+    size_t length;
+    double bytes = 0;
+    if (nc_inq_att(file.id, NC_GLOBAL, LENGTH_ATTRIBUTE, &type, &length) != NC_NOERR ||
+        type != NC_DOUBLE || length != 1)
+        die_user("%s: not written by these tools: no attribute " LENGTH_ATTRIBUTE, name);
+    exodus_read(&file, nc_get_att_double(file.id, NC_GLOBAL, LENGTH_ATTRIBUTE, &bytes),
+                "its length");
+    if (bytes == (double)file.bytes) die_user("%s is whole: there is nothing to repair", name);
+    const int64_t sound = sound_records(&file, time);
+    ex_close(file.id);
+    exodus_set_records(name, name, sound);
+    enter_length(&file);
+    spool_sync(name, name);
+    forget(&file);
+    return sound;
 }

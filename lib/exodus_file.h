@@ -25,9 +25,16 @@ struct exodus_file exodus_create(const struct spool *output, const struct attrib
 /* Closes a written file and enters its length. */
 void exodus_finish(struct exodus_file *file);
 
+/* What has been written is on the disk itself. */
+void exodus_sync(const struct exodus_file *file);
+/* Numbers of attributes that the file has get these values. */
+void exodus_renew_numbers(const struct exodus_file *file, const struct attributes *attributes);
+
 /* Opens a file that is of a classic netCDF format, has a sane header and is whole by its
  * hs_file_bytes; without that attribute it passes only where foreign is true. */
 struct exodus_file exodus_open(const struct spool *input, bool foreign);
+/* The same, whole or not. */
+struct exodus_file exodus_open_any(const struct spool *input);
 void exodus_close(struct exodus_file *file);
 
 /* The attributes with the prefix hs_, without it. */
@@ -51,5 +58,7 @@ void exodus_put_domain(const struct exodus_file *file, const struct domain *doma
 /* Dies (exit 2) where the head of a classic netCDF file is damaged.  libnetcdf 4.9 believes every
  * count it finds there and can hang on a wrong one. */
 void exodus_check_header(const char *path, const char *shown);
+/* Enters another number of records into a sound one. */
+void exodus_set_records(const char *path, const char *shown, int64_t records);
 
 #endif

@@ -132,3 +132,14 @@ void exodus_check_header(const char *path, const char *shown)
     check_head(&head);
     fclose(head.stream);
 }
+
+void exodus_set_records(const char *path, const char *shown, int64_t records)
+{
+    FILE *stream = fopen(path, "r+b");
+    if (stream == NULL) die_run("%s: cannot be written", shown);
+    fseeko(stream, 3, SEEK_SET);
+    const int width = fgetc(stream) == 5 ? 8 : 4;
+    fseeko(stream, 4, SEEK_SET);
+    for (int i = width - 1; i >= 0; i--) fputc((int)(records >> (8 * i) & 0xFF), stream);
+    if (fclose(stream) != 0) die_run("%s: cannot be written", shown);
+}

@@ -10,24 +10,63 @@ enum { ONLY_SET = 1, UNUSED_ID = 0 };
 
 static char title[] = "hstools history";
 
-void exodus_write_history(const struct spool *output, const struct history *history)
+struct exodus_history {
+    struct exodus_file file;
+    int64_t written;
+};
+
+struct exodus_history *exodus_history_open(const struct spool *output,
+                                           const struct history *history, int64_t expected)
 {
+    struct exodus_history *written = memory_new(1, sizeof *written);
     struct exodus_file file = exodus_create(output, &history->attributes);
-    int columns = history->n_columns;
+    const int columns = history->n_columns;
     exodus_wrote(&file, ex_put_init(file.id, title, 3, 0, 0, 0, 0, 0), "the sizes");
     for (int i = 0; i < columns; i++) exodus_check_name(&file, history->columns[i]);
     exodus_wrote(&file, ex_put_variable_param(file.id, EX_GLOBAL, columns), "the columns");
     exodus_wrote(&file, ex_put_variable_names(file.id, EX_GLOBAL, columns, history->columns),
                  "the columns' names");
-    for (int64_t i = 0; i < history->n_records; i++) {
-        int step = (int)i + 1;
-        const double *record = history->values + i * columns;
-        exodus_wrote(&file, ex_put_time(file.id, step, &history->time[i]), "a time");
-        exodus_wrote(&file,
-                     ex_put_var(file.id, step, EX_GLOBAL, ONLY_SET, UNUSED_ID, columns, record),
-                     "a record");
+    if (expected > 0) {
+        exodus_sync(&file);
+        spool_reserve(file.path, file.shown, expected * 8 * ((int64_t)columns + 1));
     }
-    exodus_finish(&file);
+    *written = (struct exodus_history){file, 0};
+    return written;
+}
+
+static void add_records(struct exodus_history *written, const struct history *history)
+{
+    const struct exodus_file *file = &written->file;
+    const int columns = history->n_columns;
+    for (; written->written < history->n_records; written->written++) {
+        const int64_t i = written->written;
+        const int step = (int)i + 1;
+        const double *record = history->values + i * columns;
+        exodus_wrote(file,
+                     ex_put_var(file->id, step, EX_GLOBAL, ONLY_SET, UNUSED_ID, columns, record),
+                     "a record");
+        exodus_wrote(file, ex_put_time(file->id, step, &history->time[i]), "a time");
+    }
+}
+
+void exodus_history_add(struct exodus_history *written, const struct history *history)
+{
+    if (written->written == history->n_records) return;
+    add_records(written, history);
+    exodus_sync(&written->file);
+}
+
+void exodus_history_close(struct exodus_history *written, const struct history *history)
+{
+    add_records(written, history);
+    exodus_renew_numbers(&written->file, &history->attributes);
+    exodus_finish(&written->file);
+    free(written);
+}
+
+void exodus_write_history(const struct spool *output, const struct history *history)
+{
+    exodus_history_close(exodus_history_open(output, history, 0), history);
 }
 
 static void read_columns(const struct exodus_file *file, struct history *history)

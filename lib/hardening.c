@@ -65,6 +65,11 @@ static void swift_complete(struct hardening *h, struct deck_node map)
         deck_error(map, "swift: the yield stress lies above the strength K");
     h->parameter[1] = pow(h->parameter[1] / h->parameter[0], 1 / h->parameter[2]);
 }
+static double swift_express(const struct hardening *h, int k)
+{
+    const double *a = h->parameter;
+    return k == 1 ? a[0] * pow(a[1], a[2]) : a[k];
+}
 static double swift_stress(const struct hardening *h, double p)
 {
     return h->parameter[0] * pow(h->parameter[1] + p, h->parameter[2]);
@@ -175,7 +180,7 @@ static const struct hardening_law laws[] = {
     LAW(hollomon, "K p^n", hollomon_keys, .n_linear = 1, .n_shapes = 1, .range = {{0.01, 2}}),
     LAW(ludwik, "Y + K p^n", ludwik_keys, .n_linear = 2, .n_shapes = 1, .range = {{0.01, 2}}),
     LAW(swift, "K (e0 + p)^n", swift_parameters, .n_linear = 1, .n_shapes = 2,
-        .range = {{1e-6, 1}, {0.01, 2}}, .complete = swift_complete),
+        .range = {{1e-6, 1}, {0.01, 2}}, .complete = swift_complete, .express = swift_express),
     LAW(voce, "Y + Q (1 - exp(-b p))", voce_keys, .n_linear = 2, .n_shapes = 1,
         .range = {{0.1, 1e4}}),
     LAW(two_voce, "Y + Q1 (1 - exp(-b1 p)) + Q2 (1 - exp(-b2 p))", two_voce_keys, .n_linear = 3,
@@ -217,6 +222,45 @@ struct hardening hardening_read(struct deck_node map)
     keys_read(map, &section_hardening, i, 0, NULL, &read);
     if (laws[i].complete) laws[i].complete(&read.hardening, map);
     return read.hardening;
+}
+
+double hardening_key(const struct hardening *h, int k)
+{
+    return h->law->express ? h->law->express(h, k) : h->parameter[k];
+}
+
+bool hardening_allowed(const struct hardening *h)
+{
+    const struct keys *keys = &h->law->variant.keys;
+    for (int k = 0; k < keys->count; k++) {
+        const double value = hardening_key(h, k);
+        if (keys->rows[k].kind == KEY_NUMBER &&
+            !(value >= keys->rows[k].low && value <= keys->rows[k].high))
+            return false;
+    }
+    return true;
+}
+
+static void print_points(FILE *file, const struct hardening *h, const char *indent)
+{
+    fputs(", points: [", file);
+    for (int i = 0; i < h->n_points; i++)
+        fprintf(file, "%s\n%s  [%.6g, %.6g MPa]", i ? "," : "", indent, h->strain[i],
+                h->stress[i] / 1e6);
+    fputs("]", file);
+}
+
+void hardening_print(FILE *file, const struct hardening *h, const char *indent)
+{
+    const struct keys *keys = &h->law->variant.keys;
+    fprintf(file, "{law: %s", h->law->variant.name);
+    for (int k = 0; h->n_points == 0 && k < keys->count; k++) {
+        const bool stress = strcmp(keys->rows[k].unit, "Pa") == 0;
+        fprintf(file, ", %s: %.6g%s", keys->rows[k].name, hardening_key(h, k) / (stress ? 1e6 : 1),
+                stress ? " MPa" : "");
+    }
+    if (h->n_points > 0) print_points(file, h, indent);
+    fputs("}\n", file);
 }
 
 static double no_yield_stress(const struct hardening *h, double p)

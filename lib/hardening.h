@@ -10,6 +10,9 @@
 #include "deck.h"
 #include "keys.h"
 
+#include <stdbool.h>
+#include <stdio.h>
+
 enum { HARDENING_PARAMETERS = 5, HARDENING_SHAPES = 2 };
 
 struct hardening_law;
@@ -38,6 +41,8 @@ struct hardening_law {
     /* From the numbers of the deck's keys to the parameters, where they are not the same; dies where they do not go
      * together.  NULL: nothing to do. */
     void (*complete)(struct hardening *h, struct deck_node map);
+    /* The other way: the number of key k.  NULL: parameter k. */
+    double (*express)(const struct hardening *h, int k);
 };
 
 /* Row i of the table; NULL beyond the last one. */
@@ -52,6 +57,15 @@ extern const struct section section_hardening;
 /* Reads it; dies at what is missing, unknown, falling or out of range. */
 struct hardening hardening_read(struct deck_node map);
 void hardening_free(struct hardening *hardening);
+
+/* The value of the law's key k in the deck [SI]; of the keys that a fit leaves 0 what the caller has set. */
+double hardening_key(const struct hardening *hardening, int k);
+
+/* Whether all values are in the range that the deck takes. */
+bool hardening_allowed(const struct hardening *hardening);
+
+/* "{law: voce, yield: 182.1 MPa, ...}" as the deck takes it, six digits; lines after the first begin with indent. */
+void hardening_print(FILE *file, const struct hardening *hardening, const char *indent);
 
 /* The law without a yield point: an elastic solid. */
 struct hardening hardening_none(void);

@@ -135,12 +135,24 @@ void keys_list(const struct key *key, struct deck_node node, double spacing, dou
     }
 }
 
+/* One number is all edges of a cell. */
+static void read_spacing(const struct key *key, struct deck_node node, double edges[])
+{
+    if (key->size && deck_is_list(node)) {
+        keys_list(key, node, 0, edges);
+        return;
+    }
+    edges[0] = deck_number(node, "m", key->low, key->high);
+    for (int k = 1; k < key->size; k++) edges[k] = edges[0];
+}
+
 static void read_key(const struct key *key, struct deck_node node, double *spacing, void *place,
                      void *whole)
 {
     switch (key->kind) {
     case KEY_SPACING:
-        *(double *)place = *spacing = deck_number(node, "m", key->low, key->high);
+        read_spacing(key, node, place);
+        *spacing = *(double *)place;
         break;
     case KEY_NUMBER:
     case KEY_LENGTH:

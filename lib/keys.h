@@ -19,7 +19,8 @@ enum key_kind {
     KEY_NUMBER,   /* double [SI], low <= value <= high */
     KEY_LENGTH,   /* double [m]; also in spacings */
     KEY_SPACINGS, /* the same, but low, high and usual are in spacings */
-    KEY_SPACING, /* double [m], the spacing of all lengths that follow, of the variant's rows too */
+    KEY_SPACING, /* double [m] or, with a size, double[size], all alike where the deck has one number; the first
+                    is the spacing of all lengths that follow, of the variant's rows too */
     KEY_INTEGER, /* int64_t */
     KEY_CHOICE,  /* int or enum, index in names */
     KEY_FLAG,    /* bool, false or true */

@@ -18,6 +18,7 @@ static char *option_name(const struct key *key)
 static const char *argument_of(const struct key *key)
 {
     if (key->kind == KEY_TEXT) return "TEXT";
+    if (key->kind == KEY_CHOICE) return "NAME";
     if (key->size) return "A:B";
     return strcmp(key->unit, "m") == 0    ? "LENGTH"
            : strcmp(key->unit, "m2") == 0 ? "AREA"
@@ -29,6 +30,8 @@ static const char *argument_of(const struct key *key)
 static char *option_help(const struct key *key)
 {
     if (key->otherwise) return memory_print("%s (%s)", key->help, key->otherwise);
+    if (key->kind == KEY_CHOICE)
+        return memory_print("%s (%s)", key->help, key->names[(int)key->usual]);
     if (key->usuals) return memory_print("%s (%g:%g)", key->help, key->usuals[0], key->usuals[1]);
     return isnan(key->usual) ? memory_text(key->help)
                              : memory_print("%s (%g)", key->help, key->usual);
@@ -76,6 +79,21 @@ static void read_range(const struct key *key, const char *option, const char *te
     free(low);
 }
 
+static int read_choice(const struct key *key, const char *option, const char *text)
+{
+    char *known = memory_text("");
+    for (int i = 0; key->names[i]; i++) {
+        if (strcmp(key->names[i], text) == 0) {
+            free(known);
+            return i;
+        }
+        char *longer = memory_print("%s%s%s", known, i ? ", " : "", key->names[i]);
+        free(known);
+        known = longer;
+    }
+    die_user("--%s: '%s', expected one of %s", option, text, known);
+}
+
 void keys_read_options(const struct keys *keys, const char *const texts[], void *out)
 {
     for (int i = 0; i < keys->count; i++) {
@@ -85,6 +103,8 @@ void keys_read_options(const struct keys *keys, const char *const texts[], void 
         char *option = option_name(key);
         if (key->kind == KEY_TEXT)
             *(const char **)place = texts[i];
+        else if (key->kind == KEY_CHOICE)
+            *(int *)place = read_choice(key, option, texts[i]);
         else if (key->size)
             read_range(key, option, texts[i], place);
         else

@@ -100,7 +100,9 @@ static void put_numbers(const struct printer *to, const struct key *key)
 {
     const bool pure = !key->unit || strcmp(key->unit, "1") == 0;
     if (key->size && key->rising) put(to, "[low, high], ");
-    if (key->size && !key->rising) fprintf(to->file, "list of %d, ", key->size);
+    if (key->size && !key->rising)
+        fprintf(to->file, key->kind == KEY_SPACING ? "number or list of %d, " : "list of %d, ",
+                key->size);
     put(to, key->kind == KEY_LENGTH || key->kind == KEY_SPACINGS ? "m or spacings"
             : key->kind == KEY_INTEGER                           ? "whole number"
             : key->kind == KEY_SPACING                           ? "m"

@@ -181,6 +181,13 @@ struct spool spool_input(const char *name)
     return (struct spool){.descriptor = temporary, .path = descriptor_path(temporary)};
 }
 
+struct spool spool_bytes(const char *bytes, size_t length)
+{
+    const int temporary = temporary_file();
+    write_fully(temporary, bytes, length, "a temporary file");
+    return (struct spool){.descriptor = temporary, .path = descriptor_path(temporary)};
+}
+
 char *spool_text(const char *name, long limit, long *length)
 {
     const char *shown = input_name(name);
@@ -214,6 +221,12 @@ static int open_stream(const char *name)
     return descriptor;
 }
 
+/* A file that outgrows its limit (ulimit -f) is then an error of a write, told as a full disk is. */
+static void outlive_limits(void)
+{
+    signal(SIGXFSZ, SIG_IGN);
+}
+
 static struct spool stream_output(const char *name)
 {
     /* A parent may have had SIGPIPE ignored; a filter is meant to die of it. */
@@ -224,6 +237,7 @@ static struct spool stream_output(const char *name)
 
 struct spool spool_output(const char *name)
 {
+    outlive_limits();
     if (is_standard(name)) {
         if (isatty(STDOUT_FILENO))
             die_user("no binary data to a terminal: use -o FILE, a pipe or > FILE");
@@ -243,6 +257,55 @@ struct spool spool_output(const char *name)
     return spool;
 }
 
+void spool_sync(const char *path, const char *shown)
+{
+    int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) die_run("cannot open %s: %s", shown, strerror(errno));
+    /* What is no file of a disk (EINVAL) cannot be lost by one. */
+    if (fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS)
+        die_run("cannot write %s to its disk: %s", shown, strerror(errno));
+    close(descriptor);
+}
+
+/* The folder's list of names, too; some file systems cannot, and lose no name by it. */
+static void sync_folder(const char *path)
+{
+    const char *end = strrchr(path, '/');
+    char *folder = end ? memory_print("%.*s", (int)(end - path) + 1, path) : memory_text(".");
+    int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        fsync(descriptor);
+        close(descriptor);
+    }
+    free(folder);
+}
+
+void spool_rename(const char *from, const char *to)
+{
+    spool_sync(from, to);
+    if (rename(from, to) != 0) die_run("cannot rename %s to %s: %s", from, to, strerror(errno));
+    sync_folder(to);
+}
+
+void spool_reserve(const char *path, const char *shown, int64_t bytes)
+{
+    struct stat status;
+    int descriptor = open(path, O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0 || fstat(descriptor, &status) != 0)
+        die_run("cannot open %s: %s", shown, strerror(errno));
+    if (fallocate(descriptor, FALLOC_FL_KEEP_SIZE, status.st_size, bytes) != 0 &&
+        (errno == ENOSPC || errno == EDQUOT))
+        die_run("%s: no room for the %.3g MB that are to come: %s", shown, 1e-6 * (double)bytes,
+                strerror(errno));
+    close(descriptor);
+}
+
+void spool_release(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) == 0 && truncate(path, status.st_size) != 0) return; /* it is no loss */
+}
+
 static void pump(const struct spool *spool)
 {
     const char *shown = spool->final ? spool->final : "standard output";
@@ -254,15 +317,47 @@ static void pump(const struct spool *spool)
 
 void spool_finish(struct spool *spool)
 {
-    if (spool->descriptor >= 0)
+    if (spool->descriptor >= 0) {
         pump(spool);
-    else if (rename(spool->path, spool->final) != 0)
-        die_run("cannot rename %s to %s: %s", spool->path, spool->final, strerror(errno));
-    else
+    } else {
+        spool_rename(spool->path, spool->final);
         lose_track(spool->path);
+    }
     free(spool->final);
     spool->final = NULL;
     spool_close(spool);
+}
+
+bool spool_is_empty(const struct spool *spool)
+{
+    struct stat status;
+    return stat(spool->path, &status) != 0 || status.st_size == 0;
+}
+
+bool spool_keep(struct spool *spool, const char *name)
+{
+    const bool file = strncmp(spool->path, "/proc/", strlen("/proc/")) != 0;
+    lose_track(spool->path);
+    if (spool_is_empty(spool)) {
+        if (file) unlink(spool->path);
+        return false;
+    }
+    if (file) {
+        spool_rename(spool->path, name);
+    } else {
+        struct spool kept = spool_output(name);
+        int from = open(spool->path, O_RDONLY | O_CLOEXEC),
+            to = open(kept.path, O_WRONLY | O_CLOEXEC);
+        if (from < 0 || to < 0) die_run("cannot copy to %s: %s", name, strerror(errno));
+        copy(from, "a temporary file", to, name);
+        close(from);
+        if (truncate(spool->path, 0) != 0) warn("%s stays as it was", spool->path);
+        if (close(to) != 0) die_run("cannot write %s: %s", name, strerror(errno));
+        spool_finish(&kept);
+    }
+    free(spool->final);
+    spool->final = NULL;
+    return true;
 }
 
 void spool_close(struct spool *spool)

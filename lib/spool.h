@@ -8,6 +8,8 @@
 #define HS_SPOOL_H
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
 struct spool {
     int descriptor; /* -1 where path is a file of its own */
@@ -18,13 +20,36 @@ struct spool {
 /* name = NULL or "-": standard input.  An empty input or a terminal is the user's error. */
 struct spool spool_input(const char *name);
 
+/* These bytes as an input. */
+struct spool spool_bytes(const char *bytes, size_t length);
+
 /* name = NULL or "-": standard output; refuses a terminal (exit 2, "use -o FILE or a pipe").
  * Called early, so that an unwritable directory is found before the work is done. */
 struct spool spool_output(const char *name);
 
-/* Makes the output appear: renames it, or copies it to stdout (checked to the last byte; a closed
- * pipe ends the program quietly by SIGPIPE as with any filter, a full disk exits 1). */
+/* Makes the output appear: renames it when it is on the disk itself, so that a power cut leaves the whole of it or
+ * nothing, or copies it to stdout (checked to the last byte; a closed pipe ends the program quietly by SIGPIPE as with
+ * any filter, a full disk exits 1). */
 void spool_finish(struct spool *spool);
+
+/* What there is of an unfinished output gets this name, for good; false where it is empty, and gone.  Dies (exit 1)
+ * where it cannot: then it stays where it is. */
+bool spool_keep(struct spool *spool, const char *name);
+
+/* Whether nothing has been written to it, or that has gone elsewhere. */
+bool spool_is_empty(const struct spool *spool);
+
+/* The file at from, once it is on the disk itself, gets the name to; exit 1 where it cannot. */
+void spool_rename(const char *from, const char *to);
+
+/* What has been written to the file at path is on the disk itself; exit 1 where it cannot get there. */
+void spool_sync(const char *path, const char *shown);
+
+/* Bytes of the disk behind the end of the file at path, so that it still grows where the disk is full otherwise: exit 1
+ * where the disk has not so many.  A disk that knows no such thing reserves nothing. */
+void spool_reserve(const char *path, const char *shown, int64_t bytes);
+/* Gives back what the file at path has not taken. */
+void spool_release(const char *path);
 
 /* Closes an input, or drops an output that is not finished. */
 void spool_close(struct spool *spool);

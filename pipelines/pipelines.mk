@@ -15,9 +15,11 @@
 #   make bond-plate            E of a bond-based sheet against horizon, spacing and corrections
 #   make load-steps            a plate under forces that grow in steps; the plate at rest against plane stress
 #   make crack                 a crack in glass that runs and branches: its speed
+#   make strip                 energy that a crack takes, slow and running, in a strip where it is known
 #   make thesis-impact         grips at 450 and 45 m/s: waves, and where it breaks
 #   make thesis-boundary       four ways to hold a plate: which are asymmetric
 #   make solvers               evaluations and seconds of load steps, by method, nodes, length, horizon (20 minutes)
+#   make loops                 unloading and reloading of CG, UFG, HS40 and R40: back stress
 #   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
 #   make decks                 the decks of all studies, as the targets above would run them; nothing is run
@@ -36,7 +38,7 @@ SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
 STUDIES := first plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking fracture \
-           solver-switch solvers rates spacings finite-elements thesis-calibration
+           solver-switch solvers rates spacings finite-elements loops thesis-calibration strip
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
 # A check says how many of its assertions hold, or which does not.
@@ -186,7 +188,8 @@ bond-plate: $(RESULTS)/bond-plate/figure.svg
 
 bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(1))/' -e 's/^  horizon: .*/  horizon: $(word 2,$(1))/' \
 	-e 's/^  spacing: .*/  spacing: $(patsubst %mm,% mm,$(word 3,$(1)))/' -e 's/^  volumes: .*/  volumes: $(word 4,$(1))/' \
-	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/'
+	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/' \
+	$(if $(filter 4.015 5.015,$(word 2,$(1))),-e 's/length: 3 spacings/length: 5 spacings/')
 $(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
 	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
 DECKS += $(BOND_PLATES:%=%/study.yaml)
@@ -259,6 +262,17 @@ $(RESULTS)/crack/figure.svg: $(CRACKS:%=$(RESULTS)/crack/track-%.csv) pipelines/
 $(RESULTS)/crack/%/pictures: $(RESULTS)/crack/%/fields.e
 	for time in 15 25 35 45; do hspost --frames $< --time "$$time us" --picture $(@D)/damage-$$time-us.png --variables Damage --slice z --range 0:0.6; done
 	touch $@
+
+# G of a crack in a long strip with clamped edges, slow and running.
+strip: $(RESULTS)/strip/table.csv
+DECKS += $(RESULTS)/strip/decks
+.PHONY: $(RESULTS)/strip/decks
+$(RESULTS)/strip/decks:
+	pipelines/strip/strips $@ decks
+$(RESULTS)/strip/table.csv: $(wildcard pipelines/strip/*.awk) pipelines/strip/strips | all
+	@mkdir -p $(@D)
+	pipelines/strip/strips $(@D)/runs $(if $(SMALL),small) > $@
+	$(call must,strip,-v blank="first slow released broken running of_bonds speed") $@
 
 # The thesis' explicit runs at both velocities, with its plasticity and without.
 IMPACTS := $(if $(SMALL),,plastic-450 plastic-45) elastic-450 elastic-45
@@ -471,6 +485,38 @@ $(FE)/calculix.csv: $(FE_RUNS:%=$(FE)/%/curve.csv) $(FE_UNIFORM:%=$(FE)/uniform-
 $(FE)/table.csv: $(FE_SPLITS:%=$(FE)/hstools-%.csv) $(FE_STORED)/calculix.csv pipelines/finite-elements/table.awk pipelines/finite-elements/check.awk
 	awk -F, -f pipelines/finite-elements/table.awk $(FE_STORED)/calculix.csv $(FE_SPLITS:%=$(FE)/hstools-%.csv) > $@
 	$(call must,finite-elements,-v voxels=$$(cksum < $(FE)/voxels.txt | cut -d' ' -f1) -v blank=stress_5_MPa $(if $(SMALL),-v small=yes)) $(FE_STORED)/calculix.csv $@
+
+# Unloading and reloading.  The programme is that of programme.awk: strains to which, and strains by which it is unloaded.
+LOOPED := $(if $(SMALL),cg hs40,cg ufg hs40 r40-1 r40-2 r40-3)
+DECKS += $(LOOPED:%=$(RESULTS)/loops/%/study.yaml)
+loops: $(RESULTS)/loops/table.csv
+loops_homogeneous = -e 's/^title: .*/title: $(1)/' -e 's/topology: harmonic/topology: homogeneous\n  phase: $(1)/' -e 's/phase: structure/phase: $(1)/' \
+    -e '/^  phases:/d' -e '/^  lattice:/d' -e '/^  core:/d' -e '/^  core_distance:/d' -e '/^  ufg_fraction:/d' -e '/^  minimum_shell:/d' -e '/^  seed:/d'
+loops_cg = $(call loops_homogeneous,CG)
+loops_ufg = $(call loops_homogeneous,UFG)
+loops_r40 = -e 's/^title: .*/title: R40/' -e 's/topology: harmonic/topology: random\n  override: true/' -e '/^  lattice:/d' -e '/^  minimum_shell:/d' \
+    -e 's/core_distance: .*/core_distance: 0.1 mm/' -e 's/seed: 1/seed: $(1)/'
+loops_to := 0.005 0.01 0.02 0.03 0.04
+loops_down_cg := 0.0024 0.0028 0.0034 0.0038
+loops_down_ufg := 0 0.0158 0.0197 0.0197
+loops_down := 0.0017 0.0026 0.0034 0.004
+$(LOOPED:%=$(RESULTS)/loops/%/study.yaml): $(RESULTS)/loops/%/study.yaml: pipelines/loops/study.yaml pipelines/loops/programme.awk
+	$(call VARY,$(call loops_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))))
+	awk -v to="$(loops_to)" -v down="$(or $(loops_down_$*),$(loops_down))" -f pipelines/loops/programme.awk >> $@
+$(LOOPED:%=$(RESULTS)/loops/%/history.e): %/history.e: %/study.yaml | all
+	hsgen -q $< | hssolve -q -j $(RANKS) -H $@
+LOOPS_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/loops/calculix.csv
+$(RESULTS)/loops/calculix.csv: $(FE)/voxels.txt $(addprefix pipelines/,loops/programme.awk loops/calculix.awk finite-elements/mesh.awk finite-elements/split.awk finite-elements/curve.awk)
+	@mkdir -p $(@D)/calculix
+	awk -v by=1 -v spacing=25e-6 -f pipelines/finite-elements/split.awk $< | \
+	awk -v element=C3D8I -v spacing=25e-6 -v weights=$(@D)/calculix/weights.txt -f pipelines/finite-elements/mesh.awk > $(@D)/calculix/mesh.inp
+	awk -v to="$(loops_to)" -v down="$(loops_down)" -v calculix=1 -f pipelines/loops/programme.awk > $(@D)/calculix/amplitude
+	awk -v to="$(loops_to)" -f pipelines/loops/calculix.awk $(@D)/calculix/amplitude $(@D)/calculix/mesh.inp > $(@D)/calculix/bar.inp
+	cd $(@D)/calculix && OMP_NUM_THREADS=1 ccx bar > ccx.log && tail -n 1 bar.sta | awk '$$7 < 8.99 {exit 1}'
+	{ echo '# title: HS40 by CalculiX'; awk -f pipelines/finite-elements/curve.awk $(@D)/calculix/weights.txt $(@D)/calculix/bar.dat | cut -d, -f1,2; } > $@
+$(RESULTS)/loops/table.csv: $(LOOPED:%=$(RESULTS)/loops/%/history.e) $(LOOPS_STORED) pipelines/loops/check.awk
+	hspost -q $(filter %.e,$^) $(LOOPS_STORED) --loops $@ $(if $(SMALL),,--plot-loops $(@D)/figure.svg --plot $(@D)/curves.svg)
+	$(call must,loops,-v blank=all $(if $(SMALL),-v small=yes)) $@
 
 # One harmonic geometry at three spacings, by load steps to 10 %.
 FINER := 25um 12.5um$(if $(SMALL),, 8.33um)

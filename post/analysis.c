@@ -1,20 +1,15 @@
 #include "analysis.h"
 
+#include "die.h"
 #include "memory.h"
+#include "noise.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* E of the plastic strain: chosen, known to the solver, as the file says, or the measured slope. */
-static double plastic_modulus(const struct curve *curve, const struct elastic_line *line,
-                              const struct choices *choices)
-{
-    bool refitted = !isnan(choices->modulus_rows[0]) || !isnan(choices->modulus_range[0]);
-    double recorded = attributes_number(&curve->provenance, "plastic_strain_modulus_Pa", NAN);
-    if (!isnan(choices->modulus)) return choices->modulus;
-    if (!isnan(curve->youngs_modulus)) return curve->youngs_modulus;
-    return recorded > 0 && !refitted ? recorded : line->slope;
-}
+static const double rounding =
+    1e-6; /* of the highest stress, below which noise is that of written digits */
 
 /* Force over the smallest section: a mean stress in the neck, with no correction for its
  * triaxiality. */
@@ -31,9 +26,10 @@ static void note_rules(struct curve *curve, const struct analysis *analysis,
                        const struct choices *choices)
 {
     struct attributes *notes = &curve->provenance;
-    const struct elastic_line *line = &analysis->line;
+    const struct elastic_line *line = &analysis->measures.line;
     if (line->count > 0) {
-        char *rows = memory_print("%ld to %ld", line->first + 1, line->last + 1);
+        char *rows = memory_print("%ld to %ld", analysis->rows[line->first] + 1,
+                                  analysis->rows[line->last] + 1);
         attributes_set_text(notes, "slope_rows", rows);
         free(rows);
     }
@@ -41,48 +37,107 @@ static void note_rules(struct curve *curve, const struct analysis *analysis,
         attributes_set_number(notes, "slope_Pa", line->slope);
         attributes_set_number(notes, "toe_strain", line->toe);
     }
-    if (!isnan(analysis->modulus))
-        attributes_set_number(notes, "plastic_strain_modulus_Pa", analysis->modulus);
+    if (!isnan(analysis->measures.modulus))
+        attributes_set_number(notes, "plastic_strain_modulus_Pa", analysis->measures.modulus);
     if (!isnan(choices->true_modulus))
         attributes_set_number(notes, "true_modulus_Pa", choices->true_modulus);
     attributes_set_text(notes, "true_curve", "toe removed; up to the maximum force");
-    attributes_set_number(notes, "slope_window", choices->window);
+    attributes_set_number(notes, "slope_window", analysis->window);
 }
 
-static struct power_law harden(const struct curve *curve, struct analysis *analysis,
-                               const struct choices *choices)
+/* Rows that a user counts, in the curve, as rows of the envelope. */
+static void renumber(const struct analysis *analysis, const struct curve *curve,
+                     struct choices *choices)
 {
-    const struct elastic_line *line = &analysis->line;
-    const struct strength_maximum *maximum = &analysis->maximum;
-    double uniform = maximum->strain - line->toe - maximum->stress / line->slope;
-    double low = choices->hardening_range[0], high = choices->hardening_range[1];
-    analysis->cut_at_maximum = uniform < high;
-    return true_curve_power_law(curve, line, maximum->row, low, fmin(high, uniform));
+    double *rows = choices->modulus_rows;
+    if (isnan(rows[0])) return;
+    if (rows[1] > (double)curve->n)
+        die_user("modulus_rows: row %g of a curve of %ld", rows[1], curve->n);
+    long first = 0, last = analysis->envelope.n - 1;
+    while (first < last && (double)analysis->rows[first] < rows[0] - 1) first++;
+    while (last > first && (double)analysis->rows[last] > rows[1] - 1) last--;
+    rows[0] = (double)first + 1;
+    rows[1] = (double)last + 1;
+}
+
+static void correct(struct analysis *analysis, struct curve *curve, struct elastic_line *line,
+                    double modulus)
+{
+    strength_correct(curve, line, modulus);
+    strength_correct(&analysis->envelope, line, modulus);
+    line->error *= modulus / line->slope;
+    line->slope = modulus;
+    line->toe = 0;
+    line->flag = "machine_compliance_removed";
+}
+
+/* Columns of the envelope back to the rows of the curve they are of. */
+static void copy_back(const struct analysis *analysis, struct curve *curve)
+{
+    const struct curve *from = &analysis->envelope;
+    for (long i = 0; i < from->n; i++) {
+        const long row = analysis->rows[i];
+        curve->true_strain[row] = from->true_strain[i];
+        curve->true_stress[row] = from->true_stress[i];
+        curve->plastic_strain[row] = from->plastic_strain[i];
+        curve->hardening_rate[row] = from->hardening_rate[i];
+    }
+}
+
+static void make_true_curve(struct analysis *analysis, const struct choices *choices)
+{
+    struct curve *curve = &analysis->envelope;
+    const struct measures *m = &analysis->measures;
+    const double noise = analysis->noise;
+    const long last = m->uniform;
+    const long reach = last < m->maximum.row ? last : true_curve_reach(curve, last);
+    analysis->window = true_curve_window(curve, last, choices->window, noise);
+    true_curve_fill(curve, &m->line, m->modulus, reach, analysis->window);
+    const struct slopes slopes = {m->modulus, m->yield.end > 0 ? m->yield.end : 0, reach, noise,
+                                  analysis->window};
+    analysis->considere = true_curve_considere(curve, &slopes);
+    true_curve_cut(curve, last);
 }
 
 struct analysis analysis_make(struct curve *curve, const struct choices *choices)
 {
-    struct analysis analysis = {.line = strength_line(curve, choices),
-                                .fit_range = {choices->fit_range[0], choices->fit_range[1]}};
-    if (!isnan(choices->true_modulus)) {
-        strength_correct(curve, &analysis.line, choices->true_modulus);
-        analysis.line.error *= choices->true_modulus / analysis.line.slope;
-        analysis.line.slope = choices->true_modulus;
-        analysis.line.toe = 0;
-        analysis.line.flag = "machine_compliance_removed";
-    }
-    analysis.maximum = strength_maximum(curve);
-    analysis.fracture = strength_fracture_row(curve, choices->fracture_share, &analysis.broken);
-    analysis.modulus = plastic_modulus(curve, &analysis.line, choices);
-
-    long last = analysis.maximum.row;
-    long reach = true_curve_reach(curve, last);
-    true_curve_fill(curve, &analysis.line, analysis.modulus, reach, choices->window);
-    analysis.considere = true_curve_considere(curve, analysis.modulus, reach);
-    true_curve_cut(curve, last);
-    analysis.power_law = harden(curve, &analysis, choices);
+    struct analysis analysis = {0};
+    struct choices chosen = *choices;
+    record_turn(curve);
     add_neck_stress(curve);
     phases_add_factor(curve);
+    analysis.record = record_judge(curve, strength_line(curve, choices).slope);
+    analysis.envelope = record_envelope(&analysis.record, curve, &analysis.rows);
+    renumber(&analysis, curve, &chosen);
+    struct elastic_line line = strength_line(&analysis.envelope, &chosen);
+    if (!isnan(choices->true_modulus)) correct(&analysis, curve, &line, choices->true_modulus);
+
+    const struct curve *envelope = &analysis.envelope;
+    analysis.strained = envelope->n - 1;
+    while (analysis.strained > 0 && analysis.rows[analysis.strained] > analysis.record.strained)
+        analysis.strained--;
+    if (curve->measured) {
+        const double most = gsl_stats_max(envelope->stress, 1, (size_t)envelope->n);
+        analysis.noise = noise_of(envelope->strain, envelope->stress, envelope->n);
+        if (analysis.noise <= rounding * most) analysis.noise = 0;
+        analysis.strain_noise = noise_of_strain(envelope->strain, envelope->n);
+    }
+    const struct loading loading = {envelope, analysis.noise, analysis.strain_noise,
+                                    analysis.strained};
+    analysis.measures = measures_take(&loading, &chosen, line);
+    measures_bootstrap(&loading, &chosen, &analysis.measures);
+    make_true_curve(&analysis, choices);
+    copy_back(&analysis, curve);
+    analysis.fit_range[0] = fmax(choices->fit_range[0], log1p(analysis.measures.hardening));
+    analysis.fit_range[1] = choices->fit_range[1];
     note_rules(curve, &analysis, choices);
     return analysis;
+}
+
+void analysis_free(struct analysis *analysis)
+{
+    record_free(&analysis->record);
+    curve_free(&analysis->envelope);
+    free(analysis->rows);
+    *analysis = (struct analysis){0};
 }

@@ -35,12 +35,13 @@ static struct constituent constituent_of(struct curve *curve, const char *key,
                                          const struct curve *from, const struct analysis *analysis,
                                          const struct hardening_law *law)
 {
-    struct law_fit fit = true_curve_fit(from, law, analysis->maximum.row, analysis->fit_range);
-    if (!fit.done || !(analysis->modulus > 0))
+    struct law_fit fit =
+        true_curve_fit(&analysis->envelope, law, analysis->measures.uniform, analysis->fit_range);
+    if (!fit.done || !(analysis->measures.modulus > 0))
         die_user("%s: too few points for the law %s up to maximum force; see --fit-range",
                  from->title, law->variant.name);
-    note_constituent(curve, key, from, analysis->modulus, &fit);
-    return (struct constituent){fit.hardening, analysis->modulus};
+    note_constituent(curve, key, from, analysis->measures.modulus, &fit);
+    return (struct constituent){fit.hardening, analysis->measures.modulus};
 }
 
 struct curve bounds_curve(enum bound bound, const struct curve pair[2],

@@ -8,7 +8,7 @@
 
 void columns_write(const char *file, const char *output, const char *maker)
 {
-    struct input input = input_read(file);
+    struct input input = input_read(file, NULL);
     const struct table *table = &input.table;
     if (!input.is_history) die_user("%s: no history of hssolve", input.name);
     struct text_output out = text_output_open(output);

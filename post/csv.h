@@ -1,22 +1,20 @@
-/* csv.h - strict comma-separated tables with a block of "#" lines above.
+/* csv.h - comma-separated tables as hspost writes them.
  *
- * Comma between fields, point in numbers, one header row, every row as long as the header, an empty
- * field for what is not valid.  Stresses are MPa in files and Pa in memory: a column stress_MPa of
- * the file is stress_Pa of the table. */
+ * Comma between fields, point in numbers, one header row, an empty field for what is not valid.  Stresses are MPa in
+ * files and Pa in memory: a column stress_Pa of the table is stress_MPa of the file. */
 #ifndef HS_CSV_H
 #define HS_CSV_H
 
-#include "domain.h"
 #include "table.h"
 
 #include <stdio.h>
 
-/* Reads the text of the file called name in messages; dies (exit 2, name:line:column) at what is not
- * a table of numbers.  Lines "# key: value" are added to the attributes, as numbers where they are. */
-struct table csv_parse(char *text, const char *name, struct attributes *attributes);
-
 /* The header row and the rows, with as many digits as bring the same doubles back. */
 void csv_write(FILE *file, const struct table *table);
+
+/* Name and value of a column: _Pa of the table is _MPa of the file. */
+void csv_heading(FILE *file, const char *name);
+void csv_value(FILE *file, const char *name, double value);
 
 /* One number in the fewest of 15 to 17 digits that read back the same; nothing for NAN. */
 void csv_number(FILE *file, double value);

@@ -50,14 +50,13 @@ static const double *demand(const struct input *input, const char *column)
     return values;
 }
 
-static const double *copy_column(struct curve *curve, const struct input *input, const char *name)
+static void copy_column(struct curve *curve, const struct input *input, const char *name)
 {
     const double *from = table_find(&input->table, name);
-    if (!from) return NULL;
+    if (!from) return;
     double *to = table_find(&curve->table, name);
     if (!to) to = table_add(&curve->table, name);
     memcpy(to, from, (size_t)curve->n * sizeof *to);
-    return to;
 }
 
 /* A size from the choices, else from the file; it must be positive. */
@@ -97,18 +96,65 @@ static void reduce_history(struct curve *curve, const struct input *input)
     }
 }
 
-static void take_measured(struct curve *curve, const struct input *input)
+/* values over size, where the table has no such column; what says how the size is given. */
+static double *ratio(struct input *input, const char *column, const char *from, double size,
+                     const char *what)
 {
-    const double *strain = table_find(&input->table, "engineering_strain");
-    const double *stress = table_find(&input->table, "engineering_stress_Pa");
+    double *values = table_find(&input->table, from);
+    if (!values) return NULL;
+    if (isnan(size))
+        die_user("%s: a table of force and extension does not say the %s, so there is no %s",
+                 input->name, what, column);
+    double *made = table_add(&input->table, column);
+    for (long i = 0; i < input->table.n_rows; i++) made[i] = values[i] / size;
+    return made;
+}
+
+/* s = sigma / (1 + e), e = exp(eps) - 1: exact up to the maximum force. */
+static void take_true(struct input *input, double **strain, double **stress)
+{
+    const double *eps = table_find(&input->table, "true_strain");
+    const double *sigma = table_find(&input->table, "true_stress_Pa");
+    if (*strain || *stress || !eps || !sigma) return;
+    *strain = table_add(&input->table, "engineering_strain");
+    *stress = table_add(&input->table, "engineering_stress_Pa");
+    for (long i = 0; i < input->table.n_rows; i++) {
+        (*strain)[i] = expm1(eps[i]);
+        (*stress)[i] = sigma[i] / exp(eps[i]);
+    }
+}
+
+static void take_measured(struct curve *curve, struct input *input)
+{
+    double *strain = table_find(&input->table, "engineering_strain");
+    double *stress = table_find(&input->table, "engineering_stress_Pa");
+    take_true(input, &strain, &stress);
+    if (!strain)
+        strain = ratio(input, "engineering_strain", "extension_m", curve->gauge_length,
+                       "gauge length; give --gauge-length, as in '50 mm'");
+    if (!stress)
+        stress = ratio(input, "engineering_stress_Pa", "force_N", curve->section,
+                       "section; give --section, as in '20 mm2'");
     if (!strain || !stress)
-        die_user("%s: no column %s; expected engineering_strain,engineering_stress_MPa",
-                 input->name, strain ? "engineering_stress_MPa" : "engineering_strain");
+        die_user("%s: no column of %s", input->name,
+                 strain ? "stress or force" : "strain or extension");
     for (long i = 0; i < curve->n; i++) {
         if (isnan(strain[i]) || isnan(stress[i]))
             die_user("%s: row %ld of numbers has no strain or no stress", input->name, i + 1);
         curve->strain[i] = strain[i];
         curve->stress[i] = stress[i];
+    }
+}
+
+/* Where the columns of a phase are; of those that are not there NULL. */
+static void link_phase(struct curve *curve, struct curve_phase *phase)
+{
+    static const char *const endings[] = {"stress_Pa", "true_stress_Pa", "strain"};
+    const double **places[] = {&phase->stress, &phase->true_stress, &phase->strain};
+    for (int k = 0; k < 3; k++) {
+        char *name = memory_print("%s_%s", phase->name, endings[k]);
+        *places[k] = table_find(&curve->table, name);
+        free(name);
     }
 }
 
@@ -126,11 +172,9 @@ static void find_phases(struct curve *curve, const struct input *input)
                          memory_print("%s_strain", phase->name),
                          memory_print("%s_plastic_strain", phase->name),
                          memory_print("phase_%s_fraction", phase->name)};
-        phase->stress = copy_column(curve, input, names[0]);
-        phase->true_stress = copy_column(curve, input, names[1]);
-        phase->strain = copy_column(curve, input, names[2]);
-        copy_column(curve, input, names[3]);
+        for (int k = 0; k < 4; k++) copy_column(curve, input, names[k]);
         phase->fraction = attributes_number(&input->attributes, names[4], NAN);
+        link_phase(curve, phase);
         for (int k = 0; k < 5; k++) free(names[k]);
     }
 }
@@ -172,7 +216,7 @@ static void keep_facts(struct curve *curve, const struct input *input)
         attributes_set_number(to, "gauge_length_m", curve->gauge_length);
 }
 
-struct curve curve_make(const struct input *input, const struct choices *choices)
+struct curve curve_make(struct input *input, const struct choices *choices)
 {
     static const char *const recorded[] = {"time_s",
                                            "force_left_N",
@@ -182,6 +226,7 @@ struct curve curve_make(const struct input *input, const struct choices *choices
                                            "energy_drift",
                                            "unsteady_to_internal",
                                            "residual",
+                                           "transverse_strain",
                                            "minimum_section_ratio",
                                            "minimum_section_x_m"};
     char *title = title_of(input, choices);
@@ -225,6 +270,35 @@ void curve_write(FILE *file, const struct curve *curve)
         fputc('\n', file);
     }
     csv_write(file, &curve->table);
+}
+
+struct curve curve_rows(const struct curve *curve, long n, const long rows[])
+{
+    struct curve part = curve_new(n, curve->title);
+    for (int j = 0; j < curve->table.n_columns; j++) {
+        const struct column *from = &curve->table.columns[j];
+        double *to = table_find(&part.table, from->name);
+        if (!to) to = table_add(&part.table, from->name);
+        for (long i = 0; i < n; i++) to[i] = from->values[rows[i]];
+    }
+    part.measured = curve->measured;
+    part.section = curve->section;
+    part.gauge_length = curve->gauge_length;
+    part.youngs_modulus = curve->youngs_modulus;
+    for (int i = 0; i < curve->provenance.count; i++) {
+        const struct attribute *fact = &curve->provenance.items[i];
+        if (fact->text)
+            attributes_set_text(&part.provenance, fact->name, fact->text);
+        else
+            attributes_set_number(&part.provenance, fact->name, fact->number);
+    }
+    for (part.n_phases = 0; part.n_phases < curve->n_phases; part.n_phases++) {
+        struct curve_phase *phase = &part.phases[part.n_phases];
+        phase->name = memory_text(curve->phases[part.n_phases].name);
+        phase->fraction = curve->phases[part.n_phases].fraction;
+        link_phase(&part, phase);
+    }
+    return part;
 }
 
 void curve_free(struct curve *curve)

@@ -41,8 +41,12 @@ struct curve {
 /* An empty curve of n points with the columns every curve file has. */
 struct curve curve_new(long n, const char *title);
 
-/* Forces to stresses, extension to strain; dies (exit 2) where a column or a size is missing. */
-struct curve curve_make(const struct input *input, const struct choices *choices);
+/* Forces to stresses, extension to strain, which a table gets as columns; dies (exit 2) where a column or a size is
+ * missing. */
+struct curve curve_make(struct input *input, const struct choices *choices);
+
+/* Some of its rows [n] as a curve of their own, with all columns and facts. */
+struct curve curve_rows(const struct curve *curve, long n, const long rows[]);
 
 void curve_free(struct curve *curve);
 

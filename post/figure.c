@@ -69,9 +69,9 @@ static bool mark_of(const struct figure_series *series, bool true_curve, double 
 {
     const struct analysis *analysis = series->analysis;
     if (!analysis) return false;
-    *x = true_curve ? analysis->considere.strain : percent * analysis->maximum.strain;
-    *y = (true_curve ? analysis->considere.stress : analysis->maximum.stress) / mega;
-    return (true_curve || analysis->maximum.reached) && !isnan(*x);
+    *x = true_curve ? analysis->considere.strain : percent * analysis->measures.maximum.strain;
+    *y = (true_curve ? analysis->considere.stress : analysis->measures.maximum.stress) / mega;
+    return (true_curve || analysis->measures.maximum.reached) && !isnan(*x);
 }
 
 static bool write_marks(FILE *gnuplot, const struct figure_series series[], int count,
@@ -89,6 +89,15 @@ static bool write_marks(FILE *gnuplot, const struct figure_series series[], int 
     return any;
 }
 
+/* Of an axis; a bound that is not given is by the data. */
+static void write_range(FILE *gnuplot, const char *axis, const double range[2])
+{
+    if (isnan(range[0]))
+        fprintf(gnuplot, "set %srange [0:*]\n", axis);
+    else
+        fprintf(gnuplot, "set %srange [%.10g:%.10g]\n", axis, range[0], range[1]);
+}
+
 static void write_axes(FILE *gnuplot, bool true_curve)
 {
     fputs("set encoding utf8\n"
@@ -96,8 +105,6 @@ static void write_axes(FILE *gnuplot, bool true_curve)
           "set tics nomirror out scale 0.7\n"
           "set grid lt 1 lw 0.5 lc rgb '#d0d0d0'\n"
           "set key outside top center horizontal Left reverse samplen 2 width 1 maxcols 2\n"
-          "set xrange [0:*]\n"
-          "set yrange [0:*]\n"
           "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n",
           gnuplot);
     fputs(true_curve ? "set xlabel 'True strain ε'\nset ylabel 'True stress σ (MPa)'\n"
@@ -106,19 +113,49 @@ static void write_axes(FILE *gnuplot, bool true_curve)
           gnuplot);
 }
 
+/* The band of a group: strain, mean, mean less and plus a deviation. */
+static void write_band(FILE *gnuplot, int index, const struct group *group)
+{
+    fprintf(gnuplot, "$curve%d << EOD\n", index);
+    for (long i = 0; i < group->n; i++)
+        if (!isnan(group->mean[i]))
+            fprintf(gnuplot, "%.10g %.10g %.10g %.10g\n", percent * group->strain[i],
+                    group->mean[i] / mega, (group->mean[i] - group->deviation[i]) / mega,
+                    (group->mean[i] + group->deviation[i]) / mega);
+    fputs("EOD\n", gnuplot);
+}
+
+/* Colour, and dashes where the colours are used up. */
+static void write_line(FILE *gnuplot, int index, const struct figure_series *series)
+{
+    static const int dashes[] = {1, 4, 5, 3};
+    const bool mixture = series->curve && attributes_text(&series->curve->provenance, "mixture");
+    const int dash = mixture ? 2 : dashes[index / COLOURS % (int)(sizeof dashes / sizeof *dashes)];
+    const char *colour = colours[index % COLOURS];
+    if (series->group)
+        fprintf(gnuplot,
+                "$curve%d using 1:3:4 with filledcurves lc rgb '%s' fs transparent solid 0.2 "
+                "noborder notitle, ",
+                index, colour);
+    fprintf(gnuplot, "$curve%d using 1:2 with lines dt %d lw 1.5 lc rgb '%s' title ", index, dash,
+            colour);
+    char title[240];
+    if (series->group)
+        snprintf(title, sizeof title, "%s, mean and deviation of %d", series->title,
+                 series->group->count);
+    else
+        snprintf(title, sizeof title, "%s", series->title);
+    write_quoted(gnuplot, title);
+    fputs(" noenhanced", gnuplot);
+}
+
 static void write_plot(FILE *gnuplot, const struct figure_series series[], int count,
                        bool true_curve, bool marks)
 {
     fputs("plot ", gnuplot);
     for (int i = 0; i < count; i++) {
-        const struct curve *curve = series[i].curve;
-        const char *style = attributes_text(&curve->provenance, "mixture") ? "lines dt 2"
-                            : curve->measured ? "linespoints pt 7 ps 0.4"
-                                              : "lines";
-        fprintf(gnuplot, "%s$curve%d with %s lw 1.5 lc rgb '%s' title ", i ? ", " : "", i, style,
-                colours[i % COLOURS]);
-        write_quoted(gnuplot, curve->title);
-        fputs(" noenhanced", gnuplot);
+        if (i) fputs(", ", gnuplot);
+        write_line(gnuplot, i, &series[i]);
     }
     if (marks)
         fprintf(gnuplot, ", $marks with points pt 6 ps 1.2 lw 1.2 lc rgb '#404040' title '%s'",
@@ -127,28 +164,84 @@ static void write_plot(FILE *gnuplot, const struct figure_series series[], int c
 }
 
 static void write_script(FILE *gnuplot, const char *terminal, const char *path,
-                         const struct figure_series series[], int count, bool true_curve)
+                         const struct figure_series series[], int count,
+                         const struct figure_style *style)
 {
     fprintf(gnuplot, "set terminal %s\nset output ", terminal);
     write_quoted(gnuplot, path);
     fputc('\n', gnuplot);
-    for (int i = 0; i < count; i++) write_points(gnuplot, i, series[i].curve, true_curve);
-    bool marks = write_marks(gnuplot, series, count, true_curve);
-    write_axes(gnuplot, true_curve);
-    write_plot(gnuplot, series, count, true_curve, marks);
+    for (int i = 0; i < count; i++) {
+        if (series[i].group)
+            write_band(gnuplot, i, series[i].group);
+        else
+            write_points(gnuplot, i, series[i].curve, style->true_curve);
+    }
+    bool marks = write_marks(gnuplot, series, count, style->true_curve);
+    write_axes(gnuplot, style->true_curve);
+    write_range(gnuplot, "x", style->x_range);
+    write_range(gnuplot, "y", style->y_range);
+    if (!isnan(style->x_range[0]) || !isnan(style->y_range[0]))
+        fputs("set offsets 0, 0, 0, 0\n", gnuplot);
+    write_plot(gnuplot, series, count, style->true_curve, marks);
     fputs("set output\n", gnuplot);
 }
 
-void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
-                 bool true_curve)
+/* What writes a script to gnuplot. */
+struct drawing {
+    const char *terminal, *path;
+    const struct figure_series *series;
+    const struct figure_loops *loops;
+    int count;
+    const struct figure_style *style;
+};
+
+static void write_loops(FILE *gnuplot, const struct drawing *d)
 {
-    const char *terminal = terminal_of(name);
+    fprintf(gnuplot, "set terminal %s\nset output ", d->terminal);
+    write_quoted(gnuplot, d->path);
+    fputc('\n', gnuplot);
+    for (int i = 0; i < d->count; i++) {
+        fprintf(gnuplot, "$loops%d << EOD\n", i);
+        for (long k = 0; k < d->loops[i].count; k++) {
+            const struct loop *l = &d->loops[i].loops[k];
+            fprintf(gnuplot, "%.10g %.10g %.10g %.10g\n", percent * l->strain, l->flow / mega,
+                    l->back / mega, l->effective / mega);
+        }
+        fputs("EOD\n", gnuplot);
+    }
+    write_axes(gnuplot, true);
+    fputs("set xlabel 'True strain (%)'\nset yrange [*:*]\nset datafile missing 'nan'\nplot ",
+          gnuplot);
+    for (int i = 0; i < d->count; i++) {
+        if (d->loops[i].count == 0) continue;
+        const char *colour = colours[i % COLOURS];
+        fprintf(gnuplot, "$loops%d using 1:2 with lines lw 1.5 lc rgb '%s' title ", i, colour);
+        write_quoted(gnuplot, d->loops[i].title);
+        fprintf(gnuplot,
+                " noenhanced, $loops%d using 1:3 with linespoints pt 7 ps 0.8 lc rgb '%s' notitle, "
+                "$loops%d using 1:4 with linespoints dt 3 pt 6 ps 0.8 lc rgb '%s' notitle, ",
+                i, colour, i, colour);
+    }
+    fputs("NaN with linespoints pt 7 ps 0.8 lc rgb '#404040' title 'back stress', "
+          "NaN with linespoints dt 3 pt 6 ps 0.8 lc rgb '#404040' title 'effective stress'",
+          gnuplot);
+    fputs("\nset output\n", gnuplot);
+}
+
+static void write_curves(FILE *gnuplot, const struct drawing *d)
+{
+    write_script(gnuplot, d->terminal, d->path, d->series, d->count, d->style);
+}
+
+static void draw(const char *name, void (*write)(FILE *, const struct drawing *),
+                 const struct drawing *drawing)
+{
     /* A gnuplot that is missing or stops early shows in its exit code. */
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigaction(SIGPIPE, &ignore, &before);
     FILE *gnuplot = popen("LC_ALL=C.UTF-8 exec gnuplot >&2", "w");
     if (!gnuplot) die_run("%s: cannot start gnuplot: %s", name, strerror(errno));
-    write_script(gnuplot, terminal, path, series, count, true_curve);
+    write(gnuplot, drawing);
     bool written = fflush(gnuplot) == 0 && !ferror(gnuplot);
     int status = pclose(gnuplot);
     sigaction(SIGPIPE, &before, NULL);
@@ -157,4 +250,18 @@ void figure_draw(const char *name, const char *path, const struct figure_series 
     if (!written || status != 0)
         die_run("%s: gnuplot failed (status %d)", name,
                 WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+}
+
+void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
+                 const struct figure_style *style)
+{
+    const struct drawing drawing = {terminal_of(name), path, series, NULL, count, style};
+    draw(name, write_curves, &drawing);
+}
+
+void figure_draw_loops(const char *name, const char *path, const struct figure_loops series[],
+                       int count)
+{
+    const struct drawing drawing = {terminal_of(name), path, NULL, series, count, NULL};
+    draw(name, write_loops, &drawing);
 }

@@ -1,9 +1,12 @@
 #include "input.h"
 
-#include "csv.h"
 #include "die.h"
+#include "encoding.h"
+#include "foreign.h"
+#include "kept_history.h"
 #include "memory.h"
 #include "spool.h"
+#include "text_table.h"
 
 #include <errno.h>
 #include <math.h>
@@ -70,7 +73,18 @@ static void read_history(struct input *input, const struct spool *spool)
     history_free(&history);
 }
 
-struct input input_read(const char *name)
+static void read_table(struct input *input, const char *bytes, const char *columns_of)
+{
+    const char *set;
+    foreign_refuse(bytes, input->bytes, input->name);
+    char *text = encoding_to_utf8(bytes, input->bytes, &set);
+    if (!text) die_user("%s: neither an Exodus history nor a table of text", input->name);
+    input->table = text_table_read(text, input->name, columns_of, &input->attributes);
+    if (strcmp(set, "UTF-8") != 0) note("%s: characters of %s", input->name, set);
+    free(text);
+}
+
+struct input input_read(const char *name, const char *columns_of)
 {
     struct input input = {.standard = !name || strcmp(name, "-") == 0};
     input.name = memory_text(input.standard ? "standard input" : name);
@@ -78,12 +92,11 @@ struct input input_read(const char *name)
     char *bytes = read_bytes(&spool, input.name, &input.bytes);
     input.checksum = input_checksum((const unsigned char *)bytes, input.bytes);
     input.is_history = strncmp(bytes, "CDF", 3) == 0 || strncmp(bytes, "\x89HDF", 4) == 0;
+    if (input.is_history) kept_history(&spool);
     if (input.is_history)
         read_history(&input, &spool);
-    else if (strlen(bytes) != (size_t)input.bytes)
-        die_user("%s: neither an Exodus history nor a table of text", input.name);
     else
-        input.table = csv_parse(bytes, input.name, &input.attributes);
+        read_table(&input, bytes, columns_of);
     free(bytes);
     spool_close(&spool);
     return input;

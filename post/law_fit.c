@@ -1,10 +1,11 @@
 #include "law_fit.h"
 
+#include "root.h"
+
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multifit_nlinear.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -170,6 +171,26 @@ struct law_fit law_fit(const struct hardening_law *law, const double p[], const 
     return fit;
 }
 
+/* The data do not fix a parameter that is smaller than its standard error, or a shape that has left
+ * the range where such laws are found. */
+static bool ill_determined(const struct law_fit *fit)
+{
+    const struct hardening_law *law = fit->hardening.law;
+    const double *value = fit->hardening.parameter, *shape = value + law->n_linear;
+    for (int k = 0; k < law->n_linear + law->n_shapes; k++)
+        if (fit->error[k] > fabs(value[k])) return true;
+    for (int k = 0; k < law->n_shapes; k++)
+        if (shape[k] < law->range[k].low || shape[k] > law->range[k].high) return true;
+    return false;
+}
+
+const char *law_fit_flag(const struct law_fit *fit)
+{
+    if (!fit->done) return "too_few_points";
+    if (!fit->converged) return "not_converged";
+    return ill_determined(fit) ? "ill_determined" : NULL;
+}
+
 static double instability(double p, void *law)
 {
     return hardening_slope(law, p) - hardening_stress(law, p);
@@ -179,18 +200,5 @@ double law_uniform_strain(const struct hardening *law)
 {
     const double first = 1e-12, most = 10; /* power laws have no slope at zero */
     struct hardening copy = *law;
-    gsl_function f = {instability, &copy};
-    double low = first, high = most;
-    if (!(instability(low, &copy) > 0) || !(instability(high, &copy) < 0)) return NAN;
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    gsl_root_fsolver_set(solver, &f, low, high);
-    for (int i = 0; i < 200; i++) {
-        gsl_root_fsolver_iterate(solver);
-        low = gsl_root_fsolver_x_lower(solver);
-        high = gsl_root_fsolver_x_upper(solver);
-        if (gsl_root_test_interval(low, high, 0, 1e-12) == GSL_SUCCESS) break;
-    }
-    double root = gsl_root_fsolver_root(solver);
-    gsl_root_fsolver_free(solver);
-    return root;
+    return instability(first, &copy) > 0 ? root_between(instability, &copy, first, most) : NAN;
 }

@@ -20,6 +20,10 @@ struct law_fit {
 struct law_fit law_fit(const struct hardening_law *law, const double p[], const double stress[],
                        long n);
 
+/* NULL, or why its numbers are not to be trusted: too_few_points, not_converged, ill_determined (a parameter below its
+ * error, or a shape out of the range where such laws are found). */
+const char *law_fit_flag(const struct law_fit *fit);
+
 /* Plastic strain where the slope falls to the stress (Considere 1885): Hollomon n; Swift n - e0;
  * linear 1 - Y/H; Voce ln(Q (1 + b) / (Y + Q)) / b.  NAN where it does not within p <= 10. */
 double law_uniform_strain(const struct hardening *law);

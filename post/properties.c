@@ -4,6 +4,7 @@
 #include "die.h"
 #include "memory.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -46,87 +47,64 @@ static void write_row(FILE *file, const struct property *property)
     fputc('\n', file);
 }
 
-void properties_write_csv(FILE *file, const struct properties lists[], const char *const titles[],
+void properties_write_csv(FILE *file, const struct properties lists[], const struct label labels[],
                           int count)
 {
     fprintf(file, "%sproperty,symbol,value,unit,uncertainty,definition\n",
-            count > 1 ? "curve," : "");
+            count > 1 ? "curve,file,varied," : "");
     for (int k = 0; k < count; k++)
         for (int i = 0; i < lists[k].count; i++) {
-            if (count > 1) {
-                csv_text(file, titles[k]);
+            const char *const texts[] = {labels[k].curve, labels[k].file, labels[k].varied};
+            for (int j = 0; count > 1 && j < 3; j++) {
+                csv_text(file, texts[j]);
                 fputc(',', file);
             }
             write_row(file, &lists[k].items[i]);
         }
 }
 
-/* RFC 8259, section 7; the text is UTF-8 and stays it. */
-static void write_string(FILE *file, const char *text)
+static json_t *json_text(const char *text)
 {
-    fputc('"', file);
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c == '"' || c == '\\')
-            fprintf(file, "\\%c", c);
-        else if (c < 0x20)
-            fprintf(file, "\\u%04x", c);
-        else
-            fputc(c, file);
+    json_t *string = json_string(text);
+    if (!string) die_user("'%s' is not UTF-8, which JSON is made of; give another --title", text);
+    return string;
+}
+
+/* null for what is no number. */
+static json_t *json_number(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *object_of(const struct property *property, const struct label *label)
+{
+    json_t *object = json_object();
+    if (label) {
+        json_object_set_new(object, "curve", json_text(label->curve));
+        json_object_set_new(object, "file", json_text(label->file));
+        json_object_set_new(object, "varied", json_text(label->varied));
     }
-    fputc('"', file);
+    json_object_set_new(object, "property", json_text(property->name));
+    json_object_set_new(object, "symbol", json_text(property->symbol));
+    json_object_set_new(object, "value", json_number(property->value));
+    json_object_set_new(object, "unit", json_text(property->unit));
+    json_object_set_new(object, "uncertainty", json_number(property->uncertainty));
+    json_object_set_new(object, "definition", json_text(property->definition));
+    if (property->flag) json_object_set_new(object, "flag", json_text(property->flag));
+    return object;
 }
 
-static void write_member(FILE *file, const char *key, const char *text)
-{
-    fprintf(file, "\"%s\": ", key);
-    write_string(file, text);
-}
-
-static void write_number(FILE *file, const char *key, double value)
-{
-    fprintf(file, ", \"%s\": ", key);
-    if (isfinite(value))
-        csv_number(file, value);
-    else
-        fputs("null", file);
-}
-
-static void write_object(FILE *file, const struct property *property, const char *title)
-{
-    fputs("  {", file);
-    if (title) {
-        write_member(file, "curve", title);
-        fputs(", ", file);
-    }
-    write_member(file, "property", property->name);
-    fputs(", ", file);
-    write_member(file, "symbol", property->symbol);
-    write_number(file, "value", property->value);
-    fputs(", ", file);
-    write_member(file, "unit", property->unit);
-    write_number(file, "uncertainty", property->uncertainty);
-    fputs(", ", file);
-    write_member(file, "definition", property->definition);
-    if (property->flag) {
-        fputs(", ", file);
-        write_member(file, "flag", property->flag);
-    }
-    fputc('}', file);
-}
-
-void properties_write_json(FILE *file, const struct properties lists[], const char *const titles[],
+void properties_write_json(FILE *file, const struct properties lists[], const struct label labels[],
                            int count)
 {
-    bool first = true;
-    fputs("[\n", file);
+    json_t *array = json_array();
     for (int k = 0; k < count; k++)
-        for (int i = 0; i < lists[k].count; i++) {
-            if (!first) fputs(",\n", file);
-            first = false;
-            write_object(file, &lists[k].items[i], count > 1 ? titles[k] : NULL);
-        }
-    fputs("\n]\n", file);
+        for (int i = 0; i < lists[k].count; i++)
+            json_array_append_new(array,
+                                  object_of(&lists[k].items[i], count > 1 ? &labels[k] : NULL));
+    json_dumpf(array, file, JSON_INDENT(2));
+    fputc('\n', file);
+    json_decref(array);
 }
 
 void properties_print(const struct properties *list, const char *title)
@@ -135,8 +113,11 @@ void properties_print(const struct properties *list, const char *title)
         const char *name;
         int decimals;
     } shown[] = {{"modulus", 1},
+                 {"modulus_deviation", 2},
                  {"proof_strength_0.2", 0},
                  {"upper_yield_strength", 0},
+                 {"lower_yield_strength", 0},
+                 {"yield_point_extension", 2},
                  {"tensile_strength", 0},
                  {"extension_at_maximum_force", 1},
                  {"plastic_extension_at_maximum_force", 1},

@@ -2,6 +2,8 @@
 #ifndef HS_PROPERTIES_H
 #define HS_PROPERTIES_H
 
+#include "labels.h"
+
 #include <stdio.h>
 
 struct property {
@@ -23,10 +25,10 @@ struct property *properties_add(struct properties *list, const char *name, const
                                 double value, const char *unit, double uncertainty,
                                 const char *definition, ...) __attribute__((format(printf, 7, 8)));
 
-/* Lists of one curve or several; with several, a leading column (a member in JSON) names the curve. */
-void properties_write_csv(FILE *file, const struct properties lists[], const char *const titles[],
+/* Lists of one curve or several; with several, leading columns (members in JSON) say of which: curve, file, varied. */
+void properties_write_csv(FILE *file, const struct properties lists[], const struct label labels[],
                           int count);
-void properties_write_json(FILE *file, const struct properties lists[], const char *const titles[],
+void properties_write_json(FILE *file, const struct properties lists[], const struct label labels[],
                            int count);
 
 /* The rows that people look at first, rounded, by note(). */

@@ -15,9 +15,19 @@ static const struct key own_rows[] = {
     {"strain_range", KEY_NUMBER, offsetof(struct request, strain_range), .unit = "1", .low = 0,
      .high = 10, .size = 2, .rising = true, .usual = NAN,
      .help = "of --difference and the mixtures"},
+    {"x_range", KEY_NUMBER, offsetof(struct request, x_range), .unit = "1", .low = -1e6,
+     .high = 1e6, .size = 2, .rising = true, .usual = NAN,
+     .help = "of the figure's axis, in its unit"},
+    {"y_range", KEY_NUMBER, offsetof(struct request, y_range), .unit = "1", .low = -1e9,
+     .high = 1e9, .size = 2, .rising = true, .usual = NAN,
+     .help = "of the figure's axis, in its unit"},
+    {"density", KEY_NUMBER, offsetof(struct request, density), .unit = "kg/m3", .low = 1e-3,
+     .high = 1e6, .usual = NAN, .help = "of --material"},
+    {"poissons_ratio", KEY_NUMBER, offsetof(struct request, poissons_ratio), .unit = "1",
+     .low = -0.99, .high = 0.4999, .usual = NAN, .help = "of --material"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 13, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 23, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -32,8 +42,20 @@ static const struct hardening_law *read_law(const char *name)
 static void check(const struct request *request)
 {
     bool bounds = request->voigt || request->reuss;
-    bool anything = request->properties || request->json || request->plot || request->difference;
+    bool anything = request->properties || request->json || request->plot || request->difference ||
+                    request->loops || request->plot_loops || request->tidy || request->mean ||
+                    request->statistics;
+    if (request->calibrate && !request->material) die_user("--calibrate needs --material NAME");
+    if (request->material && request->n_files > 1)
+        die_user("--material takes one curve, here are %d files", request->n_files);
+    if (request->material && (isnan(request->density) || isnan(request->poissons_ratio)))
+        die_user(
+            "--material needs --density, as in '8900 kg/m3', and --poissons-ratio, as in 0.31: no "
+            "tension test tells them");
     if (request->plot) figure_check_name(request->plot);
+    if (request->plot_loops) figure_check_name(request->plot_loops);
+    if (request->band && (!request->plot || request->true_curve))
+        die_user("--band is a way of --plot, for engineering curves");
     if (request->true_curve && !request->plot)
         die_user("--true chooses the figure of --plot; give --plot FILE");
     if (request->columns && (anything || bounds || request->n_files > 1))
@@ -61,15 +83,16 @@ static void check_view(const struct request *request, bool files)
 {
     if (files) die_user("--frames takes the fields; curves (FILE) are for another call");
     if (request->properties || request->json || request->plot || request->difference ||
-        request->voigt || request->reuss)
-        die_user("--properties, --json, --plot, --difference, --voigt and --reuss are about "
-                 "curves; do without --frames");
+        request->voigt || request->reuss || request->loops || request->plot_loops)
+        die_user("--properties, --json, --plot, --loops, --plot-loops, --difference, --voigt and "
+                 "--reuss "
+                 "are about curves; do without --frames");
     if (request->columns) die_user("--columns is about a history; do without --frames");
     if (request->output && request->view.picture && !request->view.csv)
         die_user("-o is the file of --csv; the picture has its own name");
 }
 
-static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r, const char **law)
+static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r)
 {
     const struct option_row own[OWN_OPTIONS] = {
         {'o', "output", "FILE", "curve to a file instead of standard output", NULL, &r->output},
@@ -77,16 +100,37 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r, 
         {'j', "json", "FILE", "properties as JSON", NULL, &r->json},
         {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r->plot},
         {0, "true", NULL, "figure of the true curve", &r->true_curve, NULL},
+        {0, "loops", "FILE", "loops of unloading and reloading as CSV: back stress and more", NULL,
+         &r->loops},
+        {0, "plot-loops", "FILE", "figure of flow, back and effective stress", NULL,
+         &r->plot_loops},
+        {0, "band", NULL, "figure of the mean of each title's curves and a standard deviation",
+         &r->band, NULL},
+        {0, "tidy", "FILE", "all curves as one long CSV without comments", NULL, &r->tidy},
+        {0, "mean", "FILE", "mean curve and deviations of each title's curves as CSV", NULL,
+         &r->mean},
+        {0, "statistics", "FILE", "means and deviations of the properties as CSV", NULL,
+         &r->statistics},
         {0, "difference", NULL, "stress of the first FILE relative to the second", &r->difference,
          NULL},
         {0, "columns", NULL, "a history's columns as they are, of whatever test", &r->columns,
          NULL},
+        {0, "material", "NAME", "section materials of a deck, made of the curve, instead of it",
+         NULL, &r->material},
+        {0, "calibrate", "DIRECTORY",
+         "with --material: run its test there by hsgen and hssolve, and compare", NULL,
+         &r->calibrate},
         {0, "voigt", "FILE", "iso-strain mixture of two FILEs, a curve", NULL, &r->voigt},
         {0, "reuss", "FILE", "iso-stress mixture of two FILEs, a curve", NULL, &r->reuss},
-        {0, "law", "NAME", "hardening law of the constituents (voce)", NULL, law},
+        {0, "law", "NAME", "hardening law of constituents (voce), or of --material", NULL,
+         &r->law_name},
+        {0, "columns-of", "LIST",
+         "of a table: strain=NAME,stress=NAME:MPa or force=, extension=, time=", NULL,
+         &r->columns_of},
         {'d', "deck", "FILE", "take 'post:' from this deck, not the one within", NULL, &r->deck},
         {0, "check", NULL, "read and check all, say what would be made, make nothing", &r->check,
          NULL},
+        {0, "accept", NULL, "measure also what cannot be a metal's curve", &r->accept, NULL},
         {'q', "quiet", NULL, "no table of properties on stderr", &r->quiet, NULL},
     };
     memcpy(rows, own, sizeof own);
@@ -97,10 +141,10 @@ static int read_options(struct request *r, int argc, char **argv)
 {
     static const struct section *const sections[] = {&post_section, NULL};
     const struct keys *choices = &post_section.keys;
-    const char *law = "voce", *texts[OWN_KEYS] = {0};
+    const char *texts[OWN_KEYS] = {0};
     const int count = OWN_OPTIONS + OWN_KEYS + VIEW_OPTION_COUNT + choices->count;
     struct option_row *rows = memory_new((size_t)count, sizeof *rows), *next = rows;
-    own_options(rows, r, &law);
+    own_options(rows, r);
     keys_options(&own_keys, next += OWN_OPTIONS, texts);
     view_request_options(next += OWN_KEYS, &r->view);
     r->choices = memory_new((size_t)choices->count, sizeof *r->choices);
@@ -108,8 +152,8 @@ static int read_options(struct request *r, int argc, char **argv)
     const struct option_table table = {
         "hspost",
         "[FILE...] [-o FILE]",
-        "Makes tensile curves, properties and figures of histories (hssolve) and of tables\n"
-        "(CSV with engineering_strain,engineering_stress_MPa). No FILE or '-': standard input.\n"
+        "Makes tensile curves, properties and figures of histories (hssolve) and of tables of\n"
+        "testing machines (text, CSV). No FILE or '-': standard input.\n"
         "With --frames instead: pictures of particle fields.",
         rows,
         count,
@@ -119,14 +163,20 @@ static int read_options(struct request *r, int argc, char **argv)
     keys_options_free(&own_keys, rows + OWN_OPTIONS);
     free(rows);
     keys_read_options(&own_keys, texts, r);
-    r->law = read_law(law);
+    const bool tabulated = r->material && r->law_name && strcmp(r->law_name, "tabulated") == 0;
+    r->law = read_law(r->law_name && !tabulated ? r->law_name : "voce");
     return first;
 }
 
 struct request request_read(int argc, char **argv)
 {
     static const char *const standard_input[] = {"-"};
-    struct request r = {.fraction = NAN, .strain_range = {NAN, NAN}};
+    struct request r = {.fraction = NAN,
+                        .strain_range = {NAN, NAN},
+                        .x_range = {NAN, NAN},
+                        .y_range = {NAN, NAN},
+                        .density = NAN,
+                        .poissons_ratio = NAN};
     const int first = read_options(&r, argc, argv);
     /* A check of the options alone waits for no pipe. */
     r.n_files = argc > first || r.check ? argc - first : 1;

@@ -9,9 +9,16 @@
 #include <stdbool.h>
 
 struct request {
-    const char *output, *properties, *json, *plot, *voigt, *reuss;
+    const char *output, *properties, *json, *plot, *voigt, *reuss, *loops, *plot_loops;
+    const char *tidy, *mean, *statistics;
+    const char *material, *calibrate; /* name of the phase, directory of its test; NULL */
+    double x_range[2],
+        y_range[2]; /* of the figure, in the units of its axes; NAN where not given */
+    double density, poissons_ratio; /* kg/m^3, -; NAN where not given */
+    const char *law_name;           /* as given; NULL */
     const char *deck;
-    bool true_curve, difference, columns, check, quiet;
+    const char *columns_of; /* of a table (text_table.h); NULL: by its headings */
+    bool true_curve, band, difference, columns, check, accept, quiet;
     double fraction;                 /* of the second curve; NAN where not given */
     double strain_range[2];          /* NAN where not given */
     const struct hardening_law *law; /* of the constituents */

@@ -10,7 +10,9 @@ const double strength_plateau_share = 1e-4;
 
 enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3 };
 
+static const double plateau_widths = 3;      /* standard deviations of the noise */
 static const double proof_offset = 0.002;    /* of Rp0.2 */
+static const double straight_share = 0.01;   /* of the stress, off the line */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
 static const double default_shares[2] = {0.1, 0.4};
 
@@ -25,6 +27,11 @@ static struct elastic_line fit_rows(const struct curve *curve, long first, long 
     line.toe = -intercept / line.slope;
     line.r_squared = 1 - residual / gsl_stats_tss(s, 1, n);
     return line;
+}
+
+static double highest(const struct curve *curve)
+{
+    return gsl_stats_max(curve->stress, 1, (size_t)curve->n);
 }
 
 static bool usable(const struct elastic_line *line)
@@ -55,36 +62,39 @@ static struct elastic_line given_line(double slope, double toe, const char *flag
                                  .flag = isnan(slope) ? "no_elastic_part" : flag};
 }
 
-/* Fit for one guess of Rp0.2; slope = NAN where there are too few points. */
-static struct elastic_line fit_shares(const struct curve *curve, const double shares[2],
-                                      double proof, bool from_start)
+/* Fit between shares of Rp0.2, found by iteration; slope = NAN where there are too few points. */
+static struct elastic_line iterate(const struct curve *curve, const double shares[2])
 {
-    long first, last;
-    rows_between(curve, shares[0] * proof, shares[1] * proof, &first, &last);
-    if (from_start) first = 0;
-    if (last - first + 1 < (from_start ? 2 : FEWEST_POINTS))
-        return (struct elastic_line){.slope = NAN};
-    struct elastic_line line = fit_rows(curve, first, last);
-    if (from_start) line.flag = "few_points";
-    return line;
-}
-
-static struct elastic_line iterate(const struct curve *curve, const double shares[2],
-                                   bool from_start)
-{
-    double proof = first_guess_share * strength_maximum(curve).stress;
+    double proof = first_guess_share * highest(curve);
     struct elastic_line line = {.slope = NAN, .first = -1};
     for (int i = 0; i < MOST_ITERATIONS; i++) {
-        struct elastic_line next = fit_shares(curve, shares, proof, from_start);
+        long first, last;
+        rows_between(curve, shares[0] * proof, shares[1] * proof, &first, &last);
+        if (last - first + 1 < FEWEST_POINTS) return given_line(NAN, NAN, NULL);
+        struct elastic_line next = fit_rows(curve, first, last);
         if (!usable(&next)) return given_line(NAN, NAN, NULL);
         bool settled = next.first == line.first && next.last == line.last;
         line = next;
         proof = strength_proof(curve, &line, proof_offset);
         if (settled) break;
         /* A curve that ends before 0.2 % offset is elastic to its last point. */
-        if (isnan(proof)) proof = strength_maximum(curve).stress;
+        if (isnan(proof)) proof = highest(curve);
     }
     return line;
+}
+
+/* From the first row as far as the rows lie on a line, two at least. */
+static struct elastic_line straight_start(const struct curve *curve)
+{
+    struct elastic_line line = {.slope = NAN};
+    for (long last = 1; last < curve->n; last++) {
+        struct elastic_line longer = fit_rows(curve, 0, last);
+        const double off = curve->stress[last] - longer.slope * (curve->strain[last] - longer.toe);
+        if (!usable(&longer) || fabs(off) > straight_share * curve->stress[last]) break;
+        line = longer;
+        line.flag = "few_points";
+    }
+    return usable(&line) ? line : given_line(NAN, NAN, NULL);
 }
 
 /* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and where none
@@ -94,10 +104,10 @@ static struct elastic_line find_by_shares(const struct curve *curve, const struc
     const double *shares =
         isnan(choices->modulus_range[0]) ? default_shares : choices->modulus_range;
     double known = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
-    struct elastic_line line = iterate(curve, shares, false);
+    struct elastic_line line = iterate(curve, shares);
     if (usable(&line)) return line;
     if (known > 0) return given_line(known, 0, "slope_not_measured");
-    return iterate(curve, shares, true);
+    return straight_start(curve);
 }
 
 static struct elastic_line fit_given_rows(const struct curve *curve, const double rows[2])
@@ -141,45 +151,42 @@ double strength_proof(const struct curve *curve, const struct elastic_line *line
     return NAN;
 }
 
-struct yield_point strength_yield_point(const struct curve *curve, double yield_drop)
+double strength_total(const struct curve *curve, const struct elastic_line *line, double extension)
 {
-    const double *s = curve->stress;
-    double upper = 0, lower = INFINITY;
-    long row = -1;
-    for (long i = 0; i < curve->n; i++) {
-        if (s[i] > upper) {
-            if (lower < (1 - yield_drop) * upper) return (struct yield_point){upper, lower, row};
-            upper = s[i];
-            row = i;
-            lower = s[i];
-        }
-        lower = fmin(lower, s[i]);
+    const double strain = extension + (isnan(line->toe) ? 0 : line->toe);
+    for (long i = 1; i < curve->n; i++) {
+        const double *e = curve->strain + i, *s = curve->stress + i;
+        if (e[-1] < strain && e[0] >= strain)
+            return s[-1] + (strain - e[-1]) / (e[0] - e[-1]) * (s[0] - s[-1]);
     }
-    return (struct yield_point){NAN, NAN, -1};
+    return NAN;
 }
 
-struct strength_maximum strength_maximum(const struct curve *curve)
+struct strength_maximum strength_maximum(const struct curve *curve, const double smooth[],
+                                         double noise, long first)
 {
     const double *s = curve->stress, *e = curve->strain;
-    long row = 0;
-    for (long i = 1; i < curve->n; i++)
+    long row = first, top = first;
+    for (long i = first + 1; i < curve->n; i++) {
         if (s[i] > s[row]) row = i;
+        if (smooth[i] > smooth[top]) top = i;
+    }
     struct strength_maximum maximum = {row, s[row], e[row], 0, row < curve->n - 1};
     if (!maximum.reached) return maximum;
-    long first = row, last = row;
-    double level = (1 - strength_plateau_share) * s[row];
-    while (first > 0 && s[first - 1] >= level) first--;
-    while (last < curve->n - 1 && s[last + 1] >= level) last++;
-    maximum.strain = (e[first] + e[last]) / 2;
-    maximum.plateau = e[last] - e[first];
+    long from = top, to = top;
+    const double level =
+        smooth[top] - fmax(strength_plateau_share * smooth[top], plateau_widths * noise);
+    while (from > first && smooth[from - 1] >= level) from--;
+    while (to < curve->n - 1 && smooth[to + 1] >= level) to++;
+    maximum.strain = (e[from] + e[to]) / 2;
+    maximum.plateau = e[to] - e[from];
     return maximum;
 }
 
-long strength_fracture_row(const struct curve *curve, double share, bool *broken)
+long strength_fracture_row(const struct curve *curve, long maximum, double share, bool *broken)
 {
-    struct strength_maximum maximum = strength_maximum(curve);
-    for (long i = maximum.row + 1; i < curve->n; i++) {
-        *broken = curve->stress[i] < share * maximum.stress;
+    for (long i = maximum + 1; i < curve->n; i++) {
+        *broken = curve->stress[i] < share * curve->stress[maximum];
         if (*broken) return i - 1;
     }
     *broken = false;

@@ -19,36 +19,33 @@ struct elastic_line {
 /* Least squares of s on e over the rows given; else the line that a curve file of hspost carries, where
  * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three
  * points there: the modulus that is chosen or that the history knows, without a fit; without one, a fit
- * from the first point on.  slope = NAN where none of these will do. */
+ * from the first point on as far as the points lie on a line within 1 %.  slope = NAN where none of these will do. */
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
 
 /* Stress [Pa] where the curve first meets s = slope (e - toe - offset), linear between the points;
  * NAN where it does not. */
 double strength_proof(const struct curve *curve, const struct elastic_line *line, double offset);
 
-/* Upper and lower yield point: the first maximum from which the stress falls by more than the share
- * yield_drop before it rises above it again.  NAN, NAN where there is none. */
-struct yield_point {
-    double upper, lower; /* Pa */
-    long row;            /* of the upper one */
-};
-struct yield_point strength_yield_point(const struct curve *curve, double yield_drop);
+/* Stress [Pa] at a total extension from the toe on; NAN where it is not reached. */
+double strength_total(const struct curve *curve, const struct elastic_line *line, double extension);
 
 /* The plateau: what lies within this share of Rm below it, so flat that the noise of a digitised or
  * computed curve decides where its maximum is. */
 extern const double strength_plateau_share;
 
-/* Maximum force.  strain is that of the middle of the plateau. */
+/* Maximum force from row first on.  strain is that of the middle of the plateau of smooth, the stress without most of
+ * its noise, which is also what lies within three standard deviations of the noise that is left below the highest. */
 struct strength_maximum {
     long row;
     double stress, strain, plateau; /* Pa, -, - */
     bool reached;                   /* false: the maximum is the last point */
 };
-struct strength_maximum strength_maximum(const struct curve *curve);
+struct strength_maximum strength_maximum(const struct curve *curve, const double smooth[],
+                                         double noise, long first);
 
-/* The last row before the stress falls below share * Rm behind the maximum; the last row of the
+/* The last row before the stress falls below share of that of row maximum behind it; the last row of the
  * curve, and *broken = false, where it does not. */
-long strength_fracture_row(const struct curve *curve, double share, bool *broken);
+long strength_fracture_row(const struct curve *curve, long maximum, double share, bool *broken);
 
 /* Integral of s de [J/m^3] by trapezia from the toe to a row. */
 double strength_energy(const struct curve *curve, const struct elastic_line *line, long last);

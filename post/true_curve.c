@@ -78,6 +78,34 @@ static double local_slope(const struct curve *curve, long i, long first, long la
     return slope;
 }
 
+/* theta at a row; d eps_p = d eps - d sigma / E. */
+static double rate_at(const struct curve *curve, double modulus, long row, long first, long last,
+                      double window)
+{
+    const double slope = local_slope(curve, row, first, last, window);
+    return slope < modulus ? slope / (1 - slope / modulus) : NAN;
+}
+
+/* At rows a hundredth of the window apart at least, and linear between them: a slope over thousands of rows does not
+ * change from one to the next. */
+static void fill_rates(struct curve *curve, double modulus, long last, double window)
+{
+    const double apart = window / 100, *eps = curve->true_strain;
+    double *rate = curve->hardening_rate;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    const long first = plastic_begin(curve, last);
+    long before = -1;
+    for (long i = first; i <= last; i++) {
+        if (before >= 0 && i < last && eps[i] - eps[before] < apart) continue;
+        rate[i] = rate_at(curve, modulus, i, first, last, window);
+        for (long k = before + 1; before >= 0 && k < i; k++)
+            rate[k] = rate[before] +
+                      (eps[k] - eps[before]) / (eps[i] - eps[before]) * (rate[i] - rate[before]);
+        before = i;
+    }
+    gsl_set_error_handler(handler);
+}
+
 void true_curve_fill(struct curve *curve, const struct elastic_line *line, double modulus,
                      long last, double window)
 {
@@ -89,14 +117,7 @@ void true_curve_fill(struct curve *curve, const struct elastic_line *line, doubl
         curve->true_stress[i] = curve->stress[i] * stretch;
         curve->plastic_strain[i] = curve->true_strain[i] - curve->true_stress[i] / modulus;
     }
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    long first = plastic_begin(curve, last);
-    for (long i = first; i <= last; i++) {
-        double slope = local_slope(curve, i, first, last, window);
-        /* d eps_p = d eps - d sigma / E */
-        curve->hardening_rate[i] = slope < modulus ? slope / (1 - slope / modulus) : NAN;
-    }
-    gsl_set_error_handler(handler);
+    fill_rates(curve, modulus, last, window);
 }
 
 void true_curve_cut(struct curve *curve, long maximum)
@@ -114,21 +135,71 @@ long true_curve_reach(const struct curve *curve, long maximum)
     return row;
 }
 
-struct considere true_curve_considere(const struct curve *curve, double modulus, long last)
+/* Standard error of the slope of n rows over a width. */
+static double slope_error(double noise, double width, double n)
 {
-    double before = NAN;
-    for (long i = plastic_begin(curve, last); i <= last; i++) {
-        const double *eps = curve->true_strain, *sigma = curve->true_stress;
-        double theta = curve->hardening_rate[i];
-        double above = theta / (1 + theta / modulus) - sigma[i];
-        if (before > 0 && above <= 0) {
-            double share = before / (before - above);
-            return (struct considere){eps[i - 1] + share * (eps[i] - eps[i - 1]),
-                                      sigma[i - 1] + share * (sigma[i] - sigma[i - 1])};
-        }
-        before = above;
+    return noise * sqrt(12 / fmax(n, 1)) / width;
+}
+
+double true_curve_window(const struct curve *curve, long last, double window, double noise)
+{
+    const double wider = 1.5, share = 0.02, most = 0.2;
+    const double end = log1p(curve->strain[last]),
+                 sigma = curve->stress[last] * (1 + curve->strain[last]);
+    for (; noise > 0 && window < most * end; window *= wider) {
+        long n = 0;
+        while (n <= last && end - log1p(curve->strain[last - n]) <= window) n++;
+        if (slope_error(noise, window, (double)n) <= share * sigma) break;
     }
-    return (struct considere){NAN, NAN};
+    return window;
+}
+
+/* d sigma/d eps - sigma at a row. */
+static double above_at(const struct curve *curve, double modulus, long row)
+{
+    const double theta = curve->hardening_rate[row];
+    return theta / (1 + theta / modulus) - curve->true_stress[row];
+}
+
+/* Error of the noise at a row where slope and stress are equal: that of the slope over how fast the two part. */
+static double considere_error(const struct curve *curve, const struct slopes *slopes, long row)
+{
+    const double *eps = curve->true_strain;
+    long from = row, to = row;
+    while (from > slopes->first && eps[row] - eps[from] < slopes->window / 2) from--;
+    while (to < slopes->last && eps[to] - eps[row] < slopes->window / 2) to++;
+    const double parting =
+        (above_at(curve, slopes->modulus, to) - above_at(curve, slopes->modulus, from)) /
+        (eps[to] - eps[from]);
+    /* the noise is that of engineering stress */
+    const double noise = slopes->noise * exp(eps[row]);
+    return slope_error(noise, slopes->window, (double)(to - from + 1)) / fabs(parting);
+}
+
+struct considere true_curve_considere(const struct curve *curve, const struct slopes *slopes)
+{
+    const double *eps = curve->true_strain, *sigma = curve->true_stress;
+    long first = plastic_begin(curve, slopes->last);
+    if (first < slopes->first) first = slopes->first;
+    /* Of several crossings that which has most of the strain above on its left, and below on its right. */
+    long best = -1;
+    double sum = 0, most = 0;
+    for (long i = first + 1; i <= slopes->last; i++) {
+        const double before = above_at(curve, slopes->modulus, i - 1);
+        sum += (eps[i] - eps[i - 1]) * (before > 0 ? 1 : -1);
+        if (!(before > 0 && above_at(curve, slopes->modulus, i) <= 0) || !(best < 0 || sum > most))
+            continue;
+        most = sum;
+        best = i;
+    }
+    if (best >= 0) {
+        const double before = above_at(curve, slopes->modulus, best - 1);
+        const double share = before / (before - above_at(curve, slopes->modulus, best));
+        return (struct considere){eps[best - 1] + share * (eps[best] - eps[best - 1]),
+                                  sigma[best - 1] + share * (sigma[best] - sigma[best - 1]),
+                                  slopes->noise > 0 ? considere_error(curve, slopes, best) : NAN};
+    }
+    return (struct considere){NAN, NAN, NAN};
 }
 
 static void regress(const double x[], const double y[], struct power_law *law)
@@ -143,22 +214,51 @@ static void regress(const double x[], const double y[], struct power_law *law)
 }
 
 struct power_law true_curve_power_law(const struct curve *curve, const struct elastic_line *line,
-                                      long last, double low, double high)
+                                      double modulus, long last, double low, double high)
 {
     struct power_law law = {NAN, NAN, NAN, NAN, NAN, low, high, 0};
     double *x = memory_new((size_t)last + 1, sizeof *x),
            *y = memory_new((size_t)last + 1, sizeof *y);
     for (long i = 0; i <= last; i++) {
-        double plastic = curve->strain[i] - line->toe - curve->stress[i] / line->slope;
-        bool inside = plastic >= low && plastic <= high;
-        if (!inside || !(curve->plastic_strain[i] > 0) || !(curve->true_stress[i] > 0)) continue;
-        x[law.count] = log(curve->plastic_strain[i]);
-        y[law.count++] = log(curve->true_stress[i]);
+        const double total = curve->strain[i] - line->toe, sigma = curve->stress[i] * (1 + total);
+        const double plastic = total - curve->stress[i] / line->slope;
+        const double eps = log1p(total) - sigma / modulus;
+        if (!(plastic >= low && plastic <= high && eps > 0 && sigma > 0)) continue;
+        x[law.count] = log(eps);
+        y[law.count++] = log(sigma);
     }
     if (law.count >= FEWEST_POWER_POINTS) regress(x, y, &law);
     free(x);
     free(y);
     return law;
+}
+
+struct strain_ratio true_curve_ratio(const struct curve *curve, const struct elastic_line *line,
+                                     double modulus, long last, double low, double high)
+{
+    const double *across = table_find(&curve->table, "transverse_strain");
+    struct strain_ratio found = {NAN, NAN, 0};
+    double c0, elastic, slope, c00, c01, c11, squares;
+    if (!across || line->count < FEWEST_POWER_POINTS) return found;
+    gsl_fit_linear(curve->stress + line->first, 1, across + line->first, 1, (size_t)line->count,
+                   &c0, &elastic, &c00, &c01, &c11, &squares);
+    double *x = memory_new((size_t)last + 1, sizeof *x),
+           *y = memory_new((size_t)last + 1, sizeof *y);
+    for (long i = 0; i <= last; i++) {
+        const double total = curve->strain[i] - line->toe, sigma = curve->stress[i] * (1 + total);
+        const double plastic = total - curve->stress[i] / line->slope;
+        if (!(plastic >= low && plastic <= high) || isnan(across[i])) continue;
+        x[found.count] = log1p(total) - sigma / modulus;
+        y[found.count++] = log1p(across[i] - c0) - elastic * sigma;
+    }
+    if (found.count >= FEWEST_POWER_POINTS) {
+        gsl_fit_linear(x, 1, y, 1, (size_t)found.count, &c0, &slope, &c00, &c01, &c11, &squares);
+        found.ratio = -slope / (1 + slope);
+        found.error = sqrt(c11) / ((1 + slope) * (1 + slope));
+    }
+    free(x);
+    free(y);
+    return found;
 }
 
 struct law_fit true_curve_fit(const struct curve *curve, const struct hardening_law *law, long last,

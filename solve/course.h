@@ -4,6 +4,7 @@
 
 #include "scene.h"
 
+struct checkpoint;
 struct simulation;
 
 struct course {
@@ -12,6 +13,8 @@ struct course {
     void (*begin)(struct simulation *simulation);
     /* From the last record to the next or less; fills simulation->failure where it cannot. */
     void (*advance)(struct simulation *simulation);
+    /* What it remembers of its own (checkpoint.h), made by begin; NULL: nothing. */
+    void (*visit)(struct simulation *simulation, struct checkpoint *checkpoint);
 };
 
 #define COURSE(name, words) course_##name

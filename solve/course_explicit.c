@@ -70,10 +70,18 @@ static void raise_loads(struct simulation *s, bool looking)
         s->explicit_steps.disturbed = time;
 }
 
+/* Whether the gauge has got to its end since the last record, which lie up to a hundredth of the run apart. */
+static bool gauge_at_end(struct simulation *s)
+{
+    return s->scene.end_strain > 0 && s->strain > 0.9 * s->scene.end_strain &&
+           simulation_deformation(s) >= s->scene.end_strain;
+}
+
 /* One step, and what it leaves behind. */
 void explicit_advance(struct simulation *s)
 {
-    const bool recording = record_due(s) || near_end(s), framing = simulation_frame_due(s),
+    const bool recording = record_due(s) || near_end(s) || s->explicit_steps.ending,
+               framing = simulation_frame_due(s),
                looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
     verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking, recording);
     s->explicit_steps.looked = looking;
@@ -82,7 +90,10 @@ void explicit_advance(struct simulation *s)
         s->failure = simulation_find_failure(s);
         if (s->failure) return;
     }
-    if (recording) simulation_record(s);
+    if (recording)
+        simulation_record(s);
+    else if (looking)
+        s->explicit_steps.ending = gauge_at_end(s);
     check_step(s);
     if (framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
     raise_loads(s, looking);

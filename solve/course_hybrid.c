@@ -4,6 +4,7 @@
  * velocities.  They start with those of a short last load step, so that no wave is sent out: the test goes on as
  * it went, at the speed that the deck gives the grips. */
 #include "balance.h"
+#include "checkpoint.h"
 #include "die.h"
 #include "memory.h"
 #include "simulation_parts.h"
@@ -113,6 +114,7 @@ static void hybrid_advance(struct simulation *s)
         return;
     }
     if (!static_load(s)) {
+        if (s->load_steps.equilibrium->cut) return;
         begin_explicit(s, "no equilibrium with the smallest step");
         return;
     }
@@ -125,4 +127,13 @@ static void hybrid_advance(struct simulation *s)
     }
 }
 
-const struct course course_hybrid = {.begin = hybrid_begin, .advance = hybrid_advance};
+static void hybrid_visit(struct simulation *s, struct checkpoint *checkpoint)
+{
+    struct quiet *quiet = s->own;
+    double values[] = {quiet->since, quiet->broken};
+    checkpoint_numbers(checkpoint, "hybrid: quiet since, bonds then", values, 2);
+    *quiet = (struct quiet){values[0], values[1]};
+}
+
+const struct course course_hybrid = {
+    .begin = hybrid_begin, .advance = hybrid_advance, .visit = hybrid_visit};

@@ -42,16 +42,29 @@ static char *no_equilibrium(const struct simulation *s, const char *what)
         equilibrium_residual(s->load_steps.equilibrium), s->load_steps.equilibrium->tolerance);
 }
 
+/* The last step ends where the run does; at a strain, where the gauge gets there if it goes on as in the last step. */
+static double time_left(const struct simulation *s)
+{
+    enum {
+        A_LITTLE_MORE = 1000000
+    }; /* a part in so many, or the end would be missed by rounding */
+    const double rate = s->load_steps.strain_rate, left = s->scene.end_strain - s->strain;
+    if (s->scene.end_time > 0) return s->end_time - s->integration.time;
+    if (!(s->scene.end_strain > 0 && rate > 0)) return INFINITY;
+    return fmax(left / rate * (1 + 1.0 / A_LITTLE_MORE), s->load_steps.quasi_static->smallest);
+}
+
 /* Nothing has changed where there is no equilibrium. */
 bool static_load(struct simulation *s)
 {
     struct integration *integration = &s->integration;
-    if (s->scene.end_time > 0)
-        integration->dt = fmin(integration->dt, s->end_time - integration->time);
+    const double time = integration->time, strain = s->strain;
+    integration->dt = fmin(integration->dt, time_left(s));
     s->load_steps.framing = simulation_frame_due(s);
     if (!quasi_static_step(s->load_steps.quasi_static)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
+    s->load_steps.strain_rate = (s->strain - strain) / (integration->time - time);
     return true;
 }
 

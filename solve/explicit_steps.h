@@ -11,6 +11,7 @@ struct explicit_steps {
     double deformation, broken; /* as of the last critical step; bonds */
     double disturbed; /* time at which the body was last known not to be at equilibrium, s */
     bool looked;      /* the energies are those of the step just done */
+    bool ending;      /* the gauge is at its end: the next step is the last */
 };
 
 /* Explicit steps follow, with the step that simulation->integration has. */

@@ -3,14 +3,24 @@
 #include "cracks.h"
 #include "damage.h"
 #include "die.h"
+#include "exodus.h"
 #include "launch.h"
 #include "material_read.h"
 #include "ranks.h"
 #include "record.h"
+#include "restart.h"
 #include "scene.h"
 #include "simulation.h"
 
 #include <stdlib.h>
+
+static int repair(const char *name)
+{
+    double time;
+    const int64_t records = exodus_repair(name, &time);
+    note("%s is whole up to record %lld, t = %.6g s", name, (long long)records, time);
+    return 0;
+}
 
 int main(int argc, char **argv)
 {
@@ -21,20 +31,33 @@ int main(int argc, char **argv)
         &section_boundary,  &section_ramp,   &section_steps,       &section_initial,
         &section_solver,    &section_output, record_section(),     NULL};
     struct arguments arguments = arguments_read(argc, argv, sections);
+    if (arguments.repair) return repair(arguments.repair);
+    struct spool inputs[2] = {{.descriptor = -1}, {.descriptor = -1}};
+    if (arguments.restart && !arguments.spooled) restart_unpack(&arguments, inputs);
     if (launch_wanted(&arguments)) return launch_ranks(&arguments);
 
     struct ranks ranks = ranks_start(&argc, &argv);
+    if (ranks.rank == 0 && !arguments.input && !arguments.check) {
+        inputs[0] = spool_input(NULL); /* a checkpoint takes it along */
+        arguments.input = inputs[0].path;
+    }
     struct simulation *simulation = simulation_new(&arguments, ranks);
     simulation_announce(simulation);
     const char *failure = arguments.check ? NULL : simulation_run(simulation);
     if (!arguments.check) simulation_finish(simulation, failure);
-    if (failure) {
+    const bool spooled = arguments.spooled != NULL;
+    const bool stopped = simulation_stopped(simulation);
+    if (failure && !stopped) {
         ranks_wait();
         if (ranks.rank == 0) die_run("%s", failure);
         ranks_wait();
     }
     simulation_free(simulation);
     free(arguments.command);
+    for (int k = 0; k < 2; k++)
+        if (inputs[k].path) spool_close(&inputs[k]);
+    ranks_wait();
     ranks_stop();
-    return 0;
+    /* mpirun takes another code of a rank for an accident; the parent of -j sees that the history is gone. */
+    return stopped && !spooled ? EXIT_STOPPED : 0;
 }

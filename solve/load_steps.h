@@ -9,7 +9,8 @@ struct simulation;
 struct load_steps {
     struct equilibrium *equilibrium; /* NULL: never at rest */
     struct quasi_static *quasi_static;
-    bool framing; /* the step ends at a frame */
+    double strain_rate; /* of the gauge in the last step, 1/s */
+    bool framing;       /* the step ends at a frame */
 };
 
 /* Seconds of a load step that the deck gives in strain or seconds. */

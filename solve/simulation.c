@@ -13,10 +13,12 @@
 #include "stable_step.h"
 #include "yield.h"
 
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static struct domain *own_domain(struct simulation *s)
 {
@@ -48,11 +50,15 @@ static void read_model(struct simulation *s)
                                   s->domain.phase_names, scene->plane);
     for (int p = 0; p < s->materials.count; p++)
         s->materials.items[p].density *= scene->mass_scaling;
-    if (scene->horizon == 0) s->scene.horizon = s->materials.formulation->horizon;
+    const struct formulation *formulation = s->materials.formulation;
+    const bool scattered = lattice_is_scattered(&s->lattice);
+    if (scene->horizon == 0)
+        s->scene.horizon = scattered ? formulation->scattered : formulation->horizon;
     if (scene->horizon == 0) deck_get(scene->solver, "horizon"); /* dies */
-    int influence = scene->influence >= 0 ? scene->influence
-                                          : family_influence(s->materials.formulation->influence);
+    int influence =
+        scene->influence >= 0 ? scene->influence : family_influence(formulation->influence);
     s->family = family_new(scene->horizon, influence, scene->partial_volumes);
+    s->family.scattered = scattered;
     s->model = model_new(scene->solver, &s->family, &s->materials);
 }
 
@@ -102,6 +108,7 @@ static void read_inputs(struct simulation *s)
     char *text = NULL;
     if (s->ranks.rank == 0) {
         domain_input_read(s->arguments, &s->domain, &s->deck);
+        if (s->arguments->input) s->input = open(s->arguments->input, O_RDONLY | O_CLOEXEC);
         s->scene = scene_read(s->deck);
         read_particles(s);
         n_phases = s->domain.n_phases;
@@ -181,6 +188,48 @@ static void fill_corners(struct simulation *s)
     free(density);
 }
 
+/* Layers of nodes that a grip has to have, so that no free node misses a part of its family in it; where the stress is
+ * that of nodes two at least: the layer which the free ones see needs a gradient. */
+static int layers_of_grip(const struct simulation *s)
+{
+    const struct formulation *formulation = s->materials.formulation;
+    if (formulation->corners) return 1;
+    return s->family.reach < 2 && formulation->stress_of == STRESS_OF_NODES ? 2 : s->family.reach;
+}
+
+static void check_grips(const struct simulation *s)
+{
+    const struct boundary *boundary = &s->boundary;
+    const int needed = layers_of_grip(s);
+    if (!boundary_has_grips(boundary)) return;
+    for (int k = 0; k < 2; k++) {
+        const struct boundary_set *set = &boundary->sets[k ? boundary->right : boundary->left];
+        const double layers = 1 + (set->members.high_x - set->members.low_x) / s->lattice.spacing;
+        if (layers < needed - 0.5)
+            deck_error(set->where,
+                       "this grip is %.3g layers of particles thick, and a horizon of %g spacings "
+                       "needs %d: the free particles beside it would miss a part of their "
+                       "families; hold more of the body, or shorten the horizon",
+                       layers, s->scene.horizon, needed);
+    }
+}
+
+/* Share of the nodes that may have too few neighbours for a gradient, and carry nothing. */
+static const double MOST_LOST = 0.05;
+
+static void refuse_lost(const struct simulation *s)
+{
+    const double lost = (double)s->body.unsupported / (double)s->lattice.n_nodes;
+    const struct deck_node horizon = deck_find(s->scene.solver, "horizon");
+    if (s->materials.formulation->stress_of != STRESS_OF_NODES || lost <= MOST_LOST) return;
+    deck_error(horizon.index ? horizon : s->scene.solver,
+               "%.3g %% of the nodes (%lld of %lld) have too few neighbours within a horizon of "
+               "%g spacings for a deformation gradient, and would carry no stress; %g %% may: take "
+               "a longer horizon, or particles that stand closer",
+               100 * lost, (long long)s->body.unsupported, (long long)s->lattice.n_nodes,
+               s->scene.horizon, 100 * MOST_LOST);
+}
+
 static void build(struct simulation *s)
 {
     const struct offset *near;
@@ -196,12 +245,10 @@ static void build(struct simulation *s)
     start_damage(s);
     model_start(s->model, &s->body, s->bonds);
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
+    check_grips(s);
     s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
-    if (s->body.unsupported == s->lattice.n_nodes &&
-        s->materials.formulation->stress_of == STRESS_OF_NODES)
-        die_user("no node has a deformation gradient: the body is too thin for horizon %g",
-                 s->scene.horizon);
+    refuse_lost(s);
 }
 
 double simulation_fraction(const struct simulation *s, int phase)
@@ -287,6 +334,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     struct simulation *s = memory_new(1, sizeof *s);
     s->arguments = arguments;
     s->ranks = ranks;
+    s->input = -1;
     s->profile = arguments->profile ? profile_new() : NULL;
     profile_enter(s->profile, PART_READ);
     read_inputs(s);
@@ -333,6 +381,8 @@ void simulation_free(struct simulation *s)
     if (s->history_output.path) spool_close(&s->history_output);
     if (s->fields_output.path) spool_close(&s->fields_output);
     free(s->failure);
+    free(s->fields_name);
+    if (s->input >= 0) close(s->input);
     profile_free(s->profile);
     free(s);
 }

@@ -17,6 +17,9 @@ void simulation_announce(struct simulation *simulation);
 /* Advances to the end.  NULL, or why it had to stop (valid as long as the simulation). */
 const char *simulation_run(struct simulation *simulation);
 
+/* Whether that was because it was asked to (stop.h). */
+bool simulation_stopped(const struct simulation *simulation);
+
 /* Makes the outputs appear: under their names, or, where the run failed, as NAME.failed with all that
  * was good.  Prints the summary. */
 void simulation_finish(struct simulation *simulation, const char *failure);

@@ -7,8 +7,21 @@
 #include "options.h"
 #include "simulation_parts.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+/* Seconds from one saving of records to the next at least, and the share of the run that they may take. */
+static const double SAVE_EVERY = 0.5, SAVE_SHARE = 0.005;
+/* Records that find room on a full disk: a quarter more than expected, as load steps may be more. */
+static int64_t reserved(const struct simulation *s)
+{
+    enum { MOST = 20000 };
+    const int64_t records = 16 + simulation_records(s) / 4 * 5;
+    return records < MOST ? records : MOST;
+}
 
 static void describe(struct simulation *s)
 {
@@ -47,42 +60,68 @@ static char *failed_name(const char *name, const char *fallback)
     return memory_print("%s.failed", file ? name : fallback);
 }
 
-static void keep_fields(struct simulation *s)
+static void keep_fields(void)
 {
-    if (!s->fields_output.path || s->fields_output.descriptor >= 0) return; /* a device */
-    free(s->fields_output.final);
-    s->fields_output.final = failed_name(s->arguments->fields, "hssolve-fields");
-    warn("the frames up to there are kept in %s", s->fields_output.final);
-    spool_finish(&s->fields_output);
-}
-
-static void keep_history(struct simulation *s)
-{
-    char *name = failed_name(s->arguments->history, "hssolve-history");
-    struct spool kept = spool_output(name);
-    exodus_write_history(&kept, &s->recorder.history);
-    spool_finish(&kept);
-    warn("the history up to there is kept in %s", name);
+    struct simulation *s = endangered;
+    if (!s || !s->fields_output.path || s->fields_output.descriptor >= 0) return; /* a device */
+    char *name = failed_name(s->arguments->fields, "hssolve-fields");
+    if (spool_keep(&s->fields_output, name)) warn("the frames up to there are kept in %s", name);
     free(name);
 }
 
-/* A full disk or no memory amid a run: each frame is on disk since it was written, and the disk of the
- * history may have room. */
-static void rescue(void)
+static void keep_history(void)
 {
     struct simulation *s = endangered;
-    if (!s) return;
-    endangered = NULL;
-    keep_fields(s);
+    if (!s || !s->journal) return;
+    struct exodus_history *journal = s->journal;
+    s->journal = NULL;
+    char *name = failed_name(s->arguments->history, "hssolve-history");
     describe(s);
-    keep_history(s);
+    exodus_history_close(journal, &s->recorder.history);
+    if (spool_keep(&s->history_output, name)) warn("the history up to there is kept in %s", name);
+    free(name);
 }
 
+/* Where a restart may find the frames, wherever it is started: unfinished, kept, finished. */
+static char *names_of_fields(const struct simulation *s)
+{
+    char here[PATH_MAX] = "", *kept = failed_name(s->arguments->fields, "hssolve-fields");
+    const char *const names[] = {s->fields_output.path, kept, s->arguments->fields};
+    char *all = memory_text("");
+    if (!getcwd(here, sizeof here)) *here = '\0';
+    for (int k = 0; k < 3; k++) {
+        const bool absolute = names[k][0] == '/';
+        char *longer =
+            memory_print("%s%s%s%s\n", all, absolute ? "" : here, absolute ? "" : "/", names[k]);
+        free(all);
+        all = longer;
+    }
+    free(kept);
+    return all;
+}
+
+/* The last given runs first, and where it dies the other has its turn: of history and fields the history wins. */
 void simulation_protect(struct simulation *s)
 {
     if (s->ranks.rank != 0) return;
     endangered = s;
-    die_at_exit(rescue);
+    if (s->fields) s->fields_name = names_of_fields(s);
+    die_at_exit(keep_fields);
+    die_at_exit(keep_history);
+    describe(s);
+    s->journal = exodus_history_open(&s->history_output, &s->recorder.history, reserved(s));
+}
+
+void simulation_save_records(struct simulation *s, bool now)
+{
+    if (!s->journal) return;
+    const double begun = ranks_clock();
+    if (!now && begun < s->next_save) return;
+    const enum profile_part before = profile_enter(s->profile, PART_CHECKPOINT);
+    exodus_history_add(s->journal, &s->recorder.history);
+    profile_enter(s->profile, before);
+    const double end = ranks_clock();
+    s->next_save = end + fmax(SAVE_EVERY, (end - begun) / SAVE_SHARE);
 }
 
 void simulation_finish(struct simulation *s, const char *failure)
@@ -96,14 +135,20 @@ void simulation_finish(struct simulation *s, const char *failure)
                   (double)s->integration.evaluations);
     if (s->ranks.rank != 0) return;
     if (failure) {
-        rescue();
+        if (s->stopped) warn("%s", failure);
+        keep_history();
+        keep_fields();
+        endangered = NULL;
         return;
     }
-    if (s->fields_output.path) spool_finish(&s->fields_output);
+    struct exodus_history *journal = s->journal;
     describe(s);
-    exodus_write_history(&s->history_output, &s->recorder.history);
+    exodus_history_close(journal, &s->recorder.history);
+    s->journal = NULL;
+    if (s->fields_output.path) spool_finish(&s->fields_output);
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;
+    simulation_forget_checkpoints(s);
     if (damage_broken_bonds(s->damage) > 0)
         note("%.0f bonds broken, %.3g J", damage_broken_bonds(s->damage),
              s->integration.balance.fracture);

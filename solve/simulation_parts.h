@@ -15,6 +15,7 @@
 #include "quantities.h"
 #include "recorder.h"
 #include "scene.h"
+#include "stop.h"
 
 struct simulation {
     const struct arguments *arguments;
@@ -40,7 +41,10 @@ struct simulation {
     struct load_steps load_steps;
     void *own; /* of the course */
     struct recorder recorder;
+    struct exodus_history *journal; /* rank 0: the records that are on disk */
+    double next_save;               /* of records, s */
     struct fields *fields;
+    double framed;                              /* time of the last frame, s */
     struct spool history_output, fields_output; /* rank 0 */
     double end_time;                            /* s */
     double strain;                              /* of the gauge */
@@ -50,6 +54,16 @@ struct simulation {
     bool fallen;         /* as of the last record the body is broken and carries next to nothing */
     int64_t n_steps;     /* expected */
     double wall;         /* s */
+    struct stop stop;
+    char *fields_name;     /* of frames, as a restart looks for them; rank 0 */
+    int input;             /* open file of the domain; rank 0 */
+    int64_t saved_step;    /* of the last checkpoint */
+    double saved;          /* when, s */
+    double saving;         /* how long that took, s */
+    int64_t saved_records; /* that it has; rank 0 */
+    bool resumable;        /* it is of the run as it stands */
+    double longest;        /* of the advances so far, s */
+    bool stopped;
     char *failure;
 };
 
@@ -74,7 +88,25 @@ double simulation_deformation(struct simulation *simulation);
 /* NULL while the run is sound. */
 char *simulation_find_failure(const struct simulation *simulation);
 
-/* From here on a dying program keeps what is good as NAME.failed. */
+/* From here on records go to disk, and a dying program keeps what is good as NAME.failed. */
 void simulation_protect(struct simulation *simulation);
+
+/* Records that are new go to disk, every now and then, or now.  Between the steps alone, which may take one back. */
+void simulation_save_records(struct simulation *simulation, bool now);
+
+/* A checkpoint of the run as it stands; false, with a warning, where there is no room for it.  Collective. */
+bool simulation_checkpoint(struct simulation *simulation);
+/* Its name: a new text. */
+char *simulation_checkpoint_name(const struct simulation *simulation);
+/* Where nobody asked for them, they go with the end of the run. */
+void simulation_forget_checkpoints(const struct simulation *simulation);
+/* Whether this rank wishes for one, by time, or it is due by the steps. */
+bool simulation_checkpoint_wish(const struct simulation *simulation);
+bool simulation_checkpoint_due(const struct simulation *simulation);
+/* The state of the checkpoint that the arguments name.  Collective. */
+void simulation_restore(struct simulation *simulation);
+
+/* Records expected, about. */
+int64_t simulation_records(const struct simulation *simulation);
 
 #endif

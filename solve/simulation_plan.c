@@ -69,12 +69,22 @@ static void tell_phases(const struct simulation *s)
     free(phases);
 }
 
+static double count_steps(const struct simulation *s)
+{
+    return s->course->moving ? (double)s->n_steps : count_load_steps(s);
+}
+
+int64_t simulation_records(const struct simulation *s)
+{
+    const double steps = count_steps(s), wanted = (double)s->scene.history;
+    return 1 + (int64_t)(s->course->moving ? fmin(steps, wanted) : steps);
+}
+
 static void tell_outputs(const struct simulation *s)
 {
     const struct scene_fields *fields = &s->scene.fields;
-    const double steps = s->integration.moving ? (double)s->n_steps : count_load_steps(s);
-    note("about %.0f records of %d columns",
-         1 + (s->integration.moving ? fmin(steps, (double)s->scene.history) : steps),
+    const double steps = count_steps(s);
+    note("about %lld records of %d columns", (long long)simulation_records(s),
          s->recorder.history.n_columns);
     if (fields->n_variables > 0)
         note("about %.0f frames of %d variables in %s",

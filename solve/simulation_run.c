@@ -102,6 +102,7 @@ void simulation_write_frame(struct simulation *s)
     const enum profile_part before = profile_enter(s->profile, PART_FRAME);
     profile_count(s->profile, WORK_FRAMES, 1, 0);
     fields_write(s->fields, s->integration.time, s->model, &s->body);
+    s->framed = s->integration.time;
     profile_enter(s->profile, before);
 }
 
@@ -141,19 +142,94 @@ static double share_done(const struct simulation *s)
     return by_strain > 0 ? by_strain : fmin(s->integration.time / s->end_time, 1);
 }
 
+static void advance(struct simulation *s)
+{
+    const double begun = ranks_clock();
+    s->integration.wish[WISH_STOP] = stop_asked(&s->stop, s->longest + 2 * s->saving) ? 1 : 0;
+    s->integration.wish[WISH_CHECKPOINT] = simulation_checkpoint_wish(s) ? 1 : 0;
+    struct equilibrium *equilibrium = s->load_steps.equilibrium;
+    if (equilibrium) equilibrium->stop = s->resumable ? &s->stop : NULL;
+    profile_enter(s->profile, PART_ADVANCE);
+    s->course->advance(s);
+    profile_enter(s->profile, PART_REST);
+    s->resumable = false;
+    s->longest = fmax(s->longest, ranks_clock() - begun);
+}
+
+static void say_stopped(struct simulation *s, const char *where, bool saved)
+{
+    const char *why = stop_asked(&s->stop, s->longest + 2 * s->saving);
+    char *name = simulation_checkpoint_name(s);
+    free(s->failure);
+    s->stopped = true;
+    s->failure = memory_print("stopped %s step %lld, t = %.4g s (%s)%s%s", where,
+                              (long long)s->integration.step, s->integration.time,
+                              why ? why : "asked by a signal",
+                              saved ? ": goes on with --restart " : "", saved ? name : "");
+    free(name);
+}
+
+/* The run ends here for now; rank 0 need not be the one who was asked. */
+static void stop(struct simulation *s)
+{
+    const bool saved = simulation_checkpoint(s);
+    if (s->fields && s->framed < s->integration.time) simulation_write_frame(s);
+    say_stopped(s, "at", saved);
+}
+
+/* Amid a load step, of which nothing is left but the checkpoint at its start. */
+static void stop_amid(struct simulation *s)
+{
+    if (s->ranks.rank == 0) s->recorder.history.n_records = s->saved_records;
+    say_stopped(s, "amid the load step behind", true);
+}
+
+bool simulation_stopped(const struct simulation *s)
+{
+    return s->stopped;
+}
+
+/* As it begins, or as it was when it stopped. */
+static void begin(struct simulation *s)
+{
+    const bool restart = s->arguments->restart != NULL;
+    s->saved = ranks_clock();
+    if (restart && s->course->begin) s->course->begin(s);
+    if (restart)
+        simulation_restore(s);
+    else
+        simulation_record(s);
+    simulation_protect(s);
+    if (restart) return;
+    if (s->course->begin) s->course->begin(s);
+    if (s->fields) simulation_write_frame(s);
+}
+
+/* Between two steps. */
+static void look_around(struct simulation *s)
+{
+    if (s->load_steps.equilibrium && s->load_steps.equilibrium->cut) {
+        stop_amid(s);
+        return;
+    }
+    simulation_save_records(s, false);
+    if (s->failure || simulation_at_end(s)) return;
+    if (s->integration.granted[WISH_STOP] > 0)
+        stop(s);
+    else if (simulation_checkpoint_due(s))
+        simulation_checkpoint(s);
+}
+
 const char *simulation_run(struct simulation *s)
 {
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
-    simulation_protect(s);
-    simulation_record(s);
-    if (s->course->begin) s->course->begin(s);
-    if (s->fields) simulation_write_frame(s);
+    s->stop = stop_begin(s->arguments->time_limit);
+    begin(s);
     while (!s->failure && !simulation_at_end(s)) {
-        profile_enter(s->profile, PART_ADVANCE);
-        s->course->advance(s);
-        profile_enter(s->profile, PART_REST);
+        advance(s);
         progress_update(&progress, share_done(s), s->integration.step, s->gauge ? s->strain : NAN,
                         gauge_stress(s), s->drift);
+        look_around(s);
     }
     if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !s->fallen)
         s->failure =
@@ -161,5 +237,6 @@ const char *simulation_run(struct simulation *s)
                          "specimen deforms outside of the gauge",
                          s->strain, s->scene.end_strain);
     s->wall = progress_finish(&progress);
+    stop_end(&s->stop);
     return s->failure;
 }

@@ -7,6 +7,7 @@
 #include "broken.h"
 
 #include "bonds.h"
+#include "checkpoint.h"
 #include "memory.h"
 #include "scattered.h"
 
@@ -273,4 +274,57 @@ void broken_sums(const struct body *body, int64_t site, int count, const double 
         }
         sums[k] = sum;
     }
+}
+
+struct visited {
+    struct body *body;
+    struct bonds *bonds;
+};
+
+static bool place_broken(void *owner, int64_t strip, int point, bool make, double *places[])
+{
+    const struct visited *visited = owner;
+    struct bond_strip *at = &visited->bonds->strips[strip];
+    const struct bond_view view = bonds_view(visited->bonds, at);
+    const bool whole = view.weight[point * view.weight_step] > 0;
+    (void)places;
+    if (make && whole) broken_add(visited->body, visited->bonds, at, point);
+    return !whole && bonds_first_weight(visited->bonds, at, point) > 0;
+}
+
+static void visit_record(struct body *body, struct checkpoint *checkpoint)
+{
+    struct broken *broken = body->broken;
+    const size_t sites = (size_t)body->grid.n_sites;
+    double *touched = memory_new(sites, sizeof *touched);
+    for (size_t i = 0; i < sites; i++) touched[i] = broken->touched[i];
+    checkpoint_fields(checkpoint, "broken: ends", &touched, 1);
+    checkpoint_fields(checkpoint, "broken: what keeps F", broken->keep, 9);
+    checkpoint_fields(checkpoint, "broken: compliance before", &broken->whole, 1);
+    checkpoint_fields(checkpoint, "broken: lost", &broken->lost, 1);
+    checkpoint_numbers(checkpoint, "broken: number lost", &broken->n_lost, 1);
+    checkpoint_fields(checkpoint, "inverse shape tensor", body->inverse, 6);
+    checkpoint_fields(checkpoint, "first moments", body->first, 3);
+    for (size_t i = 0; i < sites; i++)
+        if (body->grid.flags[i]) broken->touched[i] = (uint8_t)touched[i];
+    free(touched);
+}
+
+void broken_visit(struct body *body, struct bonds *bonds, struct checkpoint *checkpoint)
+{
+    struct visited visited = {body, bonds};
+    bool gradient = body->H[0] != NULL, any = body->broken != NULL, changed = bonds->changed;
+    double some = any ? 1 : 0;
+    if (!checkpoint_reads(checkpoint)) ranks_sum(&some, 1);
+    any = some > 0;
+    checkpoint_flag(checkpoint, "gradients", &gradient);
+    if (gradient) body_need_gradient(body);
+    checkpoint_flag(checkpoint, "some bond is broken", &any);
+    if (any && !body->broken) body->broken = broken_new(body);
+    if (any) {
+        checkpoint_bonds(checkpoint, "broken bonds", 0, place_broken, &visited);
+        visit_record(body, checkpoint);
+    }
+    checkpoint_flag(checkpoint, "weights have changed", &changed);
+    bonds->changed = changed;
 }

@@ -20,6 +20,7 @@
 
 struct bonds;
 struct bond_strip;
+struct checkpoint;
 
 struct broken {
     int words;      /* a site */
@@ -51,6 +52,9 @@ void broken_sums(const struct body *body, int64_t site, int count, const double 
 void broken_keep_gradient(struct body *body, int64_t site, int count);
 /* And their stress, conjugate to F, becomes conjugate to H. */
 void broken_keep_stress(struct body *body, int64_t site, int count);
+
+/* Which bonds are broken, and what the body remembers of it; those that are read break.  Collective. */
+void broken_visit(struct body *body, struct bonds *bonds, struct checkpoint *checkpoint);
 
 static inline bool broken_bond(const struct broken *broken, int64_t lower, int o)
 {

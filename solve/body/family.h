@@ -36,8 +36,9 @@ struct family {
     double horizon; /* in spacings */
     int influence;
     bool partial;
-    int reach;  /* largest |step| along an axis */
-    int n_half; /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
+    bool scattered; /* among particles that lie on no lattice: whoever makes it says so */
+    int reach;      /* largest |step| along an axis */
+    int n_half;     /* one of each pair +-xi: z > 0, or z = 0 and y > 0, or y = z = 0 and x > 0 */
     struct offset *half;
     struct columns *columns[3]; /* see family_sums.h: [component][|x| up to reach] */
 };

@@ -26,8 +26,8 @@ static double from_fracture_energy(const struct damage_view *see, int a, int b, 
                                    struct deck_node where)
 {
     const struct formulation *formulation = see->materials->formulation;
-    double sum = 0;
     const int phases[2] = {a, b};
+    double opening[2];
     if (!formulation->opening)
         deck_error(
             where,
@@ -35,9 +35,10 @@ static double from_fracture_energy(const struct damage_view *see, int a, int b, 
             "comes from nodes, not from bonds; give 'value'",
             formulation->name);
     for (int k = 0; k < 2; k++)
-        sum += 0.5 * formulation->opening(&see->materials->items[phases[k]], see->materials->plane,
+        opening[k] = formulation->opening(&see->materials->items[phases[k]], see->materials->plane,
                                           see->body->family, see->body->lattice);
-    return sqrt(energy / sum);
+    return sqrt(energy /
+                combine(see->series ? COMBINE_HARMONIC : COMBINE_MEAN, opening[0], opening[1]));
 }
 
 static const struct key keys[] = {{"value", KEY_NUMBER, 0, "1", 1e-12, 10,

@@ -8,6 +8,8 @@
 #include "damage.h"
 
 #include "broken.h"
+#include "checkpoint.h"
+#include "interface.h"
 #include "memory.h"
 #include "profile.h"
 
@@ -64,7 +66,9 @@ struct damage *damage_new(struct deck_node root, const struct model *model,
 {
     struct damage *damage = memory_new(1, sizeof *damage);
     const size_t sites = (size_t)body->grid.n_sites;
-    damage->see = (struct damage_view){model, materials, body, bonds};
+    const struct deck_node solver = deck_find(root, "solver");
+    damage->see = (struct damage_view){model, materials, body, bonds,
+                                       solver.index ? interface_read(solver) : true};
     damage->body = body;
     damage->bonds = bonds;
     damage->rules = damage_rules_read(deck_find(root, "damage"), &damage->see);
@@ -449,4 +453,17 @@ void damage_break(struct damage *damage)
     damage->broken += counts[0];
     damage->removed += counts[1];
     broken_shapes(damage->body, damage->see.materials->formulation->stress_of == STRESS_OF_NODES);
+}
+
+/* Which strips are due is not kept: all are tested after a restart, which finds the same. */
+void damage_visit(struct damage *damage, struct checkpoint *checkpoint)
+{
+    struct integrity *integrity = damage->body->integrity;
+    broken_visit(damage->body, damage->bonds, checkpoint);
+    checkpoint_numbers(checkpoint, "damage: bonds", &damage->broken, 1);
+    checkpoint_numbers(checkpoint, "damage: nodes", &damage->removed, 1);
+    if (damage->spent) checkpoint_fields(checkpoint, "damage: spent nodes", &damage->spent, 1);
+    if (!integrity) return;
+    checkpoint_flag(checkpoint, "integrity: all are sound", &integrity->whole);
+    checkpoint_fields(checkpoint, "integrity", &integrity->node, 1);
 }

@@ -21,6 +21,7 @@ struct damage_view {
     const struct materials *materials;
     const struct body *body;
     const struct bonds *bonds;
+    bool series; /* bonds through two phases are as stiff as these in series, not as their mean */
 };
 
 enum { DAMAGE_STATES = 4 }; /* at most */
@@ -91,6 +92,7 @@ extern const struct section section_damage, section_damage_rule;
 struct damage_rules damage_rules_read(struct deck_node section, const struct damage_view *see);
 void damage_rules_free(struct damage_rules *rules);
 
+struct checkpoint;
 struct damage;
 
 /* root: of the deck, whose section "damage" is read; it may be missing.  To be made of the whole body, before
@@ -127,6 +129,9 @@ double damage_removed_nodes(const struct damage *damage);
 /* index[site] = 1 - (volume of the family still bonded)/(volume of the family) at owned nodes, cuts by cracks
  * included, or 1 - integrity where that is more. */
 void damage_index(const struct damage *damage, double *index);
+
+/* All that has been damaged.  Collective. */
+void damage_visit(struct damage *damage, struct checkpoint *checkpoint);
 
 /* For tests: no strip of bonds is passed over. */
 void damage_test_all(struct damage *damage);

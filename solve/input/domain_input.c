@@ -9,8 +9,10 @@
 #include "spool.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+enum { LONGEST_DECK = 1 << 20 };
 enum file_kind { FILE_NETCDF, FILE_TEXT, FILE_OTHER };
 
 /* Text has no bytes below space but tab and line ends. */
@@ -71,13 +73,25 @@ static struct deck *deck_inside(const struct domain *domain, const char *shown)
     return deck_parse(text, strlen(text), name ? name : "deck");
 }
 
+/* After a restart it has the name under which it was given at first. */
+static struct deck *deck_beside(const char *path)
+{
+    const char *name = getenv("HSSOLVE_DECK_NAME");
+    long length;
+    if (!name) return deck_read(path);
+    char *text = spool_text(path, LONGEST_DECK, &length);
+    struct deck *deck = deck_parse(text, (size_t)length, name);
+    free(text);
+    return deck;
+}
+
 void domain_input_read(const struct arguments *a, struct domain *domain, struct deck **deck)
 {
     struct spool input = spool_input(a->input);
     bool piped = !a->input || strncmp(a->input, "/proc/", strlen("/proc/")) == 0;
     const char *shown = piped ? "standard input" : a->input;
     const bool text = kind_of(input.path) == FILE_TEXT;
-    *deck = a->deck ? deck_read(a->deck) : NULL;
+    *deck = a->deck ? deck_beside(a->deck) : NULL;
     if (text && !*deck)
         die_user("%s is text: a deck goes through hsgen first; particles in Peridigm's text format "
                  "need the deck beside them (--deck)",

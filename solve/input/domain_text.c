@@ -129,6 +129,40 @@ static struct extent extent_of(const struct domain *domain)
     return e;
 }
 
+/* By x, of one x by volume, so that the order of the file does not matter. */
+static int by_x(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* Section of scattered particles between two places: the slope of their summed volume over x, each counted to its middle, by
+ * least squares.  It does not depend on how many layers happen to lie between, as the quotient of volume and length does. */
+static double slope_of_volume(const struct domain *domain, double left, double right)
+{
+    double(*all)[2] = memory_new((size_t)domain->n_nodes, sizeof *all), sum = 0;
+    double n = 0, x = 0, v = 0, xx = 0, xv = 0;
+    int64_t count = 0;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        if (domain->x[i] < left || domain->x[i] > right) continue;
+        all[count][0] = domain->x[i] - left;
+        all[count++][1] = domain->volume[i];
+    }
+    qsort(all, (size_t)count, sizeof *all, by_x);
+    for (int64_t i = 0; i < count; i++) {
+        const double at = all[i][0], volume = sum + 0.5 * all[i][1];
+        sum += all[i][1];
+        n++;
+        x += at;
+        v += volume;
+        xx += at * at;
+        xv += at * volume;
+    }
+    free(all);
+    const double spread = n * xx - x * x;
+    return spread > 0 ? (n * xv - x * v) / spread : 0;
+}
+
 /* The planes of a lattice are layers of nodes; of scattered ones a spacing's width of them. */
 static void add_gauge(struct domain *domain, double gauge, bool lattice, const struct extent *e)
 {
@@ -140,11 +174,12 @@ static void add_gauge(struct domain *domain, double gauge, bool lattice, const s
     }
     add_layer(domain, (struct layer){"gauge_left", left - slack, left + slack});
     add_layer(domain, (struct layer){"gauge_right", right - slack, right + slack});
-    const double end = lattice ? right - slack : right;
-    for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (domain->x[i] >= left && domain->x[i] < end) volume += domain->volume[i];
+    for (int64_t i = 0; lattice && i < domain->n_nodes; i++)
+        if (domain->x[i] >= left && domain->x[i] < right - slack) volume += domain->volume[i];
     if (right > left)
-        attributes_set_number(&domain->attributes, "section_m2", volume / (right - left));
+        attributes_set_number(&domain->attributes, "section_m2",
+                              lattice ? volume / (right - left)
+                                      : slope_of_volume(domain, left, right));
 }
 
 void domain_text_sets(struct domain *domain, bool lattice, const struct deck *deck)

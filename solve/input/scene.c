@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "family.h"
+#include "interface.h"
 #include "residual.h"
 #include "sections.h"
 #include "stabilisation.h"
@@ -54,7 +55,8 @@ static const struct section back = {
 
 static const struct key solver_keys[] = {
     {"horizon", KEY_NUMBER, AT(horizon), "1", 1, 8,
-     .otherwise = "1 of correspondence, else required", .help = "in spacings; not for corner"},
+     .otherwise = "of correspondence 1, among scattered particles 1.8; else required",
+     .help = "in spacings; not for corner"},
     {"influence", KEY_CHOICE, AT(influence), .usual = -1, .names = family_influences,
      .otherwise = "constant; of ordinary ones linear, of madenci_oterkus inverse and no other",
      .help = "of a bond of the length r, the horizon being d: constant; steep (dx/r)^8, not for "
@@ -67,8 +69,13 @@ static const struct key solver_keys[] = {
     {"surface_correction", KEY_NODE, AT(elsewhere), .form = "one", .names = surface_corrections,
      .otherwise = "none",
      .help = "factors on the bonds of nodes near a surface; not for correspondence"},
+    {"interfaces", KEY_NODE, AT(elsewhere), .form = "one", .names = interface_laws,
+     .otherwise = "series",
+     .help = "bonds through two phases: series, as stiff as the parts of their line one behind the "
+             "other; mean of the moduli; not for correspondence"},
     {"stabilisation", KEY_NODE, AT(elsewhere), .section = &section_stabilisation,
-     .otherwise = "mix with its defaults", .help = "of correspondence"},
+     .otherwise = "mix with its defaults, among scattered particles capped",
+     .help = "of correspondence"},
     {"residual", KEY_NODE, AT(elsewhere), .section = &section_residual,
      .otherwise = "flowing with its defaults", .help = "of corner"},
     {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",

@@ -89,6 +89,14 @@ struct scene_fields {
     int *variables; /* [n_variables] node_values */
 };
 
+/* Of the states of a run on its way. */
+struct scene_checkpoint {
+    struct deck_node given; /* every; index 0: not given */
+    double seconds;         /* from one to the next, 0: not by time */
+    int64_t steps;          /* 0: not by steps */
+    int64_t keep;           /* the newest */
+};
+
 struct scene {
     enum scene_type type;
     struct scene_static statics;
@@ -116,6 +124,7 @@ struct scene {
     int n_quantities;
     struct scene_quantity *quantities;
     struct scene_fields fields;
+    struct scene_checkpoint checkpoint;
 };
 
 /* Reads and checks everything but the materials, which need the domain's phases.  The deck must

@@ -122,12 +122,27 @@ static const struct section section_fields = {
     .help = "Fields for ParaView, written where hssolve is given -o FILE.",
     .keys = KEYS(fields_keys)};
 
+static const struct key checkpoint_keys[] = {
+    {"every", KEY_NODE, AT(checkpoint.given), .form = "N steps, or a time", .otherwise = "10 min",
+     .help = "from one to the next: 10 min, 1000 steps"},
+    {"keep", KEY_INTEGER, AT(checkpoint.keep), NULL, 1, 100, .usual = 2,
+     .help = "how many: NAME, the one before NAME.1, and so on"},
+};
+static const struct section section_checkpoint = {
+    .path = "output.checkpoint",
+    .help =
+        "The whole state of the run, from which hssolve --restart goes on to the same bits; one "
+        "is written at each signal, too.",
+    .keys = KEYS(checkpoint_keys)};
+
 static const struct key output_keys[] = {
     {"history", KEY_INTEGER, AT(history), NULL, 1, 1e7, .usual = 500,
      .help = "number of records, roughly; denser at the start"},
     {"quantities", KEY_NODE, AT(columns), .form = "list of mappings", .section = &section_quantity,
      .help = "columns of your own"},
     {"fields", KEY_SECTION, .section = &section_fields, .help = "pictures of the body"},
+    {"checkpoint", KEY_SECTION, .section = &section_checkpoint,
+     .help = "states from which the run can go on"},
 };
 const struct section section_output = {
     .path = "output", .help = "What is written of a run.", .keys = KEYS(output_keys)};
@@ -145,10 +160,22 @@ static void finish_fields(struct scene_fields *fields, struct deck_node map)
         fields->variables[i] = node_value_read(deck_item(list, i));
 }
 
+/* Steps, or a time. */
+static void finish_checkpoint(struct scene_checkpoint *checkpoint)
+{
+    const struct deck_node every = checkpoint->given;
+    checkpoint->seconds = 600;
+    if (!every.index) return;
+    const bool steps = strstr(deck_string(every), "step") != NULL;
+    checkpoint->steps = steps ? value_every(every, false) : 0;
+    checkpoint->seconds = steps ? 0 : deck_number(every, "s", 1e-3, 1e9);
+}
+
 void scene_read_output(struct scene *scene, struct deck_node output)
 {
     keys_read(output, &section_output, 0, 0, scene, NULL);
     read_quantities(scene, scene->columns);
+    finish_checkpoint(&scene->checkpoint);
     if (scene->fields.given.variables.index)
         finish_fields(&scene->fields, deck_get(output, "fields"));
 }

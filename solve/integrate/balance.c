@@ -8,7 +8,8 @@
 #include <stdlib.h>
 
 /* Sums in the message of a step; the reactions follow. */
-enum { DAMPED, WORK, HELD, KINETIC, STORED, PLASTIC, STABILISATION, LOADED, SUMS };
+enum { DAMPED, WORK, HELD, KINETIC, STORED, PLASTIC, STABILISATION, LOADED, WISHED };
+enum { SUMS = WISHED + WISHES };
 
 HS_SIMD static void speed_squared(int count, const double *restrict x, const double *restrict y,
                                   const double *restrict z, const double *restrict inverse_density,
@@ -132,9 +133,12 @@ static void finish(struct integration *integration, const struct body *body,
         sums[STABILISATION] = energy->stabilisation;
         sum_loaded(integration, body, &sums[LOADED]);
     }
+    for (int k = 0; k < WISHES; k++)
+        sums[WISHED + k] = (struct exact_sum){.top = integration->wish[k]};
     boundary_reactions(boundary, body, sums + SUMS);
     exact_sum_finish(sums, count, all);
     for (int k = 0; k < SUMS; k++) values[k] = all[k];
+    for (int k = 0; k < WISHES; k++) integration->granted[k] = all[WISHED + k];
     for (int b = 0; b < boundary->count; b++) {
         boundary->sets[b].reaction_before = boundary->sets[b].reaction;
         boundary->sets[b].reaction = all[SUMS + b];

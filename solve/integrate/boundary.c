@@ -1,5 +1,6 @@
 #include "boundary.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 
 #include <math.h>
@@ -26,7 +27,8 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
     const double middle = lattice_middle(lattice, 0);
     const double area = lattice_largest_face(lattice);
     struct members members = members_of_nodes(body, entry->nodes.numbers, entry->nodes.count);
-    struct boundary_set set = {.direction = entry->direction,
+    struct boundary_set set = {.where = entry->where,
+                               .direction = entry->direction,
                                .kind = entry->kind,
                                .value = entry->value,
                                .members = members,
@@ -229,6 +231,8 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
                  left_speed = boundary_speed(left, 0, dt);
     double centre[3];
     for (int a = 0; a < 3; a++) centre[a] = lattice_middle(body->lattice, a);
+    const double width =
+        0.5 * fmax(lattice_extent(body->lattice, 1), lattice_extent(body->lattice, 2));
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             int64_t site = body->owned.items[s].site + i;
@@ -236,8 +240,28 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
             body_position(body, site, x);
             double along = fmin(fmax(x[0], left->inner), right->inner);
             body->v[0][site] = left_speed + rate * (along - left->inner);
-            bool gripped = x[0] < left->inner || x[0] > right->inner;
+            const double inside = fmin(along - left->inner, right->inner - along);
             for (int a = 1; a < 3; a++)
-                body->v[a][site] = gripped ? 0 : -poissons_ratio * rate * (x[a] - centre[a]);
+                body->v[a][site] = -poissons_ratio * rate * (x[a] - centre[a]) *
+                                   (inside < width ? inside / width : 1);
         }
+}
+
+void boundary_visit(struct boundary *boundary, struct body *body, double time,
+                    struct checkpoint *checkpoint)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *s = &boundary->sets[b];
+        double values[] = {s->moved,        s->way,      s->speed,
+                           s->speed_before, s->reaction, s->reaction_before};
+        checkpoint_numbers(checkpoint, "motion and reaction of a set", values,
+                           sizeof values / sizeof *values);
+        s->moved = values[0];
+        s->way = values[1];
+        s->speed = values[2];
+        s->speed_before = values[3];
+        s->reaction = values[4];
+        s->reaction_before = values[5];
+    }
+    loads_visit(&boundary->loads, body, time, checkpoint);
 }

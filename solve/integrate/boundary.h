@@ -11,6 +11,7 @@
 #include "scene.h"
 
 struct boundary_set {
+    struct deck_node where; /* of its entry */
     int direction;
     enum scene_kind kind; /* of those that hold */
     struct value value;   /* m/s or m; the scene frees it */
@@ -68,9 +69,13 @@ void boundary_add_set_work(const struct boundary *boundary, const struct body *b
                            double duration, struct exact_sum *work);
 
 /* Initial velocity field of the body: along x linear between the grips, across it the contraction of
- * uniaxial stress.  poissons_ratio: of the mean material.  Without grips nothing. */
+ * uniaxial stress, which grows from nothing at the grips over half of the body's width.  poissons_ratio: of the mean material.  Without grips nothing. */
 void boundary_affine_start(const struct boundary *boundary, struct body *body,
                            double poissons_ratio, double dt);
+
+/* What sets have moved, and their reactions; the loads at this time.  Collective. */
+void boundary_visit(struct boundary *boundary, struct body *body, double time,
+                    struct checkpoint *checkpoint);
 
 /* Velocity of a set with one motion at a time between steps [m/s]. */
 double boundary_speed(const struct boundary_set *set, double time, double dt);

@@ -1,5 +1,6 @@
 #include "equilibrium.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 #include "stable_step.h"
 
@@ -137,22 +138,49 @@ static double norm_of_loads(struct equilibrium *e)
     return sqrt(square);
 }
 
+/* g = - unbalanced() of the free components. */
+HS_SIMD static void take_strip(int count, const double *restrict f, const double *restrict b,
+                               const double *restrict volume, double whole,
+                               const double *restrict mask, double *restrict g)
+{
+    for (int i = 0; i < count; i++) g[i] = mask[i] > 0 ? -((f[i] + b[i]) * (volume[i] / whole)) : 0;
+}
+
+static void take_unbalanced(const struct equilibrium *e, double *g)
+{
+    const struct body *body = e->body;
+    double none[LANES] = {0}, whole[LANES];
+    for (int i = 0; i < LANES; i++) whole[i] = body->volume;
+    for (int a = 0; a < 3; a++) {
+        int64_t at = a * e->unknowns.n_nodes;
+        for (int64_t s = 0; s < body->owned.count; at += body->owned.items[s++].count) {
+            const int64_t site = body->owned.items[s].site;
+            take_strip(body->owned.items[s].count, body->f[a] + site,
+                       body->b[a] ? body->b[a] + site : none,
+                       body->volumes ? body->volumes + site : whole, body->volume,
+                       e->unknowns.free + at, g + at);
+        }
+    }
+}
+
+/* Whether any rank is asked to stop: from then on no method goes on. */
+static void look_for_stop(struct equilibrium *e)
+{
+    if (!e->stop) return;
+    double asked = stop_asked(e->stop, 0) ? -1 : 0;
+    ranks_minimum(&asked, 1);
+    e->cut |= asked < 0;
+    if (e->cut) e->last = 0;
+}
+
 double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
 {
     struct body *body = e->body;
+    look_for_stop(e);
     vector_put(&e->unknowns, x, body->u);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
-    vector_take(&e->unknowns, body->f, -1, g);
-    int64_t node = 0;
-    if (body->volumes || body->b[0] || body->b[1] || body->b[2])
-        for (int64_t s = 0; s < body->owned.count; s++)
-            for (int i = 0; i < body->owned.items[s].count; i++, node++)
-                for (int a = 0; a < 3; a++) {
-                    const int64_t at = a * e->unknowns.n_nodes + node;
-                    if (e->unknowns.free[at] > 0)
-                        g[at] = -unbalanced(body, a, body->owned.items[s].site + i);
-                }
+    take_unbalanced(e, g);
     e->norm = vector_norm(&e->unknowns, g);
     e->reference = hypot(reactions(e), e->loads);
     return e->norm;
@@ -177,7 +205,7 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 
 static bool solve_by(struct equilibrium *e, const struct equilibrium_method *method, void **self)
 {
-    if (!method) return false;
+    if (!method || e->cut) return false;
     if (!*self) *self = method->start(e);
     e->last = e->evaluations + e->most_evaluations;
     return method->solve(*self, e);
@@ -193,4 +221,22 @@ bool equilibrium_solve(struct equilibrium *e)
         return false;
     e->largest = fmax(e->largest, e->reference);
     return true;
+}
+
+static void visit_method(struct equilibrium *e, const struct equilibrium_method *method,
+                         void **self, struct checkpoint *checkpoint)
+{
+    bool started = *self != NULL;
+    if (!method || !method->visit) return;
+    checkpoint_flag(checkpoint, "the method has begun", &started);
+    if (!started) return;
+    if (!*self) *self = method->start(e);
+    method->visit(*self, checkpoint);
+}
+
+void equilibrium_visit(struct equilibrium *e, struct checkpoint *checkpoint)
+{
+    checkpoint_numbers(checkpoint, "largest reference", &e->largest, 1);
+    visit_method(e, e->method, &e->self, checkpoint);
+    visit_method(e, e->method->next, &e->next, checkpoint);
 }

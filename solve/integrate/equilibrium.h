@@ -14,9 +14,11 @@
 #define HS_EQUILIBRIUM_H
 
 #include "integration.h"
+#include "stop.h"
 #include "transform.h"
 #include "unknowns.h"
 
+struct checkpoint;
 struct equilibrium;
 
 struct equilibrium_method {
@@ -27,6 +29,8 @@ struct equilibrium_method {
     /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance (true), or no
      * more evaluations are left, or the motion goes astray.  The force is then that of x. */
     bool (*solve)(void *self, struct equilibrium *equilibrium);
+    /* What the next solution takes over from the last one; NULL: nothing. */
+    void (*visit)(void *self, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 
@@ -50,6 +54,9 @@ struct equilibrium {
     double loads;                /* |b_free| */
     int64_t evaluations;         /* of this solution so far */
     int64_t last;                /* evaluation at which a method gives up */
+    /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
+    const struct stop *stop;
+    bool cut; /* it was, and what it leaves is nothing */
 };
 
 /* method: its number in equilibrium_methods.  Collective. */
@@ -61,6 +68,9 @@ void equilibrium_free(struct equilibrium *equilibrium);
 /* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
  * body->u, too.  True where the residual is below the tolerance.  Collective. */
 bool equilibrium_solve(struct equilibrium *equilibrium);
+
+/* What the next solution takes over.  Collective. */
+void equilibrium_visit(struct equilibrium *equilibrium, struct checkpoint *checkpoint);
 
 double equilibrium_residual(const struct equilibrium *equilibrium);
 

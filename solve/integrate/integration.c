@@ -1,6 +1,7 @@
 #include "integration.h"
 
 #include "balance.h"
+#include "checkpoint.h"
 #include "memory.h"
 
 #include <math.h>
@@ -44,4 +45,34 @@ bool integration_raise_loads(struct integration *integration, struct body *body,
     loads_set(&boundary->loads, body, integration->time);
     balance_reactions(body, boundary);
     return true;
+}
+
+static void visit_balance(struct integration *integration, struct checkpoint *checkpoint)
+{
+    struct energy_balance *b = &integration->balance;
+    double *const parts[] = {&b->kinetic,   &b->stored,        &b->plastic, &b->stabilisation,
+                             &b->damping,   &b->fracture,      &b->initial, &b->work,
+                             &b->reference, &integration->held};
+    enum { PARTS = sizeof parts / sizeof *parts };
+    double values[PARTS];
+    for (int k = 0; k < PARTS; k++) values[k] = *parts[k];
+    checkpoint_numbers(checkpoint, "energies", values, PARTS);
+    for (int k = 0; k < PARTS; k++) *parts[k] = values[k];
+}
+
+void integration_visit(struct integration *integration, struct body *body,
+                       struct checkpoint *checkpoint)
+{
+    checkpoint_flag(checkpoint, "moving", &integration->moving);
+    checkpoint_numbers(checkpoint, "step length", &integration->dt, 1);
+    checkpoint_numbers(checkpoint, "time", &integration->time, 1);
+    checkpoint_numbers(checkpoint, "time of the force", &integration->force_time, 1);
+    checkpoint_numbers(checkpoint, "time of the last commit", &integration->committed_time, 1);
+    checkpoint_integer(checkpoint, "steps", &integration->step);
+    checkpoint_integer(checkpoint, "evaluations", &integration->evaluations);
+    checkpoint_numbers(checkpoint, "residual", &integration->residual, 1);
+    visit_balance(integration, checkpoint);
+    checkpoint_fields(checkpoint, "displacement", body->u, 3);
+    checkpoint_fields(checkpoint, "velocity", body->v, 3);
+    checkpoint_fields(checkpoint, "force", body->f, 3);
 }

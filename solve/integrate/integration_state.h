@@ -7,6 +7,9 @@
 #include "energy.h"
 #include "model.h"
 
+/* What one rank may wish for all of them, who have to agree: it goes with the message that each step sends anyway. */
+enum wish { WISH_STOP, WISH_CHECKPOINT, WISHES };
+
 struct integration {
     bool moving;                       /* with inertia */
     double dt, time;                   /* of the steps from here on; s */
@@ -22,6 +25,7 @@ struct integration {
     double held; /* kinetic energy of nodes held in a motion that depends on place, J */
     struct energy_balance balance; /* damping and work of all steps; energies as last asked for */
     struct damage *damage;         /* NULL: nothing breaks */
+    double wish[WISHES], granted[WISHES]; /* over 0: of this rank; of any, as of the last step */
 };
 
 /* model_force, counted, with the times of mode. */

@@ -8,6 +8,7 @@
  * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and all products that the
  * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message.  The
  * step t = 1 stands where the slope g.d has fallen enough; else one secant step follows. */
+#include "checkpoint.h"
 #include "equilibrium.h"
 #include "memory.h"
 
@@ -21,10 +22,10 @@ struct lbfgs {
     int count;    /* pairs, oldest first */
     double scale; /* c */
     double *s[MEMORY], *z[MEMORY], *w, *y;
-    double s_norm[MEMORY], z_norm[MEMORY];
-    double sg[MEMORY], zg[MEMORY]; /* s_i.g, z_i.g */
-    double sy[MEMORY][MEMORY];     /* s_i.y_j, i <= j */
-    double zy[MEMORY][MEMORY];     /* z_i.y_j, symmetric */
+    double s_norm[MEMORY], z_norm[MEMORY], y_norm; /* bounds of norms */
+    double sg[MEMORY], zg[MEMORY];                 /* s_i.g, z_i.g */
+    double sy[MEMORY][MEMORY];                     /* s_i.y_j, i <= j */
+    double zy[MEMORY][MEMORY];                     /* z_i.y_j, symmetric */
 };
 
 static void *lbfgs_start(const struct equilibrium *e)
@@ -50,6 +51,13 @@ static void lbfgs_free(void *object)
     free(self->w);
     free(self->y);
     free(self);
+}
+
+/* The pairs begin anew with each solution, the scale does not. */
+static void lbfgs_visit(void *object, struct checkpoint *checkpoint)
+{
+    struct lbfgs *self = object;
+    checkpoint_numbers(checkpoint, "lbfgs: scale", &self->scale, 1);
 }
 
 /* d = -H g */
@@ -106,9 +114,8 @@ static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slop
     memcpy(z, self->w, (size_t)unknowns->length * sizeof *z);
     equilibrium_precondition(e, e->g, self->w);
     for (int64_t i = 0; i < unknowns->length; i++) z[i] = self->w[i] - z[i];
-    self->z_norm[k] = vector_norm(unknowns, z);
-    vector_products(unknowns, 1, &z, &self->z_norm[k], self->y, vector_norm(unknowns, self->y),
-                    &self->zy[k][k]);
+    self->z_norm[k] = vector_bound(unknowns, vector_largest(unknowns, z));
+    vector_products(unknowns, 1, &z, &self->z_norm[k], self->y, self->y_norm, &self->zy[k][k]);
     for (int i = 0; i < n; i++) {
         vectors[i] = self->s[i];
         norms[i] = self->s_norm[i];
@@ -137,7 +144,7 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
         if (self->count == MEMORY) drop_oldest(self);
         double *d = self->s[self->count], *y = self->y;
         direction(self, e, d);
-        const double d_norm = vector_norm(unknowns, d), far = vector_largest(unknowns, d);
+        const double far = vector_largest(unknowns, d), d_norm = vector_bound(unknowns, far);
         double slope, end;
         vector_products(unknowns, 1, &d, &d_norm, e->g, e->norm, &slope);
         if (!(slope < 0)) {
@@ -165,9 +172,12 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
         for (int64_t i = 0; i < unknowns->length; i++) y[i] = e->g[i] - y[i];
         vector_scale(unknowns, taken, d);
         self->s_norm[self->count] = fabs(taken) * d_norm;
+        const double y_largest = vector_largest(unknowns, y);
+        self->y_norm = vector_bound(unknowns, y_largest);
         complete_pair(self, e, taken * slope);
         const int k = self->count;
-        if (!(self->sy[k][k] > 1e-10 * self->s_norm[k] * vector_norm(unknowns, y))) continue;
+        /* Curvature, or rounding: the product of the largest numbers is not beyond that of the norms. */
+        if (!(self->sy[k][k] > 1e-10 * fabs(taken) * far * y_largest)) continue;
         if (self->zy[k][k] > 0) self->scale = self->sy[k][k] / self->zy[k][k];
         self->count++;
     }
@@ -180,5 +190,6 @@ const struct equilibrium_method equilibrium_lbfgs = {
     .next = &equilibrium_newton,
     .start = lbfgs_start,
     .solve = lbfgs_solve,
+    .visit = lbfgs_visit,
     .free = lbfgs_free,
 };

@@ -1,5 +1,6 @@
 #include "loads.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 
 #include <stdlib.h>
@@ -109,4 +110,16 @@ bool loads_raise(struct loads *loads, int64_t steps, bool equilibrium)
         raised |= value_raise(&loads->items[k].value, steps, equilibrium);
     if (raised) loads->current = false;
     return raised;
+}
+
+void loads_visit(struct loads *loads, struct body *body, double time, struct checkpoint *checkpoint)
+{
+    static const char *const names[] = {"loads along x", "loads along y", "loads along z"};
+    for (int k = 0; k < loads->count; k++) {
+        checkpoint_integer(checkpoint, "increments of a load", &loads->items[k].value.raised);
+        if (checkpoint_reads(checkpoint)) evaluate(&loads->items[k], time);
+    }
+    for (int a = 0; a < 3; a++)
+        if (body->b[a]) checkpoint_fields(checkpoint, names[a], &body->b[a], 1);
+    checkpoint_flag(checkpoint, "loads are current", &loads->current);
 }

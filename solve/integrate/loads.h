@@ -6,6 +6,8 @@
 #include "members.h"
 #include "scene.h"
 
+struct checkpoint;
+
 struct load {
     int direction;
     struct value value; /* N or N/m^3; the scene frees it */
@@ -35,5 +37,9 @@ void loads_add_work(const struct loads *loads, const struct body *body, double d
 
 /* Raises stepped loads that are due (value_raise); true where one has been raised. */
 bool loads_raise(struct loads *loads, int64_t steps, bool equilibrium);
+
+/* How far stepped ones have been raised, and what acts on the body at this time.  Collective. */
+void loads_visit(struct loads *loads, struct body *body, double time,
+                 struct checkpoint *checkpoint);
 
 #endif

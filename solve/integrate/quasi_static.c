@@ -1,6 +1,7 @@
 #include "quasi_static.h"
 
 #include "balance.h"
+#include "checkpoint.h"
 #include "memory.h"
 
 #include <math.h>
@@ -161,6 +162,7 @@ bool quasi_static_step(struct quasi_static *q)
     keep_held(q, false);
     keep_forces(q);
     while (!try_step(q, dt)) {
+        if (e->cut) return false;
         q->refused++;
         keep_held(q, true);
         dt *= 0.5;
@@ -192,7 +194,7 @@ double quasi_static_settle(struct quasi_static *q)
     vector_take(&e->unknowns, e->body->u, 1, e->x);
     /* There is no smaller step to take: more evaluations are all that helps, as long as they do. */
     for (double residual = INFINITY; !equilibrium_solve(e); residual = equilibrium_residual(e))
-        if (!(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
+        if (e->cut || !(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
     const struct balance_sums none = {e->integration->kinetic_zero, e->integration->kinetic_zero};
     struct force_energy energy = commit(e);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
@@ -217,4 +219,31 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
         if (!isfinite(lost)) return false;
         if (breaking) integration->balance.fracture += lost;
     }
+}
+
+struct rates {
+    struct quasi_static *q;
+    int64_t *first; /* [strips] number of its first node */
+};
+
+static bool place_rate(void *owner, int64_t strip, int point, bool make, double *places[])
+{
+    const struct rates *rates = owner;
+    (void)make;
+    for (int a = 0; a < 3; a++)
+        places[a] = rates->q->rate + a * rates->q->equilibrium->unknowns.n_nodes +
+                    rates->first[strip] + point;
+    return true;
+}
+
+void quasi_static_visit(struct quasi_static *q, struct checkpoint *checkpoint)
+{
+    const struct strips *owned = &q->equilibrium->body->owned;
+    struct rates rates = {q, memory_new((size_t)owned->count + 1, sizeof *rates.first)};
+    for (int64_t s = 0; s < owned->count; s++)
+        rates.first[s + 1] = rates.first[s] + owned->items[s].count;
+    checkpoint_points(checkpoint, "rate of the last load step", owned, 3, place_rate, &rates);
+    checkpoint_integer(checkpoint, "load steps tried in vain", &q->refused);
+    equilibrium_visit(q->equilibrium, checkpoint);
+    free(rates.first);
 }

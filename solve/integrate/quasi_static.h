@@ -36,6 +36,9 @@ void quasi_static_velocities(const struct quasi_static *quasi_static);
  * found.  Collective. */
 double quasi_static_settle(struct quasi_static *quasi_static);
 
+/* The rate of the last step, and what finds equilibria.  Collective. */
+void quasi_static_visit(struct quasi_static *quasi_static, struct checkpoint *checkpoint);
+
 /* Damage catches up with an accepted state while the held components stand still: nodes degrade, the worst `most`
  * of what has to break does so, the body comes to rest again, until nothing changes.  What it loses by
  * broken bonds counts as fracture, the rest is booked by the material.  False where no equilibrium is found. */

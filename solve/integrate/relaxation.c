@@ -8,6 +8,7 @@
  * 53 (2010) 194.  c damps the frequency of the motion that is left critically: its square is Rayleigh's quotient, here
  * of the velocity; of the displacement, as in those works, it takes more steps.  The masses make a step of length 1
  * stable (equilibrium.3); should the quotient still come near its bound, they grow. */
+#include "checkpoint.h"
 #include "equilibrium.h"
 #include "memory.h"
 
@@ -37,6 +38,12 @@ static void relaxation_free(void *object)
     free(self->mv);
     free(self->change);
     free(self);
+}
+
+static void relaxation_visit(void *object, struct checkpoint *checkpoint)
+{
+    struct relaxation *self = object;
+    checkpoint_numbers(checkpoint, "relaxation: masses", &self->heavier, 1);
 }
 
 /* Rayleigh's quotient of (relaxation.2); change: g' - g. */
@@ -76,5 +83,6 @@ const struct equilibrium_method equilibrium_relaxation = {
     .usual_evaluations = 20000,
     .start = relaxation_start,
     .solve = relaxation_solve,
+    .visit = relaxation_visit,
     .free = relaxation_free,
 };

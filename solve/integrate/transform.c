@@ -2,8 +2,8 @@
 
 #include "collection.h"
 #include "memory.h"
+#include "waves.h"
 
-#include <fftw3.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -15,10 +15,9 @@ struct box {
     bool corners;
     bool held[3][2]; /* whether there is something of the body below, above */
     int64_t count;
-    double *values, *inverse; /* [count]; FFTW's scale is in the inverse */
-    fftw_plan forward, backward;
+    float *values, *room, *inverse; /* [count] */
+    struct waves *waves[3];
     int64_t *place; /* [n_nodes] in the box, or -1 */
-    double *weight; /* [n_nodes] of corners; NULL: 1 */
     double *all;    /* [n_nodes] */
 };
 
@@ -66,23 +65,12 @@ static void find_box(struct box *box, const struct lattice *lattice, const int64
     }
 }
 
-/* 1 over the share of a whole corner's volume that the waves give to a place: a half at each free end. */
-static double weight_at(const struct box *box, const int at[3])
-{
-    double weight = 1;
-    for (int b = 0; b < box->dimensions; b++)
-        if ((at[b] == 0 && !box->held[b][0]) || (at[b] == box->size[b] - 1 && !box->held[b][1]))
-            weight *= 2;
-    return weight;
-}
-
 /* Whether two nodes have one place. */
 static bool find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
                         int64_t n, const double *free_nodes)
 {
     bool *taken = memory_new((size_t)box->count + 1, sizeof *taken), crowded = false;
     box->place = memory_new((size_t)n, sizeof *box->place);
-    if (box->corners) box->weight = memory_new((size_t)n, sizeof *box->weight);
     for (int64_t i = 0; i < n; i++) {
         int at[3];
         find_position(lattice, sites[i], at);
@@ -93,77 +81,34 @@ static bool find_places(struct box *box, const struct lattice *lattice, const in
         crowded |= taken[place];
         taken[place] = true;
         box->place[i] = place;
-        if (box->corners) box->weight[i] = weight_at(box, at);
     }
     free(taken);
     return crowded;
 }
 
-/* Waves along one axis: FFTW's names for them, their wave numbers per site, and FFTW's scale. */
-struct waves {
-    fftw_r2r_kind forward, backward;
-    double *k; /* [n] */
-    double scale;
-};
-
-/* n: sites; period: those of half a period of the longest wave; shift: the first wave number, of pi/period. */
-static struct waves waves_of(fftw_r2r_kind forward, fftw_r2r_kind backward, int n, int period,
-                             double shift)
-{
-    struct waves waves = {forward, backward, memory_new((size_t)n, sizeof(double)), 2 * period};
-    for (int i = 0; i < n; i++) waves.k[i] = M_PI * (i + shift) / period;
-    return waves;
-}
-
-/* Ends half a spacing beyond the outermost nodes. */
-static struct waves waves_of_particles(int n, bool low, bool high)
-{
-    if (low && high) return waves_of(FFTW_RODFT10, FFTW_RODFT01, n, n, 1);
-    if (low) return waves_of(FFTW_RODFT11, FFTW_RODFT11, n, n, 0.5);
-    if (high) return waves_of(FFTW_REDFT11, FFTW_REDFT11, n, n, 0.5);
-    return waves_of(FFTW_REDFT10, FFTW_REDFT01, n, n, 0);
-}
-
-/* Free ends at the outermost nodes, which have half the volume of others, held ones a spacing beyond. */
-static struct waves waves_of_corners(int n, bool low, bool high)
-{
-    if (low && high) return waves_of(FFTW_RODFT00, FFTW_RODFT00, n, n + 1, 1);
-    if (low) return waves_of(FFTW_RODFT01, FFTW_RODFT10, n, n, 0.5);
-    if (high) return waves_of(FFTW_REDFT01, FFTW_REDFT10, n, n, 0.5);
-    return waves_of(FFTW_REDFT00, FFTW_REDFT00, n, n - 1, 0);
-}
-
-/* Across the one layer of a plane there are no corners. */
-static struct waves waves_new(const struct box *box, int axis)
-{
-    const bool corners = box->corners && axis < box->dimensions;
-    return (corners ? waves_of_corners : waves_of_particles)(box->size[axis], box->held[axis][0],
-                                                             box->held[axis][1]);
-}
-
 static void find_inverse(struct box *box, const struct symbol *symbol, int a)
 {
-    fftw_r2r_kind forward[3], backward[3];
-    double *k[3], scale = 1;
+    double *k[3], *stiffness = memory_new((size_t)box->count, sizeof *stiffness);
+    int64_t inner = 1;
     for (int b = 0; b < 3; b++) {
-        const struct waves waves = waves_new(box, b);
-        forward[2 - b] = waves.forward;
-        backward[2 - b] = waves.backward;
-        k[b] = waves.k;
-        scale *= waves.scale;
+        const int n = box->size[b];
+        /* Across the one layer of a plane there are no corners. */
+        const bool corners = box->corners && b < box->dimensions;
+        box->waves[b] = waves_new(n, inner, corners, box->held[b][0], box->held[b][1]);
+        inner *= n;
+        k[b] = memory_new((size_t)n, sizeof *k[b]);
+        for (int i = 0; i < n; i++) k[b][i] = waves_number(box->waves[b], i);
     }
-    const int n[3] = {box->size[2], box->size[1], box->size[0]};
-    box->values = fftw_alloc_real((size_t)box->count);
-    box->inverse = fftw_alloc_real((size_t)box->count);
-    symbol_evaluate(symbol, a, box->size, k, box->inverse);
+    box->values = memory_new((size_t)box->count, sizeof *box->values);
+    box->room = memory_new((size_t)box->count, sizeof *box->room);
+    box->inverse = memory_new((size_t)box->count, sizeof *box->inverse);
+    symbol_evaluate(symbol, a, box->size, k, stiffness);
     /* Motions of the whole body, and across a layer, have no stiffness of their own. */
     const double own = symbol->answer[a][0], least = own > 0 ? 3e-6 * own : 1;
     for (int64_t i = 0; i < box->count; i++)
-        box->inverse[i] = 1 / (scale * (fmax(box->inverse[i], 0) + least));
-    /* Estimated plans are the same each time, measured ones are not. */
-    box->forward = fftw_plan_r2r(3, n, box->values, box->values, forward, FFTW_ESTIMATE);
-    box->backward = fftw_plan_r2r(3, n, box->values, box->values, backward, FFTW_ESTIMATE);
+        box->inverse[i] = (float)(1 / (fmax(stiffness[i], 0) + least));
     for (int b = 0; b < 3; b++) free(k[b]);
+    free(stiffness);
 }
 
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
@@ -199,14 +144,11 @@ void transform_free(struct transform *transform)
 {
     for (int a = 0; a < 3; a++) {
         struct box *box = &transform->box[a];
-        if (box->values) {
-            fftw_destroy_plan(box->forward);
-            fftw_destroy_plan(box->backward);
-        }
-        fftw_free(box->values);
-        fftw_free(box->inverse);
+        for (int b = 0; b < 3; b++) waves_free(box->waves[b]);
+        free(box->values);
+        free(box->room);
+        free(box->inverse);
         free(box->place);
-        free(box->weight);
         free(box->all);
     }
     collection_free(transform->collection);
@@ -218,18 +160,28 @@ bool transform_is_crowded(const struct transform *transform)
     return transform->crowded;
 }
 
+static int64_t outer_of(const struct box *box, int axis)
+{
+    int64_t outer = 1;
+    for (int b = axis + 1; b < 3; b++) outer *= box->size[b];
+    return outer;
+}
+
 static void invert(struct box *box, int64_t n)
 {
+    float *values = box->values, *room = box->room;
     if (box->count == 0) return;
-    memset(box->values, 0, (size_t)box->count * sizeof *box->values);
+    memset(values, 0, (size_t)box->count * sizeof *values);
     for (int64_t i = 0; i < n; i++)
-        if (box->place[i] >= 0)
-            box->values[box->place[i]] += (box->weight ? box->weight[i] : 1) * box->all[i];
-    fftw_execute(box->forward);
-    for (int64_t i = 0; i < box->count; i++) box->values[i] *= box->inverse[i];
-    fftw_execute(box->backward);
-    for (int64_t i = 0; i < n; i++)
-        box->all[i] = box->place[i] >= 0 ? box->values[box->place[i]] : 0;
+        if (box->place[i] >= 0) values[box->place[i]] += (float)box->all[i];
+    for (int step = 0; step < 6; step++) {
+        const int b = step < 3 ? step : 5 - step;
+        float *result = waves_transform(box->waves[b], step >= 3, outer_of(box, b), values, room);
+        room = result == values ? room : values;
+        values = result;
+        for (int64_t i = 0; step == 2 && i < box->count; i++) values[i] *= box->inverse[i];
+    }
+    for (int64_t i = 0; i < n; i++) box->all[i] = box->place[i] >= 0 ? values[box->place[i]] : 0;
 }
 
 void transform_apply(struct transform *transform, const double *r, double *z)

@@ -76,9 +76,14 @@ void vector_add(const struct unknowns *unknowns, double a, const double *x, doub
     add(unknowns->length, a, x, y);
 }
 
+HS_SIMD static void scale(int64_t count, double a, double *restrict y)
+{
+    for (int64_t i = 0; i < count; i++) y[i] *= a;
+}
+
 void vector_scale(const struct unknowns *unknowns, double a, double *y)
 {
-    for (int64_t i = 0; i < unknowns->length; i++) y[i] *= a;
+    scale(unknowns->length, a, y);
 }
 
 /* Vectors are walked over in blocks that stay in the nearest cache. */
@@ -98,32 +103,52 @@ void vector_add_all(const struct unknowns *unknowns, int count, const double a[]
             add(block_length(unknowns, from), a[k], x[k] + from, y + from);
 }
 
-double vector_largest(const struct unknowns *unknowns, const double *x)
+/* Largest magnitude, and 0, or not a number where one is not finite. */
+HS_SIMD static void find_largest(int64_t count, const double *restrict x, double *restrict largest,
+                                 double *restrict nothing)
 {
-    double least = 0, sum = 0;
-    for (int64_t i = 0; i < unknowns->length; i++) {
-        least = fmin(least, -fabs(x[i]));
-        sum += 0 * x[i];
+    double most = 0, sum = 0;
+#pragma omp simd reduction(max : most) reduction(+ : sum)
+    for (int64_t i = 0; i < count; i++) {
+        const double size = fabs(x[i]);
+        most = size > most ? size : most;
+        sum += 0 * size;
     }
-    double bad[] = {sum == 0 ? 0 : -1};
-    ranks_minimum(bad, 1);
-    ranks_minimum(&least, 1);
-    return bad[0] < 0 ? NAN : -least;
+    *largest = most;
+    *nothing = sum;
 }
 
+double vector_largest(const struct unknowns *unknowns, const double *x)
+{
+    double largest, nothing;
+    find_largest(unknowns->length, x, &largest, &nothing);
+    double least[] = {nothing == 0 ? 0 : -1, -largest};
+    ranks_minimum(least, 2);
+    return least[0] < 0 ? NAN : -least[1];
+}
+
+/* What a term gives to the sums of exact_sum.h. */
+HS_INLINE void extract_term(double term, double high, double low, double *top, double *bottom)
+{
+    const double first = (term + high) - high;
+    *top += first;
+    *bottom += ((term - first) + low) - low;
+}
+
+/* Two chains of additions at a time, which hide the delay of one; exact sums do not mind the order. */
 HS_SIMD static void extract(int count, const double *restrict x, const double *restrict y,
                             double high, double low, double *restrict sums)
 {
-    double top = 0, bottom = 0;
-#pragma omp simd reduction(+ : top, bottom)
-    for (int i = 0; i < count; i++) {
-        double term = x[i] * y[i];
-        double first = (term + high) - high;
-        top += first;
-        bottom += ((term - first) + low) - low;
+    const int half = count / 2;
+    double top = 0, bottom = 0, second_top = 0, second_bottom = 0;
+#pragma omp simd reduction(+ : top, bottom, second_top, second_bottom)
+    for (int i = 0; i < half; i++) {
+        extract_term(x[i] * y[i], high, low, &top, &bottom);
+        extract_term(x[half + i] * y[half + i], high, low, &second_top, &second_bottom);
     }
-    sums[0] += top;
-    sums[1] += bottom;
+    if (count % 2) extract_term(x[count - 1] * y[count - 1], high, low, &top, &bottom);
+    sums[0] += top + second_top;
+    sums[1] += bottom + second_bottom;
 }
 
 static void add_products(struct exact_sum *sum, int count, const double *x, const double *y)
@@ -145,6 +170,11 @@ void vector_products(const struct unknowns *unknowns, int count, double *const x
             add_products(&sums[k], block_length(unknowns, from), x[k] + from, y + from);
     exact_sum_finish(sums, count, products);
     free(sums);
+}
+
+double vector_bound(const struct unknowns *unknowns, double largest)
+{
+    return sqrt(3.000001 * (double)unknowns->body->n_nodes) * largest;
 }
 
 double vector_norm(const struct unknowns *unknowns, const double *x)

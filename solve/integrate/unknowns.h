@@ -34,11 +34,13 @@ void vector_add_all(const struct unknowns *unknowns, int count, const double a[]
 
 /* Largest magnitude; not a number where one is not.  Collective. */
 double vector_largest(const struct unknowns *unknowns, const double *x);
+/* What the Euclidean norm is not beyond where no number is larger than this: enough for the bounds of products. */
+double vector_bound(const struct unknowns *unknowns, double largest);
 /* Euclidean norm.  Collective. */
 double vector_norm(const struct unknowns *unknowns, const double *x);
 /* x . y.  Collective. */
 double vector_product(const struct unknowns *unknowns, double *x, const double *y);
-/* products[k] = x[k] . y, whose norms are known, norms[k] and norm.  Collective. */
+/* products[k] = x[k] . y, whose norms are not beyond norms[k] and norm.  Collective. */
 void vector_products(const struct unknowns *unknowns, int count, double *const x[],
                      const double norms[], const double *y, double norm, double products[]);
 

@@ -9,7 +9,8 @@
 /* Keys of the solver section that are not for every formulation. */
 static void check_keys(struct deck_node solver, const struct formulation *formulation)
 {
-    static const char *const special[] = {"stabilisation", "residual", "surface_correction"};
+    static const char *const special[] = {"stabilisation", "residual", "surface_correction",
+                                          "interfaces"};
     for (size_t k = 0; k < sizeof special / sizeof *special; k++) {
         bool known = false;
         for (int i = 0; formulation->keys[i]; i++)
@@ -75,6 +76,11 @@ void model_observe(const struct model *model, const struct body *body, const str
     model->formulation->observe(model->self, body, strip, state);
     const double *p = model_state(model, strip, law_state_number(plastic_strain.name), 0, buffer);
     memcpy(state->plastic, p, (size_t)strip->count * sizeof *p);
+}
+
+void model_visit(struct model *model, const struct body *body, struct checkpoint *checkpoint)
+{
+    if (model->formulation->visit) model->formulation->visit(model->self, body, checkpoint);
 }
 
 bool model_has_state(const struct model *model, int number)

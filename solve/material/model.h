@@ -14,6 +14,7 @@
 
 struct bonds;
 struct bond_strip;
+struct checkpoint;
 
 struct force_mode {
     bool commit; /* states of the laws move on */
@@ -47,6 +48,7 @@ struct formulation {
     enum stress_of stress_of;
     const char *influence; /* the function it takes where the deck names none */
     double horizon;        /* the same, in spacings; 0: a deck names one */
+    double scattered;      /* the same among scattered particles */
     bool
         corners; /* the corners of the particles' cells are the nodes (corners.h); it has no bonds */
     const char *const *keys; /* of the deck's solver section that only some formulations have */
@@ -80,6 +82,8 @@ struct formulation {
      * s, [J/m^2]; NULL: it has no such formula. */
     double (*opening)(const struct material *material, enum plane plane,
                       const struct family *family, const struct lattice *lattice);
+    /* What it remembers from one step to the next (checkpoint.h); NULL: nothing. */
+    void (*visit)(void *self, const struct body *body, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 
@@ -106,6 +110,9 @@ void model_prepare(struct model *model, struct body *body, int rows);
 const struct strips *model_strips(const struct model *model, const struct body *body);
 void model_observe(const struct model *model, const struct body *body, const struct strip *strip,
                    struct node_state *state);
+
+/* All that it remembers from one step to the next.  Collective. */
+void model_visit(struct model *model, const struct body *body, struct checkpoint *checkpoint);
 
 /* States by their number (laws.h). */
 /* Whether a material of this body has the state. */

@@ -1,5 +1,6 @@
 #include "points.h"
 
+#include "checkpoint.h"
 #include "degradation.h"
 #include "laws.h"
 #include "memory.h"
@@ -249,4 +250,46 @@ const double *points_flow_stress(const struct point_store *store, const struct s
                                  double *buffer)
 {
     return see(store, strip, -1, 0, INFINITY, buffer);
+}
+
+/* One state of one law, as a checkpoint walks over it. */
+struct visited {
+    struct point_store *store;
+    const struct strips *strips;
+    int law, first, components;
+};
+
+static bool place_state(void *owner, int64_t strip, int point, bool make, double *places[])
+{
+    const struct visited *visited = owner;
+    int lanes[LANES];
+    struct part part;
+    (void)make;
+    if (!find_part(visited->store, &visited->strips->items[strip], visited->law, &part, lanes))
+        return false;
+    int at = part.lanes ? 0 : point;
+    while (part.lanes && at < part.count && part.lanes[at] != point) at++;
+    if (at >= part.count) return false;
+    for (int k = 0; k < visited->components; k++)
+        places[k] = part.state + (visited->first + k) * part.stride + at;
+    return true;
+}
+
+void points_visit(struct point_store *store, struct checkpoint *checkpoint, const char *what,
+                  const struct strips *strips)
+{
+    struct visited visited = {.store = store, .strips = strips};
+    for (visited.law = 0; visited.law < store->materials->n_laws; visited.law++) {
+        const struct law *law = store->materials->laws[visited.law].law;
+        visited.first = 0;
+        for (int k = 0; k < law->n_states; k++, visited.first += visited.components) {
+            visited.components = law->states[k].components;
+            char *name = memory_print("%s: %s %s", what, law->words.name, law->states[k].name);
+            checkpoint_points(checkpoint, name, strips, visited.components, place_state, &visited);
+            free(name);
+        }
+    }
+    char *name = memory_print("%s: degradation", what);
+    checkpoint_strips(checkpoint, name, strips, DEGRADATION, store->records);
+    free(name);
 }

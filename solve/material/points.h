@@ -10,6 +10,7 @@
 #include "law.h"
 #include "model.h"
 
+struct checkpoint;
 struct point_store;
 
 /* Points in these strips, each between a site and the one offset behind it; offset 0: the points are nodes.  Their
@@ -31,5 +32,9 @@ const double *points_state(const struct point_store *store, const struct strip *
                            int component, double *buffer);
 const double *points_flow_stress(const struct point_store *store, const struct strip *strip,
                                  double *buffer);
+
+/* All that they remember, under names that begin with what they are; strips: those of points_new. */
+void points_visit(struct point_store *store, struct checkpoint *checkpoint, const char *what,
+                  const struct strips *strips);
 
 #endif

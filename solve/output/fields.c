@@ -65,6 +65,16 @@ void fields_write(struct fields *fields, double time, struct model *model, struc
         exodus_fields_write(fields->file, time, (const double *const *)fields->values);
 }
 
+int64_t fields_count(const struct fields *fields)
+{
+    return fields->file ? exodus_fields_count(fields->file) : 0;
+}
+
+bool fields_take(struct fields *fields, const char *name, int64_t frames)
+{
+    return exodus_fields_take(fields->file, name, frames);
+}
+
 void fields_close(struct fields *fields)
 {
     if (fields->file) {

@@ -1,5 +1,6 @@
 #include "recorder.h"
 
+#include "checkpoint.h"
 #include "damping.h"
 #include "memory.h"
 
@@ -120,4 +121,28 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     if (body->ranks.rank == 0) add_record(recorder, &record, means);
     free(means);
     return gauge ? (record.planes.right - record.planes.left) / gauge_length(gauge) : 0;
+}
+
+/* Rank 0 has them. */
+void recorder_visit(struct recorder *recorder, struct checkpoint *checkpoint)
+{
+    struct history *history = &recorder->history;
+    int64_t count = history->n_records;
+    checkpoint_integer(checkpoint, "records", &count);
+    ranks_share(&count, sizeof count);
+    const int64_t columns = history->n_columns;
+    double *time = memory_new((size_t)count + 1, sizeof *time),
+           *values = memory_new((size_t)(count * columns) + 1, sizeof *values);
+    for (int64_t i = 0; i < history->n_records; i++) {
+        time[i] = history->time[i];
+        memcpy(values + i * columns, history->values + i * columns,
+               (size_t)columns * sizeof *values);
+    }
+    checkpoint_numbers(checkpoint, "times of the records", time, count);
+    checkpoint_numbers(checkpoint, "records, column by column", values, count * columns);
+    for (int64_t i = 0; checkpoint_reads(checkpoint) && i < count; i++)
+        memcpy(new_record(recorder, time[i]), values + i * columns,
+               (size_t)columns * sizeof *values);
+    free(time);
+    free(values);
 }

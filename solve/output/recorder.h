@@ -6,6 +6,8 @@
 #include "quantities.h"
 #include "record.h"
 
+struct checkpoint;
+
 struct recorder {
     unsigned has; /* what columns may need */
     int n_phases;
@@ -23,6 +25,9 @@ void recorder_free(struct recorder *recorder);
 double recorder_take(struct recorder *recorder, const struct gauge *gauge,
                      struct quantities *quantities, const struct integration *integration,
                      const struct boundary *boundary, struct model *model, struct body *body);
+
+/* All records.  Collective. */
+void recorder_visit(struct recorder *recorder, struct checkpoint *checkpoint);
 
 /* Takes the last record back. */
 void recorder_forget(struct recorder *recorder);

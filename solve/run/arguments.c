@@ -2,6 +2,7 @@
 
 #include "die.h"
 #include "options.h"
+#include "units.h"
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -17,6 +18,15 @@ static int number_of_ranks(const char *text)
     return (int)ranks;
 }
 
+static double seconds(const char *text)
+{
+    double value = 0;
+    const char *fault = units_read(text, "s", &value);
+    if (fault) die_user("--time-limit: %s", fault);
+    if (!(value > 0)) die_user("--time-limit %s: expected a time above 0, such as '90 min'", text);
+    return value;
+}
+
 static bool is(const char *name, const char *other)
 {
     return name && other && strcmp(name, other) == 0;
@@ -25,7 +35,7 @@ static bool is(const char *name, const char *other)
 /* What is closed here would be taken by the next file that is opened. */
 static void check_streams(const struct arguments *a)
 {
-    if (!a->input && fcntl(STDIN_FILENO, F_GETFD) < 0)
+    if (!a->input && !a->restart && fcntl(STDIN_FILENO, F_GETFD) < 0)
         die_user("standard input is closed: give the domain with -i");
     if (!a->history && !a->spooled && fcntl(STDOUT_FILENO, F_GETFD) < 0)
         die_user("standard output is closed: name the history with -H");
@@ -49,7 +59,7 @@ static void check_names(struct arguments *a)
 struct arguments arguments_read(int argc, char **argv, const struct section *const sections[])
 {
     struct arguments a = {.ranks = 1};
-    const char *ranks = NULL;
+    const char *ranks = NULL, *limit = NULL;
     const struct option_row rows[] = {
         {'i', "input", "FILE",
          "the domain: Genesis, or Peridigm text with --deck (default: the pipe)", NULL, &a.input},
@@ -59,6 +69,15 @@ struct arguments arguments_read(int argc, char **argv, const struct section *con
         {'o', "output", "FILE", "fields for ParaView (Exodus), as the deck's output section asks",
          NULL, &a.fields},
         {'H', "history", "FILE", "the history (default: the pipe)", NULL, &a.history},
+        {0, "checkpoint", "FILE",
+         "where the state of the run goes to (default: beside the history), every 10 min at least",
+         NULL, &a.checkpoint},
+        {0, "restart", "FILE", "go on from this checkpoint, with its domain and deck", NULL,
+         &a.restart},
+        {0, "time-limit", "TIME", "stop in order before so much time has passed: '90 min'", NULL,
+         &limit},
+        {0, "repair", "FILE", "make whole a history or fields that an ended run left; then leave",
+         NULL, &a.repair},
         {0, "profile", NULL, "at the end, where the time went and what was left out", &a.profile,
          NULL},
         {0, "check", NULL, "check everything, say what would be done, and leave", &a.check, NULL},
@@ -75,6 +94,8 @@ struct arguments arguments_read(int argc, char **argv, const struct section *con
     int first = options_read(&table, argc, argv);
     if (first < argc) die_user("unexpected argument '%s' (the domain goes with -i)", argv[first]);
     if (ranks) a.ranks = number_of_ranks(ranks);
+    if (limit) a.time_limit = seconds(limit);
+    if (a.repair) return a;
     check_names(&a);
     check_streams(&a);
     if (a.quiet) note_set_quiet(1);

@@ -12,7 +12,11 @@ struct arguments {
     const char *fields;  /* NULL: none */
     const char *history; /* NULL: standard output */
     const char *spooled; /* the history goes to this open file of the parent, whatever its name */
-    int ranks;           /* of -j */
+    const char *checkpoint; /* NULL: beside the history */
+    const char *restart;    /* the checkpoint to go on from; NULL: none */
+    const char *repair;     /* a file left behind unfinished, to be made whole; NULL: none */
+    double time_limit;      /* s; 0: none */
+    int ranks;              /* of -j */
     bool quiet, profile;
     bool check;    /* everything but the run */
     char *command; /* the whole line, for provenance */

@@ -1,8 +1,10 @@
 #include "launch.h"
 
 #include "die.h"
+#include "exodus.h"
 #include "memory.h"
 #include "spool.h"
+#include "stop.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -46,10 +48,22 @@ static void set_environment(void)
     setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0); /* leave the core to others while waiting */
 }
 
+/* mpirun would kill the ranks a second after these.  It passes SIGUSR1 on to them, who then end in order (stop.h). */
+static void leave_signals_to_parent(void)
+{
+    sigset_t left;
+    sigemptyset(&left);
+    sigaddset(&left, SIGTERM);
+    sigaddset(&left, SIGINT);
+    sigaddset(&left, SIGHUP);
+    sigprocmask(SIG_BLOCK, &left, NULL);
+    setpgid(0, 0); /* a terminal's, too */
+}
+
 static void become_mpirun(const struct arguments *a, const char *input, const char *history)
 {
     char *self = realpath("/proc/self/exe", NULL), *ranks = memory_print("%d", a->ranks);
-    const char *argv[24] = {"mpirun", "--quiet", "--oversubscribe", "--bind-to", "none", "-np",
+    const char *argv[32] = {"mpirun", "--quiet", "--oversubscribe", "--bind-to", "none", "-np",
                             ranks,    self};
     int n = 8;
     argv[n++] = "--input";
@@ -72,17 +86,65 @@ static void become_mpirun(const struct arguments *a, const char *input, const ch
         argv[n++] = "--spooled-history";
         argv[n++] = history;
     }
+    if (a->checkpoint) {
+        argv[n++] = "--checkpoint";
+        argv[n++] = a->checkpoint;
+    }
+    if (a->restart) {
+        argv[n++] = "--restart";
+        argv[n++] = a->restart;
+    }
+    char *limit = memory_print("%.17g", a->time_limit);
+    if (a->time_limit > 0) {
+        argv[n++] = "--time-limit";
+        argv[n++] = limit;
+    }
     if (a->quiet) argv[n++] = "--quiet";
     if (a->profile) argv[n++] = "--profile";
     set_environment();
     setenv("HSSOLVE_COMMAND", a->command, 1);
     if (isatty(STDERR_FILENO)) setenv("HSSOLVE_TERMINAL", "1", 1);
-    prctl(PR_SET_PDEATHSIG, SIGTERM); /* the ranks do not outlive the process that started them */
+    leave_signals_to_parent();
+    prctl(PR_SET_PDEATHSIG, SIGUSR1); /* the ranks do not outlive the one who started them */
     int nothing = open("/dev/null", O_RDONLY);
     if (nothing >= 0) dup2(nothing, STDIN_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); /* nothing stray may reach the pipe */
     execvp("mpirun", (char *const *)argv);
     die_run("cannot start mpirun: %s", strerror(errno));
+}
+
+/* How the ranks ended, in words, where they could not say so themselves. */
+static void tell_end(int status, int code)
+{
+    if (stop_signal() || (code <= 128 && code >= 0)) return;
+    if (WIFSIGNALED(status))
+        warn("mpirun was ended by signal %d (%s)", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    else
+        warn("a rank was ended by signal %d (%s%s)", code - 128, strsignal(code - 128),
+             code - 128 == SIGKILL ? ": out of memory?" : "");
+}
+
+/* What killed ranks have left of the history; what they kept themselves is gone from here. */
+static void keep_history(const struct arguments *a, struct spool *history)
+{
+    double time;
+    const bool file = a->history && strncmp(a->history, "/dev/", strlen("/dev/")) != 0;
+    char *name = memory_print("%s.failed", file ? a->history : "hssolve-history");
+    if (spool_keep(history, name)) {
+        const int64_t records = exodus_repair(name, &time);
+        warn("the history up to record %lld, t = %.4g s, is kept in %s", (long long)records, time,
+             name);
+    }
+    free(name);
+}
+
+static int wait_for(pid_t child, int *status)
+{
+    while (waitpid(child, status, 0) < 0)
+        if (errno != EINTR) die_run("waitpid: %s", strerror(errno));
+    if (!WIFEXITED(*status)) return -1;
+    const int code = WEXITSTATUS(*status);
+    return code;
 }
 
 int launch_ranks(const struct arguments *a)
@@ -98,18 +160,21 @@ int launch_ranks(const struct arguments *a)
     pid_t child = fork();
     if (child < 0) die_run("cannot fork: %s", strerror(errno));
     if (child == 0) become_mpirun(&within, input_path, history_path);
-    int status;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) die_run("waitpid: %s", strerror(errno));
-    int code = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_RUN;
+    stop_pass_on(child);
+    int status, code = wait_for(child, &status);
+    tell_end(status, code);
+    /* Ranks that stopped have taken the history away. */
+    if (code == 0 && !a->check && spool_is_empty(&history)) code = EXIT_STOPPED;
     if (code == 0 && !a->check)
         spool_finish(&history);
-    else
-        spool_close(&history);
+    else if ((code < 0 || code > 128) && code != EXIT_STOPPED && !a->check)
+        keep_history(a, &history);
+    spool_close(&history);
     spool_close(&input);
     if (a->deck) spool_close(&deck);
     free(deck_path);
     free(input_path);
     free(history_path);
-    return code == 0 || code == EXIT_USER ? code : EXIT_RUN;
+    if (stop_signal() && code != 0) return EXIT_STOPPED;
+    return code == 0 || code == EXIT_USER || code == EXIT_STOPPED ? code : EXIT_RUN;
 }

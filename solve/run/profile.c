@@ -19,6 +19,7 @@ static const char *const parts[PARTS] = {
     [PART_BALANCE] = "energy balance, reactions",
     [PART_RECORD] = "records of the history",
     [PART_FRAME] = "frames of the fields",
+    [PART_CHECKPOINT] = "records to disk, checkpoints",
     [PART_REST] = "the rest",
 };
 
@@ -72,13 +73,13 @@ static void print_parts(const double mean[PARTS], const double most[PARTS], doub
 {
     double total = 0;
     for (int p = 0; p < PARTS; p++) total += mean[p];
-    fprintf(stderr, "%-27s %10s %10s %7s %12s\n", "part", "seconds", "most", "share",
+    fprintf(stderr, "%-28s %10s %10s %7s %12s\n", "part", "seconds", "most", "share",
             "ns/node/force");
     for (int p = 0; p < PARTS; p++)
         if (most[p] > 0)
-            fprintf(stderr, "%-27s %10.3f %10.3f %6.1f%% %12.1f\n", parts[p], mean[p], most[p],
+            fprintf(stderr, "%-28s %10.3f %10.3f %6.1f%% %12.1f\n", parts[p], mean[p], most[p],
                     100 * mean[p] / total, mean[p] * per_node);
-    fprintf(stderr, "%-27s %10.3f\n", "all", total);
+    fprintf(stderr, "%-28s %10.3f\n", "all", total);
 }
 
 static void print_works(const double done[WORKS], const double possible[WORKS])

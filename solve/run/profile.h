@@ -20,6 +20,7 @@ enum profile_part {
     PART_BALANCE,
     PART_RECORD,
     PART_FRAME,
+    PART_CHECKPOINT,
     PART_REST,
     PARTS
 };

@@ -30,6 +30,8 @@ struct ranks ranks_start(int *argc, char ***argv)
         setenv("OMPI_MCA_pml", "ob1", 0);
         setenv("OMPI_MCA_btl", "self,vader", 0);
         setenv("OMPI_MCA_osc", "^ucx", 0);
+        /* Runs side by side would make and remove the same directory under each other. */
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     }
     if (MPI_Init(argc, argv) != MPI_SUCCESS) die_run("MPI does not start");
     struct ranks ranks;

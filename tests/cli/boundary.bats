@@ -246,3 +246,34 @@ DECK
     same "$(column out.e load | tail -1)" 3 1e-12
     same "$(column out.e kinetic_energy_J | tail -1)" "$(awk 'BEGIN { printf "%.17g", 0.5 * 8900 * 384 * 1.5625e-14 * 9 }')" 1e-12
 }
+
+# A free particle sees a horizon far: so thick has a grip to be.  `ordinary` to three layers, with a place.
+@test "grips thinner than the horizon needs are refused where they are named" {
+    cat >held.yaml <<'DECK'
+domain: {specimen: plate, size: [24 spacings, 4 spacings, 4 spacings], spacing: 25 um, topology: homogeneous, phase: A, grips: {length: 2 spacings, phase: A}}
+materials:
+  A: {model: ordinary, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31}
+boundary:
+  - {set: grip_left, direction: x, velocity: -1 m/s}
+  - {set: grip_right, direction: x, velocity: 1 m/s}
+solver: {type: explicit, horizon: 3.015, end_steps: 2}
+DECK
+    # thick LAYERS MODEL HORIZON: exit code of a check
+    thick() {
+        sed -e "s/length: [0-9]* spacings/length: $1 spacings/" -e "s/model: ordinary/model: $2/" \
+            -e "s/horizon: 3.015, /${3:+horizon: $3, }/" held.yaml >thick.yaml
+        hsgen -q thick.yaml -o thick.g
+        hssolve -q --check -i thick.g -d thick.yaml
+    }
+    run -2 thick 2 ordinary 3.015
+    [[ "$output" == "hssolve: thick.yaml:5:5: this grip is 2 layers of particles thick, and a horizon of 3.015 spacings needs 3: "* ]]
+    run -0 thick 3 ordinary 3.015
+    run -2 thick 1 ordinary 2
+    run -0 thick 2 ordinary 2
+    # Where stress is that of nodes, those next to the free ones need a gradient.
+    run -2 thick 1 correspondence_elastic 1
+    run -0 thick 2 correspondence_elastic 1
+    # Corners are held as they are.
+    sed -i 's/poissons_ratio: 0.31/&, law: elastic/' held.yaml
+    run -0 thick 1 corner ''
+}

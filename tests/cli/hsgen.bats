@@ -197,6 +197,41 @@ END
     [ "$(attribute dogbone.g section_m2)" = 1.5e-05 ]
 }
 
+@test "a notched rod across oblong cells, cut, in numbers" {
+    cat >rod.yaml <<'END'
+domain:
+  specimen: rod
+  size: 20 mm
+  diameter: 6.4 mm
+  notch: {radius: 0.5 mm, depth: 0.5 mm}
+  spacing: [0.25 mm, 0.5 mm, 0.4 mm]
+  volumes: cut
+  topology: homogeneous
+  phase: CG
+  grips: {length: 2 mm, phase: structure}
+  gauge: {length: 10 mm}
+END
+    hsgen -q rod.yaml -o rod.g -s rod.csv -p rod.svg
+    [ "$(attribute rod.g volumes)" = '"cut"' ]
+    [ "$(attribute rod.g spacing_m)" = 0.00025 ]
+    [ "$(attribute rod.g spacing_y_m)" = 0.0005 ]
+    [ "$(attribute rod.g spacing_z_m)" = 0.0004 ]
+    # Cylinder less a half torus' inner part: 643.398 - 2 pi (pi/8 3.2 - 1/12) by Pappus and Guldin, mm3.
+    awk -v found="$(statistic rod.csv volume)" 'BEGIN {
+        pi = atan2(0, -1)
+        exact = 1e-9 * (pi / 4 * 6.4 ^ 2 * 20 - 2 * pi * (pi / 8 * 3.2 - 0.5 ^ 3 * 2 / 3))
+        d = found / exact - 1
+        print found, exact
+        exit !(d < 1e-8 && d > -1e-8) }'
+    sed '/^  volumes/d; /^  notch/d; s/^  spacing: .*/  spacing: 0.5 mm/' rod.yaml | hsgen -q -o whole.g
+    [ -z "$(attribute whole.g volumes)" ]
+    [ -z "$(attribute whole.g spacing_y_m)" ]
+    # Turned by 90 degrees, its cells are the same ones, and its axis is y.
+    sed 's/^  size: .*/&\n  angle: 90 degree/; s/^  spacing: .*/  spacing: [0.5 mm, 0.25 mm, 0.4 mm]/' rod.yaml | hsgen -q -o turned.g -s turned.csv
+    [ "$(statistic rod.csv nodes_all)" = "$(statistic turned.csv nodes_all)" ]
+    [ "$(statistic rod.csv volume)" = "$(statistic turned.csv volume)" ]
+}
+
 @test "a sheet has one layer, its own thickness, and says so" {
     sed 's/specimen: plate/&\n  dimensions: 2/; s/0.2 mm]/1 m]/; s/core_distance: .*/core_distance: 0.2 mm/' \
         plate.yaml >sheet.yaml
@@ -240,7 +275,7 @@ $a post: {titel: x}|15:8: unknown key 'titel'
 $a post: {window: 2}|15:16: 2 is out of range, expected 1e-09 to 1
 s/  seed: 1/  core_diameter: 1 mm/|12:3: 'core_diameter' belongs to topology: random, not to topology: harmonic
 s/  seed: 1/  phase: CG/|12:3: 'phase' belongs to topology: homogeneous, not to topology: harmonic
-s/gauge: {/gauge: {fillet: 1 mm, /|14:11: 'fillet' belongs to specimen: dogbone, not to specimen: plate
+s/gauge: {/gauge: {fillet: 1 mm, /|14:11: 'fillet' belongs to specimen: dogbone or round_dogbone, not to specimen: plate
 s/  seed: 1/  seed: 1.5/|12:9: '1.5' is not a whole number
 s/  specimen: plate/&\n  dimensions: 4/|4:
 s/specimen: plate/&\n  dimensions: 2/; s/lattice: fcc/lattice: bcc/|9:
@@ -254,7 +289,7 @@ END
     for file in checked.g checked.csv; do [ ! -e "$file" ]; done
     hsgen plate.yaml -o d.g
     nodes=$(ncdump -h d.g | sed -n 's/.*num_nodes = \([0-9]*\).*/\1/p')
-    grep -q "harmonic: 64 x 16 x 8 sites of 2.5e-05 m, $nodes nodes, [1-9][0-9]* cores" said
+    grep -q "harmonic: 64 x 16 x 8 sites of 25 um, $nodes nodes, [1-9][0-9]* cores" said
     grep -q 'set grip_left: ' said
     grep -q 'would write checked.csv' said
     # sets, the grips' phase, the file of cores and post are looked at, too

@@ -85,8 +85,35 @@ rows() { grep -v '^#' "$1"; }
 @test "the examples of hssolve(1) run" {
     sed 's/0.5 %/0.3 %/' study.yaml >other.yaml
     sed -n '/^\.Sh EXAMPLES/,/^\.Sh SEE/p' "$BATS_TEST_DIRNAME/../../docs/man/hssolve.1" |
-        sed -n 's/^\.Dl //; /^hs/p' >examples
+        sed -n 's/^\.Dl //; /^hs/p' | grep -v '\$from' >examples # of a batch script
     [ "$(wc -l <examples)" -eq 6 ]
     bash -o pipefail -e examples
     for file in curve.csv plate.g fields.e history.e other.csv text.e; do [ -s "$file" ]; done
+}
+
+@test "a hspost that fails keeps the history it has read through the pipe, under a name it tells" {
+    hsgen -q study.yaml | hssolve -q -H history.e
+    mkdir empty
+    program=$(command -v hspost)
+    for expected in hspost-history.e hspost-history-2.e; do
+        run -1 bash -c "PATH=$PWD/empty '$program' -q --plot f.png -o c.csv <&0" < <(cat history.e)
+        [[ $output == *"the history that was read is kept: $expected"* ]]
+        cmp history.e "$expected"
+    done
+    # what the user can mend, and a damaged history, too
+    run -2 hspost -q --modulus-rows 1:9999 < <(cat history.e)
+    [[ $output == *"kept: hspost-history-3.e"* ]]
+    cmp history.e hspost-history-3.e
+    # a file that was read is there, and success leaves none
+    run -2 hspost -q --modulus-rows 1:9999 <history.e
+    [[ $output != *kept* ]]
+    hspost -q < <(cat history.e) >/dev/null
+    [ ! -e hspost-history-4.e ]
+    # where the working directory cannot be written
+    mkdir away locked
+    if [ "$(id -u)" -ne 0 ]; then
+        chmod a-w locked
+        run -2 bash -c "cd locked && TMPDIR=$PWD/away '$program' -q --modulus-rows 1:9999 <&0" < <(cat history.e)
+        cmp history.e away/hspost-history.e
+    fi
 }

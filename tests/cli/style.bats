@@ -127,6 +127,8 @@ only_in() {
     only_in 'udunits2\.h' lib/units.c
     only_in 'muParser.*\.h' lib/expression.c
     only_in 'cairo.*\.h' lib/canvas.c
+    only_in 'jansson\.h' post/properties.c
+    only_in 'gsl/gsl_roots\.h' post/root.c
 }
 
 @test "the material laws know nothing of MPI" {

@@ -23,7 +23,7 @@ static int64_t score(const struct recipe *recipe, const struct cores *cores, con
     (void)cores;
     *core = (int32_t)lround(point[0] / recipe->distance);
     return llround(fabs(point[0] - *core * recipe->distance) /
-                   (SCORE_UNIT * recipe->specimen.spacing));
+                   (SCORE_UNIT * recipe->specimen.spacing[0]));
 }
 
 static char *no_fault(const struct recipe *recipe, const struct findings *findings)

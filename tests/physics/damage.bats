@@ -27,7 +27,7 @@ domain:
   ufg_fraction: 0.40
   override: true
   seed: 3
-  grips: {length: 2 spacings, phase: structure}
+  grips: {length: 3 spacings, phase: structure}
 materials:
   CG: {density: 8900 kg/m3, $1}
   UFG: {density: 8800 kg/m3, $2}

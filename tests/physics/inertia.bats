@@ -12,7 +12,7 @@ domain:
   spacing: 25 um
   topology: homogeneous
   phase: M
-  grips: {length: 1 spacings, phase: M}
+  grips: {length: 2 spacings, phase: M}
 materials:
   M: {model: ${MODEL:-correspondence_elastic}, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.3${LAW:-}}
 $3

@@ -20,7 +20,7 @@ domain:
   spacing: 25 um
   topology: homogeneous
   phase: M
-  grips: {length: 2 spacings, phase: M}
+  grips: {length: 3 spacings, phase: M}
   gauge: {length: 5 spacings}
 materials:
   M: {density: 8900 kg/m3, youngs_modulus: 210 GPa, $3}
@@ -90,10 +90,10 @@ exact='
                   exit !(e > 0.12 && worst < 1e-5 && balance < 1e-5) }'
         columns $method.e time_s force_right_N extension_m >$method.txt
     done
-    # Forces differ by ten times the residual at most; extensions by that times the elastic over the plastic slope, 100.
+    # The last step is as long as the gauge takes to its end.  Forces differ by ten times the residual at most; extensions by that times the elastic over the plastic slope, 100.
     for method in newton relaxation; do
         paste -d' ' lbfgs.txt $method.txt | awk "$exact"'
-            $2 > 0 { if ($1 != $4) exit bad = 1; d = off($5 / $2, 1); force = d > force ? d : force
+            $2 > 0 { if (off($1 / $4, 1) > 1e-5) exit bad = 1; d = off($5 / $2, 1); force = d > force ? d : force
                      d = off($6 / $3, 1); way = d > way ? d : way }
             END { printf "methods differ by %.2g and %.2g\n", force, way; exit !(!bad && force < 1e-5 && way < 1e-4) }'
     done

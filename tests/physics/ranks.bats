@@ -118,7 +118,7 @@ compare_with_one() {
 # along_bonds SOLVER: the plate, its materials changed by a sed script on standard input; three spacings a horizon
 along_bonds() {
     study "$plate" 3.015 mix
-    sed -i -f - -e "s/  stabilisation: .*/  $1/" study.yaml
+    sed -i -f - -e "s/  stabilisation: .*/  $1/" -e "s/length: 2 spacings/length: 3 spacings/" study.yaml
     hsgen -q study.yaml -o domain.g
 }
 

@@ -103,3 +103,37 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
     hspost -q shuffled.e | grep -v '^#' >shuffled.csv
     cmp lattice.csv shuffled.csv
 }
+
+# A lattice turned by 45 degrees: layers 1/sqrt(2) spacings apart, of 4 x 5 particles each, so that the section is
+# 20 mm2 sqrt(2).  Counted between two planes it would be a layer too many or too few of 14: 7 %.
+@test "scattered, a lattice at 45 degrees without a word of horizon or stabilisation: section, E, no node lost" {
+    awk 'BEGIN {
+        print "# blocks: 1 A"; s = sqrt(0.5)
+        for (z = 0; z < 5; z++) for (i = -40; i < 40; i++) for (j = -40; j < 40; j++) {
+            x = (i + j) * s + 0.1; y = (i - j) * s
+            if (x > 0 && x < 24 && y > -0.01 && y < 5) printf "%.9e %.9e %.9e 1 1e-9\n", x * 1e-3, y * 1e-3, z * 1e-3
+        }
+    }' >particles.txt
+    cat >study.yaml <<'DECK'
+domain: {dimensions: 3, spacing: 1 mm, grips: {length: 3 spacings}, gauge: {length: 10 mm}}
+materials:
+  A: {model: correspondence_elastic, density: 8000, youngs_modulus: 210 GPa, poissons_ratio: 0.31}
+boundary:
+  - {set: grip_left, direction: x, velocity: -1 m/s}
+  - {set: grip_right, direction: x, velocity: 1 m/s}
+solver: {end_strain: 0.001, step: 0.001, first_step: 0.001}
+DECK
+    hssolve --deck study.yaml -i particles.txt -H history.e 2>messages
+    run ! grep "too few neighbours" messages
+    # 0.1 % of strain itself makes 0.1 % of E.
+    hspost -q history.e | awk -F'[:,]' '
+        /^# section_m2/ { section = $2 }
+        /^#/ { next }
+        !n { n = NF; for (i = 1; i <= NF; i++) column[$i] = i; next }
+        { E = $column["engineering_stress_MPa"] / $column["engineering_strain"] / 210e3 }
+        END { print section, E; exit !((section / (20e-6 * sqrt(2)) - 1) ^ 2 < 1e-16 && (E - 1) ^ 2 < 0.004 ^ 2) }'
+    # Beside the horizon that the deck leaves out, one within which too many nodes have nobody.
+    sed -i 's/solver: {/&horizon: 1, stabilisation: {law: capped}, /; s/spacing: 1 mm, /spacing: 0.9 mm, /' study.yaml
+    run -2 hssolve -q --deck study.yaml -i particles.txt -H history.e
+    [[ "$output" == "hssolve: study.yaml:7:19: 100 % of the nodes ("*") have too few neighbours within a horizon of 1 spacings"* ]]
+}

@@ -17,18 +17,18 @@ struct small_case {
     double horizon;            /* spacings */
     int influence;             /* 0 constant, 1 steep, ... as in family.c */
     const char *stabilisation; /* NULL: not a correspondence material */
-    const char *residual;      /* of corner; NULL: the default */
     const char *materials;     /* a mapping; the phases are its first "A", "B", ... */
     int n_phases;              /* 0: one */
     uint8_t (*phase)(const int size[3], const int at[3]); /* NULL: a full box of phase 0 */
     enum plane plane; /* not SPACE: one layer as thick as the spacing */
-    double edge[3];   /* of a cell, in spacings; 0: 1 */
     bool partial;     /* volumes */
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
     double jitter;    /* scattered: each moved by up to this many spacings along each axis */
     const struct domain *points;    /* scattered particles of space, in place of size and phase */
     const char *surface_correction; /* NULL: none */
     const char *breaking;           /* further sections, "damage: ..., cracks: ...", or NULL */
+    const char *residual;           /* of corner; NULL: the default */
+    double edge[3];                 /* of a cell, in spacings; 0: 1 */
 };
 
 struct small_body {

@@ -112,7 +112,9 @@ static void test_list_gives_the_force_of_the_lattice(void **state)
                                       .materials = spring,
                                       .n_phases = 2,
                                       .phase = chequers,
-                                      .partial = true},
+                                      .partial = true,
+                                      /* scattered particles have no cells for bonds in series */
+                                      .breaking = "interfaces: mean"},
                   1e-13);
     compare_paths(
         (struct small_case){{12, 9, 1}, 3.015, .materials = spring, .plane = PLANE_STRESS}, 1e-13);

@@ -108,7 +108,7 @@ static void surface_errors(const struct surface *wanted, double errors[2])
                                .plane = wanted->plane,
                                .breaking = "damage: [{pair: [A, A], law: critical_stretch, "
                                            "fracture_energy: 5 kJ/m2}]"});
-    const struct damage_view see = {small.model, &small.materials, &small.body, small.bonds};
+    const struct damage_view see = {small.model, &small.materials, &small.body, small.bonds, true};
     struct damage_rules rules = damage_rules_read(deck_get(deck_root(small.deck), "damage"), &see);
     errors[0] = plane_energy(&small, rules.value[0], 0) / G - 1;
     errors[1] =
@@ -234,7 +234,8 @@ static void read_rules(struct small_body *small, struct damage_rules *rules, con
                                                .n_phases = 2,
                                                .phase = halves,
                                                .breaking = breaking});
-    const struct damage_view see = {small->model, &small->materials, &small->body, small->bonds};
+    const struct damage_view see = {small->model, &small->materials, &small->body, small->bonds,
+                                    .series = true};
     *rules = damage_rules_read(deck_get(deck_root(small->deck), "damage"), &see);
 }
 
@@ -268,8 +269,8 @@ static void test_rules_of_pairs(void **state)
     }
 }
 
-/* A crack along an interface opens bonds that the springs of both phases make: the energy at one stretch is the mean of
- * theirs, and 1/s^2 of a fracture energy, which is that over it, too. */
+/* A crack along an interface opens bonds that the springs of both phases make in series: the energy at one stretch is the
+ * harmonic mean of theirs, and 1/s^2 of a fracture energy, which is that over it, too. */
 static void test_fracture_energy_of_an_interface(void **state)
 {
     (void)state;
@@ -281,7 +282,7 @@ static void test_fracture_energy_of_an_interface(void **state)
 #undef FRACTURE
     const double *s = rules.value; /* of AA, AB, BA, BB */
     assert_relative(s[3] / s[0], sqrt(210.0 / 70), 1e-12);
-    assert_relative(1 / (s[1] * s[1]), 0.5 / (s[0] * s[0]) + 0.5 / (s[3] * s[3]), 1e-12);
+    assert_relative(s[1] * s[1], 0.5 * s[0] * s[0] + 0.5 * s[3] * s[3], 1e-12);
     assert_relative(s[2], s[1], 1e-15);
     damage_rules_free(&rules);
     small_body_free(&small);
@@ -575,6 +576,32 @@ static void test_a_removed_node_takes_all_its_bonds(void **state)
         }
 }
 
+/* Bonds between two phases hold G between them: those in series at the harmonic mean of what either phase's would take. */
+static void test_fracture_energy_of_a_pair(void **state)
+{
+    (void)state;
+    struct small_body small;
+    double value[2];
+    small_body_new(
+        &small, &(struct small_case){.size = {4, 4, 4},
+                                     .horizon = 3,
+                                     .materials = two_brittle,
+                                     .n_phases = 2,
+                                     .breaking = "damage: [{pair: [A, B], law: critical_stretch, "
+                                                 "fracture_energy: 5 kJ/m2}]"});
+    for (int series = 0; series < 2; series++) {
+        const struct damage_view see = {small.model, &small.materials, &small.body, small.bonds,
+                                        .series = series};
+        struct damage_rules rules =
+            damage_rules_read(deck_get(deck_root(small.deck), "damage"), &see);
+        value[series] = rules.value[1];
+        damage_rules_free(&rules);
+    }
+    /* 210 and 70 GPa: means 140 and 105. */
+    assert_relative(value[1] * value[1] / (value[0] * value[0]), 140.0 / 105, 1e-12);
+    small_body_free(&small);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -583,6 +610,7 @@ int main(void)
         cmocka_unit_test(test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits),
         cmocka_unit_test(test_two_particles),
         cmocka_unit_test(test_bonds_hold_an_energy_only_pulled),
+        cmocka_unit_test(test_fracture_energy_of_a_pair),
         cmocka_unit_test(test_fracture_energy_is_that_of_the_bonds_cut),
         cmocka_unit_test(test_known_critical_stretches),
         cmocka_unit_test(test_openings_are_sums_over_the_bonds_cut),

@@ -381,7 +381,8 @@ static struct damage_rules read_rules(struct small_body *small, const char *mate
                                         .n_phases = two ? 2 : 1,
                                         .phase = two ? two_halves : NULL,
                                         .breaking = breaking});
-    const struct damage_view see = {small->model, &small->materials, &small->body, small->bonds};
+    const struct damage_view see = {small->model, &small->materials, &small->body, small->bonds,
+                                    .series = true};
     return damage_rules_read(deck_get(deck_root(small->deck), "damage"), &see);
 }
 

@@ -179,9 +179,10 @@ static void check_wave(const char *boundary, int a, int first, int n, bool sine,
                 if (round == 0)
                     r[a * e->unknowns.n_nodes + node] = value;
                 else
-                    /* The round-off of r is in the softest waves, too, whose stiffness is the least. */
+                    /* In single precision, 6e-8: what rounding of r leaves in softer waves is as much larger as they are
+                     * softer, some ten times here. */
                     assert_near(z[a * e->unknowns.n_nodes + node], value / stiffness,
-                                1e-15 / least);
+                                1e-6 / stiffness);
             }
         equilibrium_precondition(e, r, z);
     }

@@ -12,7 +12,7 @@ domain:
   spacing: ${SPACING:-25 um}
   topology: homogeneous
   phase: M
-  grips: {length: ${GRIP:-1} spacings, phase: M}
+  grips: {length: ${GRIP:-2} spacings, phase: M}
 materials:
   M: {density: 8900 kg/m3, $2}
 $4

@@ -1,6 +1,7 @@
 /* Cores: where points stand among them, the file that keeps them, and cost linear in nodes. */
 #include "check.h"
 
+#include "fill.h"
 #include "findings.h"
 #include "memory.h"
 #include "random.h"
@@ -104,7 +105,7 @@ static void orders_are_permutations(void **state)
 static struct recipe plate_of(const struct topology *topology, double spacing)
 {
     struct recipe recipe = {
-        .specimen = {.spacing = spacing},
+        .specimen = {.spacing = {spacing, spacing, spacing}},
         .topology = topology,
         .grip_phase = -1,
         .n_phases = 2,
@@ -140,7 +141,7 @@ static void files_keep_the_structure_at_any_spacing(void **state)
         assert_memory_equal(read.centre, written.centre, (size_t)read.count * sizeof *read.centre);
         assert_memory_equal(read.order, written.order, (size_t)read.count * sizeof *read.order);
         struct cores placed = fine.topology->place(&fine);
-        struct sites sites = specimen_sites(&fine.specimen);
+        struct sites sites = fill_sites(&fine.specimen);
         struct structure direct = structure_new(&fine, &sites, &placed);
         struct structure through = structure_new(&fine, &sites, &read);
         assert_memory_equal(direct.phase, through.phase, (size_t)sites.n_nodes);
@@ -163,8 +164,8 @@ static void half_the_spacing_is_the_same_structure(void **state)
     struct recipe coarse = plate_of(&topology_harmonic, 1e-5);
     struct recipe fine = plate_of(&topology_harmonic, 5e-6);
     struct cores cores = coarse.topology->place(&coarse);
-    struct sites coarse_sites = specimen_sites(&coarse.specimen);
-    struct sites fine_sites = specimen_sites(&fine.specimen);
+    struct sites coarse_sites = fill_sites(&coarse.specimen);
+    struct sites fine_sites = fill_sites(&fine.specimen);
     struct structure one = structure_new(&coarse, &coarse_sites, &cores);
     struct structure two = structure_new(&fine, &fine_sites, &cores);
     int64_t same = 0;
@@ -191,7 +192,7 @@ static double seconds_of(double spacing, int64_t *n_nodes)
     for (int run = 0; run < 2; run++) {
         clock_t start = clock();
         struct cores cores = recipe.topology->place(&recipe);
-        struct sites sites = specimen_sites(&recipe.specimen);
+        struct sites sites = fill_sites(&recipe.specimen);
         struct structure structure = structure_new(&recipe, &sites, &cores);
         *n_nodes = sites.n_nodes;
         structure_free(&structure);

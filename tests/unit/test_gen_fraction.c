@@ -1,6 +1,7 @@
 /* Fractions: rank selection, attainable fractions, and the analytic ones of lattice spheres. */
 #include "check.h"
 
+#include "fill.h"
 #include "structure.h"
 #include "topology.h"
 
@@ -15,7 +16,9 @@ static struct recipe cell_of(enum core_lattice lattice, enum core_shape shape, i
     const double edge_over_distance[] = {1, 2 / sqrt(3), sqrt(2)};
     double edge = 2e-4;
     return (struct recipe){
-        .specimen = {.size = {edge, edge, edge}, .spacing = edge / (double)n, .count = {n, n, n}},
+        .specimen = {.size = {edge, edge, edge},
+                     .spacing = {edge / (double)n, edge / (double)n, edge / (double)n},
+                     .count = {n, n, n}},
         .topology = &topology_harmonic,
         .grip_phase = -1,
         .n_phases = 2,
@@ -34,7 +37,7 @@ struct outcome {
 
 static struct outcome make(const struct recipe *recipe)
 {
-    struct sites sites = specimen_sites(&recipe->specimen);
+    struct sites sites = fill_sites(&recipe->specimen);
     struct cores cores = recipe->topology->place(recipe);
     struct structure structure = structure_new(recipe, &sites, &cores);
     int64_t coarse = 0;
@@ -112,7 +115,7 @@ static void cells_have_the_uniform_shell_of_their_fraction(void **state)
     for (int l = 0; l < 2; l++) {
         struct recipe recipe = cell_of(lattices[l], CORE_CELL, 64, 0.4);
         double shell = -2 * make(&recipe).reach;
-        assert_near(shell, (1 - cbrt(0.6)) * recipe.distance, recipe.specimen.spacing);
+        assert_near(shell, (1 - cbrt(0.6)) * recipe.distance, recipe.specimen.spacing[0]);
     }
 }
 
@@ -157,8 +160,9 @@ static void ties_are_split_by_the_seed(void **state)
         site[i] = i;
         counted[i] = i < 900;
     }
-    struct threshold one = fraction_exact(N, score, site, counted, 0.5, 1);
-    struct threshold two = fraction_exact(N, score, site, counted, 0.5, 2);
+    const struct ranks ranks = {N, score, site, counted, NULL};
+    struct threshold one = fraction_exact(&ranks, 0.5, 1);
+    struct threshold two = fraction_exact(&ranks, 0.5, 2);
     assert_int_equal(one.counted, 900);
     assert_int_equal(one.coarse, 450);
     assert_int_equal(one.split, 800);
@@ -173,6 +177,45 @@ static void ties_are_split_by_the_seed(void **state)
     assert_in_range(different, 394 - 70, 394 + 70);
 }
 
+/* Nodes of different volumes: the fraction is of the volume, within half of the largest node's; without ties the
+ * coarse ones are those of the lowest scores. */
+static void fractions_are_of_the_volume(void **state)
+{
+    (void)state;
+    enum { N = 1000 };
+    int64_t score[N], site[N];
+    uint8_t counted[N];
+    double weight[N], total = 0;
+    for (int i = 0; i < N; i++) {
+        score[i] = i / 10 * 7 % 100; /* ten nodes of each score */
+        site[i] = i;
+        counted[i] = i % 17 != 0;
+        weight[i] = 1e-9 * (0.05 + i * 37 % 100 / 100.0);
+        total += counted[i] ? weight[i] : 0;
+    }
+    const struct ranks ranks = {N, score, site, counted, weight};
+    for (double wanted = 0.0005; wanted < 1; wanted += 0.0371) {
+        const struct threshold threshold = fraction_exact(&ranks, wanted, 3);
+        double coarse = 0;
+        int64_t most = -1, least = 100, count = 0;
+        for (int i = 0; i < N; i++) {
+            if (!counted[i]) continue;
+            const bool is_coarse = fraction_is_coarse(&threshold, score[i], site[i]);
+            coarse += is_coarse ? weight[i] : 0;
+            count += is_coarse;
+            if (is_coarse && score[i] > most) most = score[i];
+            if (!is_coarse && score[i] < least) least = score[i];
+        }
+        assert_near(coarse / total, wanted, 0.5 * 1.05e-9 / total);
+        assert_relative(threshold.share, coarse / total, 1e-12);
+        assert_int_equal(threshold.coarse, count);
+        assert_true(most <= least);
+        const struct threshold whole = fraction_geometric(&ranks, wanted);
+        assert_true(whole.below <= wanted + 1e-12 && wanted <= whole.above + 1e-12);
+        assert_near(whole.share, wanted, 0.5 * (whole.above - whole.below) + 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -182,6 +225,7 @@ int main(void)
         cmocka_unit_test(exact_fractions_miss_by_half_a_node_at_most),
         cmocka_unit_test(geometric_fractions_keep_whole_shells),
         cmocka_unit_test(ties_are_split_by_the_seed),
+        cmocka_unit_test(fractions_are_of_the_volume),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* Random structures: the Boolean model's formulas, labelled cells, and the interface estimator. */
 #include "check.h"
 
+#include "fill.h"
 #include "random.h"
 #include "statistics.h"
 #include "topology.h"
@@ -14,7 +15,7 @@ static const double spacing = 1e-5;
 static struct recipe cube_of(enum core_shape shape, double scale, long seed)
 {
     struct recipe recipe = {
-        .specimen = {.spacing = spacing, .count = {EDGE, EDGE, EDGE}},
+        .specimen = {.spacing = {spacing, spacing, spacing}, .count = {EDGE, EDGE, EDGE}},
         .topology = &topology_random,
         .grip_phase = -1,
         .n_phases = 2,
@@ -71,7 +72,7 @@ static void boolean_spheres_follow_their_formulas(void **state)
     double two_point[4] = {0}, surface = 0, reach = 0;
     for (long seed = 1; seed <= SEEDS; seed++) {
         struct recipe recipe = cube_of(CORE_SPHERE, 2 * radius, seed);
-        struct sites sites = specimen_sites(&recipe.specimen);
+        struct sites sites = fill_sites(&recipe.specimen);
         struct cores cores = recipe.topology->place(&recipe);
         struct structure structure = structure_new(&recipe, &sites, &cores);
         reach += structure_reach(&structure) / SEEDS;
@@ -138,7 +139,7 @@ static void a_ball_has_its_surface(void **state)
 {
     (void)state;
     struct recipe recipe = cube_of(CORE_SPHERE, 1, 1);
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     recipe.topology = &topology_homogeneous;
     struct structure structure = structure_new(&recipe, &sites, NULL);
     double radius = 20 * spacing, position[3];
@@ -167,7 +168,7 @@ static void labelled_cells_are_bicontinuous(void **state)
 {
     (void)state;
     struct recipe recipe = cube_of(CORE_CELL, 9 * spacing, 1);
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     struct cores cores = recipe.topology->place(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);
@@ -196,7 +197,7 @@ static void sheets_are_refused(void **state)
     struct recipe recipe = cube_of(CORE_CELL, 6 * spacing, 1);
     recipe.specimen.count[2] = 2;
     recipe.specimen.size[2] = 2 * spacing;
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     struct cores cores = recipe.topology->place(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);

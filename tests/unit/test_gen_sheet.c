@@ -2,7 +2,9 @@
 #include "dies.h"
 
 #include "assemble.h"
+#include "fill.h"
 #include "memory.h"
+#include "outline.h"
 #include "statistics.h"
 #include "topology.h"
 
@@ -43,7 +45,7 @@ static struct sheet *make(const char *specimen, const char *size, const char *st
     struct sheet *sheet = memory_new(1, sizeof *sheet);
     struct sheet_case wanted = {specimen, size, structure};
     sheet->recipe = read_recipe(&wanted, &sheet->deck);
-    sheet->sites = specimen_sites(&sheet->recipe.specimen);
+    sheet->sites = fill_sites(&sheet->recipe.specimen);
     sheet->cores = recipe_cores(&sheet->recipe);
     sheet->structure = structure_new(&sheet->recipe, &sheet->sites, &sheet->cores);
     sheet->findings = findings_of(&sheet->recipe, &sheet->structure, &sheet->cores);
@@ -114,11 +116,11 @@ static void dogbones_are_cut_alike(void **state)
     body.dimensions = 3;
     body.count[2] = 4;
     body.size[2] = 40e-6;
-    struct sites sites = specimen_sites(&body);
+    struct sites sites = fill_sites(&body);
     assert_int_equal(4 * sheet->sites.n_nodes, sites.n_nodes);
     /* 0.1 mm of width, 10 rows, over 1 mm; the layers of the gauge planes, which lie half a spacing
      * beyond it, are within the outline's first 0.1 um of fillet. */
-    assert_relative(specimen_section(&sheet->recipe.specimen, &sheet->sites), 1e-7, 1e-12);
+    assert_relative(outline_section(&sheet->recipe.specimen, &sheet->sites), 1e-7, 1e-12);
     sites_free(&sites);
     discard(sheet);
     free(structure);

@@ -1,6 +1,8 @@
 /* Specimens: volumes, the dog-bone's outline, grips and gauge planes. */
 #include "check.h"
 
+#include "fill.h"
+#include "outline.h"
 #include "recipe.h"
 
 #include "memory.h"
@@ -30,7 +32,7 @@ static void plates_fill_their_size(void **state)
     (void)state;
     struct deck *deck;
     struct specimen specimen = read_specimen(plate_text, &deck);
-    struct sites sites = specimen_sites(&specimen);
+    struct sites sites = fill_sites(&specimen);
     assert_int_equal(sites.n_nodes, 200 * 40 * 8);
     double cube = pow(25e-6, 3), position[3];
     assert_relative(cube * (double)sites.n_nodes, 5e-3 * 1e-3 * 0.2e-3, 1e-12);
@@ -43,7 +45,7 @@ static void plates_fill_their_size(void **state)
     assert_near(position[0], -2.5e-3 + 37.5e-6, 1e-15);
     assert_near(position[1], -0.5e-3 + 37.5e-6, 1e-15);
     assert_near(position[2], -0.1e-3 + 37.5e-6, 1e-15);
-    assert_relative(specimen_section(&specimen, &sites), 0.2e-6, 1e-12);
+    assert_relative(outline_section(&specimen, &sites), 0.2e-6, 1e-12);
     sites_free(&sites);
     deck_free(deck);
 }
@@ -75,7 +77,7 @@ static void grips_and_gauge_planes_are_symmetric(void **state)
     (void)state;
     struct deck *deck;
     struct specimen specimen = read_specimen(plate_text, &deck);
-    struct sites sites = specimen_sites(&specimen);
+    struct sites sites = fill_sites(&specimen);
     struct domain domain = {0};
     struct deck_node section = deck_get(deck_root(deck), "domain");
     specimen_add_sets(&specimen, &sites, deck_find(section, "sets"), &domain);
@@ -114,7 +116,7 @@ static void dogbones_follow_their_outline(void **state)
     (void)state;
     struct deck *deck;
     struct specimen specimen = read_specimen(dogbone_text, &deck);
-    struct sites sites = specimen_sites(&specimen);
+    struct sites sites = fill_sites(&specimen);
     assert_int_equal(sites.count[0], 1000);
     assert_int_equal(sites.count[1], 120);
     assert_int_equal(sites.count[2], 25);
@@ -136,7 +138,7 @@ static void dogbones_follow_their_outline(void **state)
     assert_int_equal(before, 120);
     assert_relative((double)sites.n_nodes * 1e-12, area * 2.5e-3, 0.005);
     /* 57 nodes would fill 5.7 mm, but a symmetric lattice of 120 has even rows only: 56 or 58. */
-    assert_near(specimen_section(&specimen, &sites), 5.7e-3 * 2.5e-3, 1.0001e-4 * 2.5e-3);
+    assert_near(outline_section(&specimen, &sites), 5.7e-3 * 2.5e-3, 1.0001e-4 * 2.5e-3);
     sites_free(&sites);
     deck_free(deck);
 }

@@ -1,6 +1,7 @@
 /* The topology check: clusters, contact of cores, films, and what it advises. */
 #include "check.h"
 
+#include "fill.h"
 #include "findings.h"
 #include "memory.h"
 #include "topology.h"
@@ -14,15 +15,17 @@ struct drawing {
     struct structure structure;
 };
 
-static bool anywhere(const void *specimen, const double point[3])
+static bool anywhere(const void *specimen, int64_t site, const double point[3])
 {
-    (void)specimen, (void)point;
+    (void)specimen, (void)site, (void)point;
     return true;
 }
 
+static const double cube[3] = {1, 1, 1};
+
 static struct drawing draw(const int64_t count[3], const char *text)
 {
-    struct drawing drawing = {.sites = sites_new(count, 1, anywhere, NULL)};
+    struct drawing drawing = {.sites = sites_new(count, cube, anywhere, NULL)};
     size_t n = (size_t)drawing.sites.n_nodes;
     assert_int_equal(strlen(text), n);
     struct structure *structure = &drawing.structure;
@@ -124,7 +127,7 @@ static char *fault_of(enum core_lattice lattice, enum core_shape shape, double d
                       double fraction, double spacing, struct findings *findings)
 {
     struct recipe recipe = {
-        .specimen = {.size = {1e-3, 5e-4, 2.5e-4}, .spacing = spacing},
+        .specimen = {.size = {1e-3, 5e-4, 2.5e-4}, .spacing = {spacing, spacing, spacing}},
         .topology = &topology_harmonic,
         .grip_phase = -1,
         .n_phases = 2,
@@ -137,7 +140,7 @@ static char *fault_of(enum core_lattice lattice, enum core_shape shape, double d
     };
     for (int axis = 0; axis < 3; axis++)
         recipe.specimen.count[axis] = (int64_t)llround(recipe.specimen.size[axis] / spacing);
-    struct sites sites = specimen_sites(&recipe.specimen);
+    struct sites sites = fill_sites(&recipe.specimen);
     struct cores cores = recipe.topology->place(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     *findings = findings_of(&recipe, &structure, &cores);

@@ -18,7 +18,7 @@ struct case_of {
 
 static void run(struct case_of *c)
 {
-    struct input input = input_read(c->path);
+    struct input input = input_read(c->path, NULL);
     c->curve = curve_make(&input, &c->choices);
     input_free(&input);
     c->analysis = analysis_make(&c->curve, &c->choices);
@@ -28,6 +28,7 @@ static void run(struct case_of *c)
 static void drop(struct case_of *c)
 {
     properties_free(&c->properties);
+    analysis_free(&c->analysis);
     curve_free(&c->curve);
 }
 
@@ -57,8 +58,8 @@ static void expect(const struct case_of *c, const char *name, double value, doub
 /* How many rows the law is fitted to. */
 static void expect_points(const struct case_of *c, const char *law, long count)
 {
-    struct law_fit fit = true_curve_fit(&c->curve, hardening_fitted(law), c->analysis.maximum.row,
-                                        c->analysis.fit_range);
+    struct law_fit fit = true_curve_fit(&c->curve, hardening_fitted(law),
+                                        c->analysis.measures.uniform, c->analysis.fit_range);
     assert_int_equal(fit.count, count);
 }
 
@@ -89,7 +90,7 @@ static void coarse_grained_exponent(void **state)
     /* 0.3507 was cut, not rounded: 0.35075. */
     expect(&c, "hardening_exponent", 0.35075, 0.00005);
     expect(&c, "hardening_strength", 889.0, 0.05);
-    assert_int_equal(c.analysis.power_law.count, 12);
+    assert_int_equal(c.analysis.measures.power_law.count, 12);
     drop(&c);
 
     c = nickel_200();
@@ -98,7 +99,7 @@ static void coarse_grained_exponent(void **state)
     run(&c);
     expect(&c, "hardening_exponent", 0.3985, 0.00005);
     expect(&c, "hardening_strength", 985.6, 0.05);
-    assert_int_equal(c.analysis.power_law.count, 6);
+    assert_int_equal(c.analysis.measures.power_law.count, 6);
     drop(&c);
 }
 

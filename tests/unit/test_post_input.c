@@ -10,6 +10,7 @@
 #include "keys_options.h"
 #include "memory.h"
 #include "property.h"
+#include "text_table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,7 +79,7 @@ static struct input write_and_read(struct history *history)
     exodus_write_history(&output, history);
     spool_finish(&output);
     history_free(history);
-    return input_read(path);
+    return input_read(path, NULL);
 }
 
 static void history_to_curve(void **state)
@@ -109,6 +110,7 @@ static void history_to_curve(void **state)
     assert_relative(property_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
     assert_near(property_value(&list, "CG_fraction"), 0.6, 0);
     properties_free(&list);
+    analysis_free(&found);
     curve_free(&curve);
     input_free(&input);
 }
@@ -159,21 +161,24 @@ static void deck_within(void **state)
 static void table_there_and_back(void **state)
 {
     (void)state;
-    char text[] = "# title: T\n# scale: 2.5\nstrain,stress_MPa\r\n0,1.1\n0.1,\n 0.3 ,-7e-3\n";
+    const char text[] =
+        "# title: T\n# scale: 2.5\nengineering_strain,engineering_stress_MPa\r\n0,1.1\n0.1,\n 0.3 "
+        ",-7e-3\n";
     struct attributes notes = {0};
-    struct table table = csv_parse(text, "t.csv", &notes);
+    struct table table = text_table_read(text, "t.csv", NULL, &notes);
     assert_int_equal(table.n_rows, 3);
     assert_string_equal(attributes_text(&notes, "title"), "T");
     assert_near(attributes_number(&notes, "scale", 0), 2.5, 0);
-    assert_near(table_find(&table, "stress_Pa")[0], 1.1e6, 1e-9);
-    assert_true(isnan(table_find(&table, "stress_Pa")[1]));
+    assert_near(table_find(&table, "engineering_stress_Pa")[0], 1.1e6, 1e-9);
+    assert_true(isnan(table_find(&table, "engineering_stress_Pa")[1]));
 
     char *written;
     size_t size;
     FILE *file = open_memstream(&written, &size);
     csv_write(file, &table);
     fclose(file);
-    assert_string_equal(written, "strain,stress_MPa\n0,1.1\n0.1,\n0.3,-0.007\n");
+    assert_string_equal(written,
+                        "engineering_strain,engineering_stress_MPa\n0,1.1\n0.1,\n0.3,-0.007\n");
     free(written);
     table_free(&table);
     attributes_free(&notes);

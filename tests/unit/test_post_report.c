@@ -95,6 +95,7 @@ static struct made report_of(double kinetic)
 static void made_free(struct made *made)
 {
     properties_free(&made->list);
+    analysis_free(&made->analysis);
     curve_free(&made->curve);
     input_free(&made->input);
 }
@@ -111,10 +112,10 @@ static void elastic_line(void **state)
     long first = 0, last = 0;
     while (stress_of(first) < 0.1 * proof) first++;
     while (stress_of(last + 1) <= 0.4 * proof) last++;
-    assert_int_equal(made.analysis.line.first, first);
-    assert_int_equal(made.analysis.line.last, last);
-    assert_relative(made.analysis.line.slope, young, exact);
-    assert_relative(made.analysis.line.toe, toe, exact);
+    assert_int_equal(made.analysis.measures.line.first, first);
+    assert_int_equal(made.analysis.measures.line.last, last);
+    assert_relative(made.analysis.measures.line.slope, young, exact);
+    assert_relative(made.analysis.measures.line.toe, toe, exact);
     assert_relative(1e6 * property_value(&made.list, "proof_strength_0.2"), proof, 1e-9);
     assert_relative(1e6 * property_value(&made.list, "resilience"), proof * proof / (2 * young),
                     1e-9);
@@ -255,6 +256,7 @@ static void parameters_below_their_errors_are_flagged(void **state)
     }
     assert_true(below > 0);
     properties_free(&list);
+    analysis_free(&analysis);
     curve_free(&curve);
 }
 
@@ -274,9 +276,10 @@ static void error_of_the_power_law(void **state)
         struct choices choices = choices_read(NULL);
         choices.modulus_rows[0] = 1;
         choices.modulus_rows[1] = 3;
-        const struct analysis analysis = analysis_make(&curve, &choices);
-        error[k] = analysis.power_law.strength_error;
-        exponent[k] = analysis.power_law.error;
+        struct analysis analysis = analysis_make(&curve, &choices);
+        error[k] = analysis.measures.power_law.strength_error;
+        exponent[k] = analysis.measures.power_law.error;
+        analysis_free(&analysis);
         curve_free(&curve);
     }
     assert_relative(error[1], 5 * error[0], 1e-6);

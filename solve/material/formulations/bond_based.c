@@ -8,7 +8,8 @@
  * K_2 is the bulk modulus of the plane, E/(2(1 - nu)) in plane stress and E/(2(1 + nu)(1 - 2 nu)) in plane
  * strain: with w = 1, c = 9 E/(pi h delta^3) and 48 E/(5 pi h delta^3) (Trageser, Seleson, J. Peridyn.
  * Nonlocal Model. 2 (2020) 278).  Central forces fix Poisson's ratio: 1/4, in plane stress 1/3.  A bond
- * between two phases has the mean of their c.
+ * through two phases is as stiff as theirs in series (interface.h), or has the mean of their c: its weight makes the
+ * difference.
  *
  * A bond needs nothing of its ends but where they are: one pass, which pull is all of.  One root and one division set its
  * pace, so s/|y| is one fraction.  Energies come with the forces where they are asked for, and c is read at both ends only
@@ -16,6 +17,7 @@
 #include "bond_loop.h"
 #include "bond_stress.h"
 #include "gradient.h"
+#include "interface.h"
 #include "memory.h"
 #include "model.h"
 #include "nominal.h"
@@ -31,6 +33,7 @@ struct bond_based {
     const struct family *family;
     struct bonds *bonds;
     enum surface_correction correction;
+    bool series;     /* bonds through two phases */
     double modulus;  /* c [N/m^6] where all phases have the same, else */
     double *of_node; /* of each node, a box field */
 };
@@ -45,6 +48,7 @@ static void *bond_based_read(struct deck_node solver, const struct family *famil
     model->materials = materials;
     model->family = family;
     model->correction = surface_correction_read(solver);
+    model->series = interface_read(solver);
     return model;
 }
 
@@ -55,6 +59,31 @@ static double micromodulus(const struct material *m, enum plane plane, const str
     const double pi = acos(-1), dx = lattice->spacing, K = material_bulk_modulus(m, plane);
     if (plane == SPACE) return 18 * K / (4 * pi * family_moment(family, 3) * pow(dx, 4));
     return 8 * K / (2 * pi * lattice->thickness * family_moment(family, 2) * pow(dx, 3));
+}
+
+/* The weight of a bond takes it from the mean of its ends' c to that of its phases in series. */
+static void weigh_strip(const struct interface *interface, const struct bond_based *model,
+                        struct bond_strip *strip)
+{
+    double of_ends[4][BOND_LANES], *const share[2] = {of_ends[0], of_ends[1]},
+                                          *const part[2] = {of_ends[2], of_ends[3]};
+    if (!interface_strip(interface, strip, share, part)) return;
+    double *weight = bonds_own_weights(model->bonds, strip);
+    const struct bond_view view = bonds_view(model->bonds, strip);
+    for (int k = 0; k < view.count; k++) {
+        const double lower = model->of_node[bond_lower(&view, k)],
+                     upper = model->of_node[bond_upper(&view, k)];
+        if (share[0][k] != 1 || share[1][k] != 1)
+            weight[k] *= share[0][k] * lower / (0.5 * (lower + upper));
+    }
+}
+
+static void put_in_series(const struct bond_based *model, const double *modulus)
+{
+    struct interface *interface = interface_new(model->bonds, model->materials->count, modulus);
+    for (int64_t s = 0; interface && s < model->bonds->count; s++)
+        weigh_strip(interface, model, &model->bonds->strips[s]);
+    interface_free(interface);
 }
 
 static void bond_based_start(void *self, const struct body *body, struct bonds *bonds)
@@ -75,6 +104,7 @@ static void bond_based_start(void *self, const struct body *body, struct bonds *
         model->of_node = memory_new((size_t)body->grid.n_sites, sizeof *model->of_node);
         for (int64_t i = 0; i < body->grid.n_sites; i++)
             if (phase[i] != ABSENT) model->of_node[i] = modulus[phase[i]];
+        if (model->series) put_in_series(model, modulus);
     }
     free(modulus);
 }
@@ -182,7 +212,7 @@ static void bond_based_free(void *self)
 const struct formulation formulation_bond_based = {
     .name = "bond-based",
     .influence = "constant",
-    .keys = (const char *const[]){"surface_correction", NULL},
+    .keys = (const char *const[]){"surface_correction", "interfaces", NULL},
     .read = bond_based_read,
     .start = bond_based_start,
     .force = bond_based_force,

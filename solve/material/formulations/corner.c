@@ -63,6 +63,13 @@ static void corner_start(void *self, const struct body *body, struct bonds *bond
     model->residual->start(model->self, body, model->materials, &body->near);
 }
 
+static void corner_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct corner *model = self;
+    points_visit(model->points, checkpoint, "particles", &body->near);
+    model->residual->visit(model->self, &body->near, checkpoint);
+}
+
 static void corner_free(void *self)
 {
     struct corner *model = self;
@@ -300,5 +307,6 @@ const struct formulation formulation_corner = {
     .observe = corner_observe,
     .strips = corner_strips,
     .state = corner_state,
+    .visit = corner_visit,
     .free = corner_free,
 };

@@ -91,9 +91,9 @@ static void *correspondence_read(struct deck_node solver, const struct family *f
                                  const struct materials *materials)
 {
     struct correspondence *model = memory_new(1, sizeof *model);
-    (void)family;
     model->materials = materials;
-    model->stabilisation = stabilisation_read(deck_find(solver, "stabilisation"), &model->self);
+    model->stabilisation =
+        stabilisation_read(deck_find(solver, "stabilisation"), family->scattered, &model->self);
     return model;
 }
 
@@ -102,6 +102,13 @@ static int correspondence_near(const void *self, const struct family *family,
 {
     const struct correspondence *model = self;
     return model->stabilisation->bonds(model->self, family, offsets);
+}
+
+static void correspondence_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct correspondence *model = self;
+    points_visit(model->points, checkpoint, "nodes", model->nodes);
+    model->stabilisation->visit(model->self, body, checkpoint);
 }
 
 static void correspondence_free(void *self)
@@ -370,6 +377,7 @@ const struct formulation formulation_correspondence = {
     .stress_of = STRESS_OF_NODES,
     .influence = "constant",
     .horizon = 1,
+    .scattered = 1.8,
     .keys = (const char *const[]){"stabilisation", NULL},
     .read = correspondence_read,
     .near = correspondence_near,
@@ -378,5 +386,6 @@ const struct formulation formulation_correspondence = {
     .observe = correspondence_observe,
     .strips = correspondence_strips,
     .state = correspondence_state,
+    .visit = correspondence_visit,
     .free = correspondence_free,
 };

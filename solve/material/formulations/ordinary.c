@@ -9,14 +9,16 @@
  * The kernels come in depths, each a loop of its own (bond_loop.h makes the variants by geometry and weight): without
  * the sum of squares, which energy and yield alone need; with e^p, which a line of bonds has once one of them has
  * yielded, two numbers a bond; with the growth of e^p, only in strips with a node that flows.  A node before yield
- * so costs what an elastic one does. */
+ * so costs what an elastic one does.  Strips with bonds through two phases have kernels of their own, too. */
 #include "ordinary.h"
 
 #include "bond_loop.h"
 #include "bond_stress.h"
 #include "box_fields.h"
+#include "checkpoint.h"
 #include "gradient.h"
 #include "integrity.h"
+#include "interface.h"
 #include "laws.h"
 #include "memory.h"
 #include "nominal.h"
@@ -34,6 +36,7 @@ static struct ordinary *read_any(struct deck_node solver, const struct materials
     model->materials = materials;
     model->law = law;
     model->correction = surface_correction_read(solver);
+    model->series = interface_read(solver);
     return model;
 }
 
@@ -62,6 +65,23 @@ enum { ELASTIC, ENERGY, STORED, YIELDING };
 /* Numbers of each bond: e^p of its ends, NULL where there is none, and what find_state and hold find of it. */
 enum { SLIP_LOWER, SLIP_UPPER, EXTENSION, STATE_LOWER, STATE_UPPER, HELD = EXTENSION };
 
+/* What each bond of a strip with some through two phases is given: (interface.2). */
+enum { SHARE_LOWER, SHARE_UPPER, PART_LOWER, PART_UPPER, ENDS };
+
+/* r, g and g/r of an end. */
+HS_INLINE double share_of(const struct bond_pass *p, int k, int end, bool shared)
+{
+    return shared ? p->given[SHARE_LOWER + end][k] : 1;
+}
+HS_INLINE double part_of(const struct bond_pass *p, int k, int end, bool shared)
+{
+    return shared ? p->given[PART_LOWER + end][k] : 1;
+}
+HS_INLINE double both_of(const struct bond_pass *p, int k, int end, bool shared)
+{
+    return share_of(p, k, end, shared) * part_of(p, k, end, shared);
+}
+
 /* |xi| or 1 */
 HS_INLINE double a_over_w(const struct bond_pass *p, struct bond b)
 {
@@ -69,17 +89,19 @@ HS_INLINE double a_over_w(const struct bond_pass *p, struct bond b)
 }
 
 /* (ordinary.1) but for D, and the sum of (ordinary.2). */
-HS_INLINE void sum_up(const struct bond_pass *p, int k, struct bond b, int depth)
+HS_INLINE void sum_up(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
 {
     const double e = b.longer / (sqrt(b.length * b.length + b.longer) + b.length),
-                 ei = depth == STORED ? e - p->each[SLIP_LOWER][k] : e,
-                 ej = depth == STORED ? e - p->each[SLIP_UPPER][k] : e;
+                 own_i = e * share_of(p, k, 0, shared), own_j = e * share_of(p, k, 1, shared),
+                 ei = depth == STORED ? own_i - p->each[SLIP_LOWER][k] : own_i,
+                 ej = depth == STORED ? own_j - p->each[SLIP_UPPER][k] : own_j;
+    const double part_i = part_of(p, k, 0, shared), part_j = part_of(p, k, 1, shared);
     const double a = b.weight * a_over_w(p, b);
-    p->sum[0][SUM_DILATATION][k] += (a * b.volume_j) * ei;
-    p->sum[1][SUM_DILATATION][k] += (a * b.volume_i) * ej;
+    p->sum[0][SUM_DILATATION][k] += (a * b.volume_j * part_i) * ei;
+    p->sum[1][SUM_DILATATION][k] += (a * b.volume_i * part_j) * ej;
     if (depth == ELASTIC) return;
-    p->sum[0][SUM_SQUARE][k] += (b.weight * b.volume_j) * (ei * ei);
-    p->sum[1][SUM_SQUARE][k] += (b.weight * b.volume_i) * (ej * ej);
+    p->sum[0][SUM_SQUARE][k] += (b.weight * b.volume_j * part_i) * (ei * ei);
+    p->sum[1][SUM_SQUARE][k] += (b.weight * b.volume_i * part_j) * (ej * ej);
 }
 
 /* (ordinary_plastic.3): e^p of an end moves on. */
@@ -90,29 +112,58 @@ HS_INLINE void flow(const struct bond_pass *p, int k, double e, double length, i
 }
 
 /* (ordinary.4), (t_ij + t_ji)/(w |y|) of one fraction: (pull |xi| (|y| + |xi|) + spring (|y|^2 - |xi|^2))/((|y| + |xi|) |y|) */
-HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth)
+HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
 {
-    const double spring_i = p->node[0][NODE_SPRING][k], spring_j = p->node[1][NODE_SPRING][k];
+    const double g_i = both_of(p, k, 0, shared), g_j = both_of(p, k, 1, shared),
+                 r_i = share_of(p, k, 0, shared), r_j = share_of(p, k, 1, shared);
+    const double spring_i = g_i * p->node[0][NODE_SPRING][k],
+                 spring_j = g_j * p->node[1][NODE_SPRING][k];
     const double square = b.length * b.length + b.longer, now = sqrt(square), sum = now + b.length;
-    double pull = (p->node[0][NODE_PULL][k] + p->node[1][NODE_PULL][k]) * a_over_w(p, b);
+    double pull =
+        (g_i * p->node[0][NODE_PULL][k] + g_j * p->node[1][NODE_PULL][k]) * a_over_w(p, b);
     if (depth >= STORED)
         pull -= spring_i * p->each[SLIP_LOWER][k] + spring_j * p->each[SLIP_UPPER][k];
-    const double t = (pull * sum + (spring_i + spring_j) * b.longer) / (square + b.length * now);
+    const double t =
+        (pull * sum + (spring_i * r_i + spring_j * r_j) * b.longer) / (square + b.length * now);
     bond_push(p, k, b, (b.weight * b.volume_j) * t, (b.weight * b.volume_i) * t);
     if (depth < YIELDING) return;
-    flow(p, k, b.longer / sum, b.length, 0);
-    flow(p, k, b.longer / sum, b.length, 1);
+    flow(p, k, r_i * (b.longer / sum), b.length, 0);
+    flow(p, k, r_j * (b.longer / sum), b.length, 1);
 }
 
-BOND_KERNELS(sum_elastic, sum_up(p, k, b, ELASTIC))
-BOND_KERNELS(sum_energy, sum_up(p, k, b, ENERGY))
-BOND_KERNELS(sum_stored, sum_up(p, k, b, STORED))
-BOND_KERNELS(push_elastic, push(p, k, b, ELASTIC))
-BOND_KERNELS(push_stored, push(p, k, b, STORED))
-BOND_KERNELS(push_yielding, push(p, k, b, YIELDING))
-static bond_kernel *const *const summing[] = {sum_elastic, sum_energy, sum_stored};
-static bond_kernel *const *const pushing[] = {
-    [ELASTIC] = push_elastic, [STORED] = push_stored, [YIELDING] = push_yielding};
+BOND_KERNELS(sum_elastic, sum_up(p, k, b, ELASTIC, false))
+BOND_KERNELS(sum_energy, sum_up(p, k, b, ENERGY, false))
+BOND_KERNELS(sum_stored, sum_up(p, k, b, STORED, false))
+BOND_KERNELS(push_elastic, push(p, k, b, ELASTIC, false))
+BOND_KERNELS(push_stored, push(p, k, b, STORED, false))
+BOND_KERNELS(push_yielding, push(p, k, b, YIELDING, false))
+BOND_KERNELS(sum_elastic_shared, sum_up(p, k, b, ELASTIC, true))
+BOND_KERNELS(sum_energy_shared, sum_up(p, k, b, ENERGY, true))
+BOND_KERNELS(sum_stored_shared, sum_up(p, k, b, STORED, true))
+BOND_KERNELS(push_elastic_shared, push(p, k, b, ELASTIC, true))
+BOND_KERNELS(push_stored_shared, push(p, k, b, STORED, true))
+BOND_KERNELS(push_yielding_shared, push(p, k, b, YIELDING, true))
+/* [shared][depth] */
+static bond_kernel *const *const summing[2][3] = {
+    {sum_elastic, sum_energy, sum_stored},
+    {sum_elastic_shared, sum_energy_shared, sum_stored_shared}};
+static bond_kernel *const *const pushing[2][4] = {
+    {[ELASTIC] = push_elastic, [STORED] = push_stored, [YIELDING] = push_yielding},
+    {[ELASTIC] = push_elastic_shared,
+     [STORED] = push_stored_shared,
+     [YIELDING] = push_yielding_shared}};
+
+static bool is_shared(const struct ordinary *model, int64_t number)
+{
+    return model->ends && model->ends[number];
+}
+
+/* Of a strip with bonds through two phases. */
+static void give_ends(const struct ordinary *model, int64_t number, struct bond_pass *pass)
+{
+    const int stride = bonds_stride(model->bonds->strips[number].count);
+    for (int a = 0; a < ENDS; a++) pass->given[a] = model->ends[number] + a * stride;
+}
 
 /* What a strip has of its own; returns whether that is some e^p. */
 static bool fill_pass(const struct ordinary *model, int64_t number, struct bond_pass *pass)
@@ -122,6 +173,7 @@ static bool fill_pass(const struct ordinary *model, int64_t number, struct bond_
     pass->number = model->law->by_length ? 0 : 1;
     pass->each[SLIP_LOWER] = slip.end[0];
     pass->each[SLIP_UPPER] = slip.end[1];
+    if (is_shared(model, number)) give_ends(model, number, pass);
     return slip.end[0] != NULL;
 }
 
@@ -137,10 +189,11 @@ static void sum_strip(const struct ordinary *model, int64_t number, int depth)
 {
     struct bond_pass pass;
     if (fill_pass(model, number, &pass)) depth = STORED;
+    bond_kernel *const *const *of = summing[is_shared(model, number)];
     if (depth == ELASTIC)
-        run(summing[ELASTIC], model, number, 0, 1, model->sum, &pass);
+        run(of[ELASTIC], model, number, 0, 1, model->sum, &pass);
     else
-        run(summing[depth], model, number, 0, SUM_COUNT, model->sum, &pass);
+        run(of[depth], model, number, 0, SUM_COUNT, model->sum, &pass);
 }
 
 /* flows: whether a node anywhere is about to. */
@@ -151,10 +204,11 @@ static void push_strip(struct ordinary *model, struct body *body, int64_t number
     if (model->plastic) profile_count(body->profile, WORK_FLOW_STRIPS, yields, 1);
     if (yields) ordinary_plastic_make_slip(model, number);
     const int depth = fill_pass(model, number, &pass) ? STORED : ELASTIC;
+    bond_kernel *const *const *of = pushing[is_shared(model, number)];
     if (yields)
-        run(pushing[YIELDING], model, number, NODE_COUNT, 3, body->f, &pass);
+        run(of[YIELDING], model, number, NODE_COUNT, 3, body->f, &pass);
     else
-        run(pushing[depth], model, number, NODE_FLOW, 3, body->f, &pass);
+        run(of[depth], model, number, NODE_FLOW, 3, body->f, &pass);
 }
 
 /* pull = k D theta; dilatation: theta/D */
@@ -182,10 +236,33 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
     }
 }
 
+/* sum += g/r w |xi|^2 V_j, whose ratio to that without g/r is how much a node's dilatation would lack. */
+HS_INLINE void add_part(const struct bond_pass *p, int k, struct bond b, bool shared)
+{
+    const double one = b.weight * b.length * b.length;
+    p->sum[0][0][k] += one * b.volume_j * part_of(p, k, 0, shared);
+    p->sum[1][0][k] += one * b.volume_i * part_of(p, k, 1, shared);
+}
+BOND_KERNELS(parts, add_part(p, k, b, false))
+BOND_KERNELS(parts_shared, add_part(p, k, b, true))
+
+static void add_parts(const struct ordinary *model, double *sum)
+{
+    for (int64_t s = 0; s < model->bonds->count; s++) {
+        struct bond_pass pass;
+        const bool shared = is_shared(model, s);
+        if (shared) give_ends(model, s, &pass);
+        run(shared ? parts_shared : parts, model, s, 0, 1, &sum, &pass);
+    }
+}
+
 static void find_weighted_volume(struct ordinary *model, const struct body *body)
 {
     body_clear(body, &model->weighted_volume, 1);
-    surface_add_weighted_volumes(model->bonds, 2, model->weighted_volume);
+    if (model->ends)
+        add_parts(model, model->weighted_volume);
+    else
+        surface_add_weighted_volumes(model->bonds, 2, model->weighted_volume);
     model->weighted_changes = model->bonds->changes;
 }
 
@@ -258,37 +335,50 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
 }
 
 /* The elastic part of a bond's extension as one of its ends has it, and (ordinary.3). */
-HS_INLINE double elastic_of(const struct bond_pass *p, int k, struct bond b, int end)
+HS_INLINE double elastic_of(const struct bond_pass *p, int k, struct bond b, int end, bool shared)
 {
-    return bond_extension(b) - (p->each[end] ? p->each[end][k] : 0);
+    return bond_extension(b) * share_of(p, k, end, shared) - (p->each[end] ? p->each[end][k] : 0);
 }
-HS_INLINE double state_of(const struct bond_pass *p, int k, struct bond b, int end)
+HS_INLINE double state_of(const struct bond_pass *p, int k, struct bond b, int end, bool shared)
 {
     return b.weight * (p->node[end][NODE_PULL][k] * a_over_w(p, b) +
-                       p->node[end][NODE_SPRING][k] * elastic_of(p, k, b, end));
+                       p->node[end][NODE_SPRING][k] * elastic_of(p, k, b, end, shared));
 }
 
-HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b)
+HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b, bool shared)
 {
+    const double lower = state_of(p, k, b, 0, shared) * both_of(p, k, 0, shared),
+                 upper = state_of(p, k, b, 1, shared) * both_of(p, k, 1, shared);
+    /* What either end makes of a bond through two phases says more of where its middle lies than of a stress. */
+    const bool two = share_of(p, k, 0, shared) != 1 || share_of(p, k, 1, shared) != 1;
     p->each[EXTENSION][k] = bond_extension(b);
-    p->each[STATE_LOWER][k] = state_of(p, k, b, 0);
-    p->each[STATE_UPPER][k] = state_of(p, k, b, 1);
+    p->each[STATE_LOWER][k] = two ? 0.5 * (lower + upper) : lower;
+    p->each[STATE_UPPER][k] = two ? 0.5 * (lower + upper) : upper;
 }
-BOND_KERNELS(find_states, find_state(p, k, b))
+BOND_KERNELS(find_states, find_state(p, k, b, false))
+BOND_KERNELS(find_states_shared, find_state(p, k, b, true))
 
 /* Energy density that a bond holds: that of the force states of both ends over its elastic extension. */
-HS_INLINE void hold(const struct bond_pass *p, int k, struct bond b)
+HS_INLINE double held_of(const struct bond_pass *p, int k, struct bond b, int end, bool shared)
 {
-    p->each[HELD][k] = 0.5 * (state_of(p, k, b, 0) * elastic_of(p, k, b, 0) +
-                              state_of(p, k, b, 1) * elastic_of(p, k, b, 1));
+    return state_of(p, k, b, end, shared) * elastic_of(p, k, b, end, shared) *
+           part_of(p, k, end, shared);
 }
-BOND_KERNELS(hold_each, hold(p, k, b))
+HS_INLINE void hold(const struct bond_pass *p, int k, struct bond b, bool shared)
+{
+    p->each[HELD][k] = 0.5 * (held_of(p, k, b, 0, shared) + held_of(p, k, b, 1, shared));
+}
+BOND_KERNELS(hold_each, hold(p, k, b, false))
+BOND_KERNELS(hold_each_shared, hold(p, k, b, true))
+/* [shared] */
+static bond_kernel *const *const finding[2] = {find_states, find_states_shared};
+static bond_kernel *const *const holding[2] = {hold_each, hold_each_shared};
 
-static void look_at_strip(bond_kernel *const kernel[], const struct ordinary *model, int64_t number,
-                          struct bond_pass *pass)
+static void look_at_strip(bond_kernel *const *const kernel[2], const struct ordinary *model,
+                          int64_t number, struct bond_pass *pass)
 {
     fill_pass(model, number, pass);
-    run(kernel, model, number, NODE_FLOW, 0, NULL, pass);
+    run(kernel[is_shared(model, number)], model, number, NODE_FLOW, 0, NULL, pass);
 }
 
 static void ordinary_bond_energy(const void *self, const struct body *body,
@@ -297,7 +387,7 @@ static void ordinary_bond_energy(const void *self, const struct body *body,
     (void)body;
     const struct ordinary *model = self;
     struct bond_pass pass = {.each = {[HELD] = energy}};
-    look_at_strip(hold_each, model, strip - model->bonds->strips, &pass);
+    look_at_strip(holding, model, strip - model->bonds->strips, &pass);
 }
 
 static const double *ordinary_state(const void *self, const struct strip *strip, int number,
@@ -319,7 +409,7 @@ static void ordinary_prepare(void *self, struct body *body, int rows)
         double e[BOND_LANES], t[2][BOND_LANES];
         struct bond_pass pass = {
             .each = {[EXTENSION] = e, [STATE_LOWER] = t[0], [STATE_UPPER] = t[1]}};
-        look_at_strip(find_states, model, s, &pass);
+        look_at_strip(finding, model, s, &pass);
         bond_stress_add(model->bonds, &model->bonds->strips[s], e, t[0], t[1], rows, body);
     }
 }
@@ -331,25 +421,53 @@ static void ordinary_observe(void *self, const struct body *body, const struct s
     node_state_from_nominal(body, strip, model->materials, node);
 }
 
+/* The strips with bonds through two phases get the numbers of their ends. */
+static void find_ends(struct ordinary *model)
+{
+    const struct materials *all = model->materials;
+    double *stiffness = memory_new((size_t)all->count, sizeof *stiffness);
+    for (int p = 0; p < all->count; p++)
+        stiffness[p] = interface_stiffness(&all->items[p], all->plane);
+    struct interface *interface = interface_new(model->bonds, all->count, stiffness);
+    free(stiffness);
+    if (!interface) return;
+    model->ends = memory_new((size_t)model->bonds->count, sizeof *model->ends);
+    for (int64_t s = 0; s < model->bonds->count; s++) {
+        const size_t stride = (size_t)bonds_stride(model->bonds->strips[s].count);
+        double *ends = memory_new(ENDS * stride, sizeof *ends);
+        if (interface_strip(interface, &model->bonds->strips[s],
+                            (double *const[]){ends, ends + stride},
+                            (double *const[]){ends + 2 * stride, ends + 3 * stride}))
+            model->ends[s] = ends;
+        else
+            free(ends);
+    }
+    interface_free(interface);
+}
+
 static void find_moduli(struct ordinary *model, const struct body *body)
 {
     const struct materials *all = model->materials;
-    double *weighted_volume = body->before_f[0], *isotropic = body->before_f[1];
+    double *weighted_volume = body->before_f[0], *isotropic = body->before_f[1],
+           *parts_volume = body->before_f[2];
     const bool corrected = model->correction != SURFACE_NONE;
     const double full = corrected ? surface_full_family(model->bonds, 1) : 1;
-    body_clear(body, body->before_f, 2);
+    body_clear(body, body->before_f, 3);
+    if (model->ends) add_parts(model, parts_volume);
     surface_add_weighted_volumes(model->bonds, 2, weighted_volume);
     surface_add_weighted_volumes(model->bonds, 1, isotropic);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int k = 0; k < body->owned.items[s].count; k++) {
             const int64_t i = body->owned.items[s].site + k;
             const double ratio = corrected ? isotropic[i] / full : 1;
-            const struct ordinary_moduli moduli = model->law->moduli(
+            struct ordinary_moduli moduli = model->law->moduli(
                 &all->items[body->grid.phase[i]], all->plane, body, weighted_volume[i], ratio);
+            if (model->ends && parts_volume[i] > 0)
+                moduli.dilatation *= weighted_volume[i] / parts_volume[i];
             model->volumetric[i] = moduli.volumetric * moduli.dilatation * moduli.dilatation;
             model->distortion[i] = moduli.distortion;
         }
-    body_clear(body, body->before_f, 2);
+    body_clear(body, body->before_f, 3);
 }
 
 static void ordinary_start(void *self, const struct body *body, struct bonds *bonds)
@@ -357,6 +475,7 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     struct ordinary *model = self;
     model->bonds = bonds;
     surface_correction_apply(model->correction, bonds, 2);
+    if (model->series) find_ends(model);
     const bool yields = materials_pairs(model->materials, &law_mitchell) != NULL;
     double *fields[4];
     box_fields_new(fields, yields ? 4 : 3, body->grid.n_sites);
@@ -371,19 +490,32 @@ static void ordinary_start(void *self, const struct body *body, struct bonds *bo
     if (yields) model->plastic = ordinary_plastic_new(model);
 }
 
+static void ordinary_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct ordinary *model = self;
+    if (!model->plastic) return;
+    bool flow = model->node[NODE_FLOW] != NULL;
+    checkpoint_flag(checkpoint, "ordinary: some node has yielded", &flow);
+    if (flow && !model->node[NODE_FLOW]) make_flow(model, body);
+    ordinary_plastic_visit(model, body, checkpoint);
+}
+
 static void ordinary_free(void *self)
 {
     struct ordinary *model = self;
     if (model->plastic) ordinary_plastic_free(model->plastic);
+    for (int64_t s = 0; model->ends && s < model->bonds->count; s++) free(model->ends[s]);
+    free(model->ends);
     if (model->node[NODE_FLOW]) box_fields_free(model->node[NODE_SPRING]);
     box_fields_free(model->fields);
     free(model);
 }
 
 #define PASSES                                                                                     \
-    .keys = (const char *const[]){"surface_correction", NULL}, .start = ordinary_start,            \
-    .force = ordinary_force, .prepare = ordinary_prepare, .observe = ordinary_observe,             \
-    .free = ordinary_free, .bond_energy = ordinary_bond_energy, .state = ordinary_state
+    .keys = (const char *const[]){"surface_correction", "interfaces", NULL},                       \
+    .start = ordinary_start, .force = ordinary_force, .prepare = ordinary_prepare,                 \
+    .observe = ordinary_observe, .visit = ordinary_visit, .free = ordinary_free,                   \
+    .bond_energy = ordinary_bond_energy, .state = ordinary_state
 
 const struct formulation formulation_ordinary = {
     .name = "ordinary state-based",

@@ -8,7 +8,8 @@
  * w is the weight of the bond, a = w |xi| or w.  (ordinary.3) is the derivative of psi_i with respect to
  * e_ij over V_j, so that (ordinary.4) is minus the gradient of the energy whatever the weights and
  * whatever has been broken.  A law gives k, D and b; two passes over the bonds do the rest, the first for the
- * sums of the nodes, the second for the forces.  Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007)
+ * sums of the nodes, the second for the forces.  An end of a bond through two phases sees r e instead of e, and its terms
+ * count g/r times in (ordinary.1) and (ordinary.2), g times in (ordinary.4): (interface.2).  Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007)
  * 151, section 15. */
 #ifndef HS_ORDINARY_H
 #define HS_ORDINARY_H
@@ -60,9 +61,12 @@ struct ordinary {
     double *fields; /* what volumetric, distortion, pull and weighted volume are in */
     double *volumetric, *distortion; /* k D^2, b */
     double *node[NODE_COUNT];
-    double *sum[SUM_COUNT];           /* fields of the body, see find_nodes */
-    double *weighted_volume;          /* where a phase yields: of the bonds there are */
-    int64_t weighted_changes;         /* of the bonds' weights that it has seen */
+    double *sum[SUM_COUNT];   /* fields of the body, see find_nodes */
+    double *weighted_volume;  /* where a phase yields: of the bonds there are */
+    int64_t weighted_changes; /* of the bonds' weights that it has seen */
+    bool series;              /* bonds through two phases */
+    double **
+        ends; /* [strips] of those with such bonds r and g/r of both ends, else NULL; NULL: there are none */
     struct ordinary_plastic *plastic; /* NULL: no phase yields */
 };
 
@@ -86,6 +90,9 @@ struct slip ordinary_plastic_slip(const struct ordinary *model, int64_t strip);
 void ordinary_plastic_make_slip(struct ordinary *model, int64_t strip);
 /* Whether an end of a bond of the strip is about to flow. */
 bool ordinary_plastic_flows(const struct ordinary *model, int64_t strip);
+
+void ordinary_plastic_visit(struct ordinary *model, const struct body *body,
+                            struct checkpoint *checkpoint);
 
 /* Equivalent plastic strain, a box field, where a phase yields. */
 const double *ordinary_plastic_strain(const struct ordinary *model);

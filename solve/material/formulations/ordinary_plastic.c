@@ -16,6 +16,7 @@
  * made node by node, in vectors over strips of nodes, between the two passes of ordinary.c, which move e^p on.  e^p is all that
  * is kept of a bond, and the second pass waits for it to come from memory: the strips of a line lie behind each other,
  * lower ends before upper ones, and a line none of whose nodes has yielded has no e^p at all. */
+#include "checkpoint.h"
 #include "degradation.h"
 #include "flow_curve.h"
 #include "integrity.h"
@@ -276,4 +277,27 @@ void ordinary_plastic_nodes(struct ordinary *model, const struct body *body, str
 {
     for (int64_t s = 0; s < body->owned.count; s++)
         update_strip(model, body, &body->owned.items[s], mode, energy);
+}
+
+/* Lines that have not yielded keep nothing. */
+static bool place_slip(void *owner, int64_t strip, int point, bool make, double *places[])
+{
+    struct ordinary *model = owner;
+    if (make) ordinary_plastic_make_slip(model, strip);
+    const struct slip slip = ordinary_plastic_slip(model, strip);
+    for (int end = 0; slip.end[0] && end < 2; end++) places[end] = slip.end[end] + point;
+    return slip.end[0] != NULL;
+}
+
+void ordinary_plastic_visit(struct ordinary *model, const struct body *body,
+                            struct checkpoint *checkpoint)
+{
+    struct ordinary_plastic *plastic = model->plastic;
+    double *records[DEGRADATION];
+    checkpoint_fields(checkpoint, "ordinary: equivalent plastic strain", &plastic->strain, 1);
+    for (int k = 0; plastic->degradation && k < DEGRADATION; k++)
+        records[k] = plastic->degradation + k * body->grid.n_sites;
+    if (plastic->degradation)
+        checkpoint_fields(checkpoint, "ordinary: degradation", records, DEGRADATION);
+    checkpoint_bonds(checkpoint, "ordinary: plastic extension", 2, place_slip, model);
 }

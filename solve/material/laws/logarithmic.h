@@ -35,6 +35,12 @@ HS_INLINE struct symmetric scaled(struct symmetric a, double factor, double diag
                               a.zx * factor};
 }
 
+HS_INLINE struct symmetric mean_of(struct symmetric a, struct symmetric b)
+{
+    return (struct symmetric){0.5 * (a.xx + b.xx), 0.5 * (a.yy + b.yy), 0.5 * (a.zz + b.zz),
+                              0.5 * (a.xy + b.xy), 0.5 * (a.yz + b.yz), 0.5 * (a.zx + b.zx)};
+}
+
 HS_INLINE struct symmetric inverse(struct symmetric a)
 {
     double xx = a.yy * a.zz - a.yz * a.yz, xy = a.yz * a.zx - a.xy * a.zz,
@@ -53,6 +59,26 @@ HS_INLINE struct symmetric half_logarithm(struct symmetric b)
     series = scaled(times(Y, series), 1, 1.0 / 3);
     series = scaled(times(Y, series), 1, 1);
     return times(X, series);
+}
+
+/* b^(1/2): Y of Y, Z = (Y + Z^-1)/2, (Z + Y^-1)/2 from b, 1 (Denman, Beavers, Appl. Math. Comput. 2 (1976) 63), to rounding
+ * from stretches of 1/10 to 10. */
+HS_INLINE struct symmetric square_root(struct symmetric b)
+{
+    struct symmetric Y = b, Z = {1, 1, 1, 0, 0, 0};
+    for (int k = 0; k < 9; k++) {
+        const struct symmetric y = inverse(Y), z = inverse(Z);
+        Y = mean_of(Y, z);
+        Z = mean_of(Z, y);
+    }
+    return Y;
+}
+
+/* (ln b)/2 = 32 (ln b^(1/32))/2, with an error below 1e-10 up to stretches of 5. */
+HS_INLINE struct symmetric half_logarithm_of_large(struct symmetric b)
+{
+    for (int k = 0; k < 5; k++) b = square_root(b);
+    return scaled(half_logarithm(b), 32, 0);
 }
 
 /* exp(2 e) = 2 (1 - T)^-1 - 1, T = tanh e */

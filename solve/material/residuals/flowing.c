@@ -11,6 +11,7 @@
  * own.  An elastic one of that size would lock what flows: so it flows like J2, with e' for the plastic strain and
  * alpha = sum |de'| for the equivalent one, the radial return in one step as it hardens linearly.  Within a step r_c
  * stands still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as plastic. */
+#include "checkpoint.h"
 #include "degradation.h"
 #include "logarithmic.h"
 #include "memory.h"
@@ -57,6 +58,13 @@ static void start(void *self, const struct body *body, const struct materials *m
     for (int k = 0; k < materials->n_laws; k++) flows |= materials->laws[k].law->flow_stress >= 0;
     if (flows) flowing->state = memory_new((size_t)strips->points * STATE, sizeof(double));
     if (body->integrity) flowing->records = degradation_new(strips);
+}
+
+static void visit(void *self, const struct strips *strips, struct checkpoint *checkpoint)
+{
+    struct flowing *flowing = self;
+    checkpoint_strips(checkpoint, "flowing: flow of the modes", strips, STATE, flowing->state);
+    checkpoint_strips(checkpoint, "flowing: degradation", strips, DEGRADATION, flowing->records);
 }
 
 static void release(void *self)
@@ -265,5 +273,6 @@ const struct residual residual_flowing = {
     .start = start,
     .share = share,
     .add = add,
+    .visit = visit,
     .free = release,
 };

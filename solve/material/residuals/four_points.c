@@ -40,6 +40,13 @@ static void start(void *self, const struct body *body, const struct materials *m
     }
 }
 
+static void visit(void *self, const struct strips *strips, struct checkpoint *checkpoint)
+{
+    static const char *const names[POINTS] = {"point 1", "point 2", "point 3", "point 4"};
+    struct four_points *four = self;
+    for (int q = 0; q < POINTS; q++) points_visit(four->points[q], checkpoint, names[q], strips);
+}
+
 static void release(void *self)
 {
     struct four_points *four = self;
@@ -114,5 +121,6 @@ const struct residual residual_four_points = {
     .start = start,
     .share = share,
     .add = add,
+    .visit = visit,
     .free = release,
 };

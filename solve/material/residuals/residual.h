@@ -37,6 +37,8 @@ struct residual {
     /* flow: current flow stress of the particles [Pa], INFINITY: it never flows. */
     void (*add)(void *self, const struct body *body, struct cells *cells, const double *flow,
                 struct force_mode mode, struct force_energy *energy);
+    /* What it remembers (checkpoint.h), of the strips of start. */
+    void (*visit)(void *self, const struct strips *strips, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 

@@ -19,6 +19,7 @@
  * of them.  One strip of bonds is worked on at a time, its springs in buffers: stiffness, cap, z, slip, and then the
  * forces at lower ends before those at upper ones, which fixes the order of each node's terms. */
 #include "broken.h"
+#include "checkpoint.h"
 #include "integrity.h"
 #include "memory.h"
 #include "stabilisation.h"
@@ -321,6 +322,14 @@ static void capped_add(void *self, struct body *body, const struct bond_strip *s
     }
 }
 
+static void capped_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    struct capped *c = self;
+    (void)body;
+    checkpoint_bond_strips(checkpoint, "capped: slip and loss", STATE, c->state);
+    checkpoint_bond_strips(checkpoint, "capped: last integrity", 1, c->before);
+}
+
 static void capped_free(void *self)
 {
     struct capped *c = self;
@@ -336,5 +345,6 @@ const struct stabilisation stabilisation_capped = {
     .bonds = capped_bonds,
     .start = capped_start,
     .add_family = capped_add,
+    .visit = capped_visit,
     .free = capped_free,
 };

@@ -210,6 +210,17 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
     if (mode.energy) mix_energy(mix, body, &points, beta, i, energy);
 }
 
+static void mix_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
+{
+    static const char *const names[] = {"bonds along x", "bonds along y", "bonds along z"};
+    struct mix *mix = self;
+    for (int a = 0; a < 3; a++) {
+        struct strips strips = grid_bond_strips(&body->grid, axes[a].step, LANES);
+        points_visit(mix->bonds[a], checkpoint, names[a], &strips);
+        strips_free(&strips);
+    }
+}
+
 static void mix_free(void *self)
 {
     struct mix *mix = self;
@@ -229,5 +240,6 @@ const struct stabilisation stabilisation_mix = {
     .start = mix_start,
     .node_share = mix_node_share,
     .add = mix_add,
+    .visit = mix_visit,
     .free = mix_free,
 };

@@ -18,9 +18,11 @@ const struct section section_stabilisation = {
     .variant = variant,
 };
 
-const struct stabilisation *stabilisation_read(struct deck_node map, void **self)
+const struct stabilisation *stabilisation_read(struct deck_node map, bool scattered, void **self)
 {
-    const int i = map.index ? keys_variant(map, &section_stabilisation) : 0;
+    int i = map.index ? keys_variant(map, &section_stabilisation) : 0;
+    if (!map.index && scattered)
+        while (!table[i]->add_family) i++;
     *self = memory_new(1, table[i]->size);
     keys_read(map, &section_stabilisation, i, 0, NULL, *self);
     return table[i];

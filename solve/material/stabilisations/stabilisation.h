@@ -32,6 +32,8 @@ struct stabilisation {
      * (box field). */
     void (*add_family)(void *self, struct body *body, const struct bond_strip *strip,
                        const double *flow, struct force_mode mode, struct force_energy *energy);
+    /* As of struct formulation. */
+    void (*visit)(void *self, const struct body *body, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
 
@@ -43,7 +45,7 @@ extern const struct stabilisation STABILISATIONS(STABILISATION);
 extern const struct section section_stabilisation;
 
 /* The one that the deck names, "stabilisation: {law: ..., ...}", and what it has read; map.index 0: the first one with its
- * defaults. */
-const struct stabilisation *stabilisation_read(struct deck_node map, void **self);
+ * defaults, among scattered particles the first for these. */
+const struct stabilisation *stabilisation_read(struct deck_node map, bool scattered, void **self);
 
 #endif

@@ -1,0 +1,41 @@
+/* curve_record.h - what happened during a test, judged before anything is measured: loops, holds, serrations, an extensometer
+ * that stands or falls, rows from the last to the first. */
+#ifndef HS_CURVE_RECORD_H
+#define HS_CURVE_RECORD_H
+
+#include "curve.h"
+
+enum excursion_kind {
+    EXCURSION_LOOP,      /* strain goes back: unloading and reloading */
+    EXCURSION_HOLD,      /* strain stands: relaxation */
+    EXCURSION_SERRATION, /* strain goes on */
+};
+
+/* The stress falls from a row, and rises again with the elastic slope. */
+struct excursion {
+    enum excursion_kind kind;
+    long begin, bottom, end; /* rows: before the fall, lowest stress, back on the curve */
+};
+
+struct record {
+    bool *loading; /* [n] rows of the envelope that loading alone would have made */
+    long count;
+    struct excursion *excursions; /* [count] */
+    bool unloaded;                /* the end of the record is an unloading, which is left out */
+    long strained;                /* the last row whose strain was measured; n - 1 where all are */
+    double noise, strain_noise;   /* Pa, -; standard deviations on the envelope */
+};
+
+/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured record of compression.
+ * slope [Pa] is that of the elastic part, NAN where it is not known. */
+void record_turn(struct curve *curve);
+struct record record_judge(const struct curve *curve, double slope);
+void record_free(struct record *record);
+
+/* How many there are of a kind. */
+long record_count(const struct record *record, enum excursion_kind kind);
+
+/* The rows of the envelope as a curve of their own; *rows [curve.n] are their numbers. */
+struct curve record_envelope(const struct record *record, const struct curve *curve, long **rows);
+
+#endif

@@ -1,0 +1,187 @@
+#include "group.h"
+
+#include "csv.h"
+#include "memory.h"
+
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS = 401 };
+
+static const double mega = 1e6;
+
+static double deviation_of(const double values[], int count)
+{
+    return count > 1 ? gsl_stats_sd(values, 1, (size_t)count) : 0;
+}
+
+static double toe_of(const struct analysis *analysis)
+{
+    return isnan(analysis->measures.line.toe) ? 0 : analysis->measures.line.toe;
+}
+
+/* Strain of the first row, without the toe. */
+static double begin_of(const struct analysis *analysis)
+{
+    return fmax(analysis->envelope.strain[0] - toe_of(analysis), 0);
+}
+
+/* Strain of the last row, without the toe, whose strain was measured. */
+static double end_of(const struct analysis *analysis)
+{
+    return analysis->envelope.strain[analysis->measures.fracture] - toe_of(analysis);
+}
+
+static double stress_at(const struct analysis *analysis, double strain)
+{
+    const struct curve *curve = &analysis->envelope;
+    const double wanted = strain + toe_of(analysis);
+    for (long i = 1; i <= analysis->measures.fracture; i++) {
+        const double *e = curve->strain + i, *s = curve->stress + i;
+        if (e[-1] <= wanted && wanted <= e[0] && e[0] > e[-1])
+            return s[-1] + (wanted - e[-1]) / (e[0] - e[-1]) * (s[0] - s[-1]);
+    }
+    return NAN;
+}
+
+/* The curves of a title: their numbers, and how many. */
+static int members(const struct label labels[], int count, const char *title, int numbers[])
+{
+    int n = 0;
+    for (int i = 0; i < count; i++)
+        if (strcmp(labels[i].title, title) == 0) numbers[n++] = i;
+    return n;
+}
+
+static struct group group_of(const struct analysis analyses[], const char *title,
+                             const int numbers[], int count)
+{
+    struct group group = {.title = title, .count = count, .n = POINTS};
+    double **columns[] = {&group.strain, &group.mean, &group.deviation, &group.least,
+                          &group.largest};
+    for (int j = 0; j < 5; j++) *columns[j] = memory_new(POINTS, sizeof(double));
+    double *stresses = memory_new((size_t)count, sizeof *stresses), begin = 0, end = INFINITY;
+    for (int k = 0; k < count; k++) {
+        begin = fmax(begin, begin_of(&analyses[numbers[k]]));
+        end = fmin(end, end_of(&analyses[numbers[k]]));
+    }
+    for (long i = 0; i < POINTS; i++) {
+        int there = 0;
+        group.strain[i] = begin + (end - begin) * (double)i / (POINTS - 1);
+        for (int k = 0; k < count; k++) {
+            const double stress = stress_at(&analyses[numbers[k]], group.strain[i]);
+            if (!isnan(stress)) stresses[there++] = stress;
+        }
+        const bool whole = there == count;
+        group.mean[i] = whole ? gsl_stats_mean(stresses, 1, (size_t)there) : NAN;
+        group.deviation[i] = whole ? deviation_of(stresses, there) : NAN;
+        group.least[i] = whole ? gsl_stats_min(stresses, 1, (size_t)there) : NAN;
+        group.largest[i] = whole ? gsl_stats_max(stresses, 1, (size_t)there) : NAN;
+    }
+    free(stresses);
+    return group;
+}
+
+struct group *groups_make(const struct analysis analyses[], const struct label labels[], int count,
+                          int *n_groups)
+{
+    struct group *groups = memory_new((size_t)count, sizeof *groups);
+    int *numbers = memory_new((size_t)count, sizeof *numbers);
+    *n_groups = 0;
+    for (int i = 0; i < count; i++) {
+        const int n = members(labels, count, labels[i].title, numbers);
+        if (numbers[0] == i)
+            groups[(*n_groups)++] = group_of(analyses, labels[i].title, numbers, n);
+    }
+    free(numbers);
+    return groups;
+}
+
+void groups_free(struct group groups[], int n_groups)
+{
+    for (int k = 0; k < n_groups; k++) {
+        free(groups[k].strain);
+        free(groups[k].mean);
+        free(groups[k].deviation);
+        free(groups[k].least);
+        free(groups[k].largest);
+    }
+    free(groups);
+}
+
+/* Numbers, each behind a comma. */
+static void write_numbers(FILE *file, const double values[], int count)
+{
+    for (int i = 0; i < count; i++) {
+        fputc(',', file);
+        csv_number(file, values[i]);
+    }
+    fputc('\n', file);
+}
+
+void groups_write(FILE *file, const struct group groups[], int n_groups)
+{
+    fputs("group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,"
+          "largest_MPa\n",
+          file);
+    for (int k = 0; k < n_groups; k++)
+        for (long i = 0; i < groups[k].n; i++) {
+            const struct group *g = &groups[k];
+            const double values[] = {g->strain[i], g->mean[i] / mega, g->deviation[i] / mega,
+                                     g->least[i] / mega, g->largest[i] / mega};
+            csv_text(file, g->title);
+            fprintf(file, ",%d", g->count);
+            write_numbers(file, values, 5);
+        }
+}
+
+/* The value of a property in a list; NAN where it is not there. */
+static double value_of(const struct properties *list, const char *name)
+{
+    for (int i = 0; i < list->count; i++)
+        if (strcmp(list->items[i].name, name) == 0) return list->items[i].value;
+    return NAN;
+}
+
+static void write_group(FILE *file, const struct properties lists[], const char *title,
+                        const int numbers[], int count)
+{
+    const struct properties *first = &lists[numbers[0]];
+    double *values = memory_new((size_t)count, sizeof *values);
+    for (int i = 0; i < first->count; i++) {
+        const struct property *property = &first->items[i];
+        int there = 0;
+        for (int k = 0; k < count; k++) {
+            const double value = value_of(&lists[numbers[k]], property->name);
+            if (isfinite(value)) values[there++] = value;
+        }
+        csv_text(file, title);
+        const char *const texts[] = {property->name, property->symbol, property->unit};
+        for (int j = 0; j < 3; j++) {
+            fputc(',', file);
+            csv_text(file, texts[j]);
+        }
+        fprintf(file, ",%d", there);
+        const bool any = there > 0;
+        const double numbers_of[] = {any ? gsl_stats_mean(values, 1, (size_t)there) : NAN,
+                                     there > 1 ? deviation_of(values, there) : NAN,
+                                     any ? gsl_stats_min(values, 1, (size_t)there) : NAN,
+                                     any ? gsl_stats_max(values, 1, (size_t)there) : NAN};
+        write_numbers(file, numbers_of, 4);
+    }
+    free(values);
+}
+
+void groups_write_properties(FILE *file, const struct properties lists[],
+                             const struct label labels[], int count)
+{
+    int *numbers = memory_new((size_t)count, sizeof *numbers);
+    fputs("group,property,symbol,unit,count,mean,standard_deviation,least,largest\n", file);
+    for (int i = 0; i < count; i++) {
+        const int n = members(labels, count, labels[i].title, numbers);
+        if (numbers[0] == i) write_group(file, lists, labels[i].title, numbers, n);
+    }
+    free(numbers);
+}

@@ -1,0 +1,34 @@
+/* group.h - specimens or seeds of one kind: means and deviations of curves and of properties. */
+#ifndef HS_GROUP_H
+#define HS_GROUP_H
+
+#include "analysis.h"
+#include "labels.h"
+
+#include <stdio.h>
+
+/* Curves of one title on common strains. */
+struct group {
+    const char *title;
+    int count; /* of curves */
+    long n;
+    double *strain, *mean,
+        *deviation; /* [n] -, Pa, Pa; deviation: standard, of the sample; 0 for one curve */
+    double *least, *largest; /* [n] Pa */
+};
+
+/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last of them begins to where the first ends, each
+ * curve's envelope linear between its rows.  *n_groups is their number; the caller frees them. */
+struct group *groups_make(const struct analysis analyses[], const struct label labels[], int count,
+                          int *n_groups);
+void groups_free(struct group groups[], int n_groups);
+
+/* CSV: group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa. */
+void groups_write(FILE *file, const struct group groups[], int n_groups);
+
+/* CSV of the properties over each group: group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the
+ * curves that have a value, in the order of the first of them. */
+void groups_write_properties(FILE *file, const struct properties lists[],
+                             const struct label labels[], int count);
+
+#endif

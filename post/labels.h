@@ -1,0 +1,19 @@
+/* labels.h - what tells a curve from its sisters, and which are sisters. */
+#ifndef HS_LABELS_H
+#define HS_LABELS_H
+
+struct label {
+    char *
+        curve; /* in legends and tables: the title, where it is alone; else with what varied, or the file */
+    const char *title; /* the group: sisters have the same */
+    const char *file;
+    char *
+        varied; /* lines of the deck in which sisters differ, "seed: 2; ..."; "" where that is not known */
+};
+
+/* titles, files and decks (text, NULL where there is none) of count curves, which live longer.  The caller frees them. */
+struct label *labels_make(const char *const titles[], const char *const files[],
+                          const char *const decks[], int count);
+void labels_free(struct label labels[], int count);
+
+#endif

@@ -1,0 +1,177 @@
+#include "rows.h"
+
+#include "memory.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LONGEST_NUMBER = 64, SAMPLE = 2000 };
+
+bool rows_number(const char *text, char decimal, double *value)
+{
+    char copy[LONGEST_NUMBER], *end;
+    const size_t n = strlen(text);
+    if (n == 0 || n >= sizeof copy || (decimal != '.' && strchr(text, '.'))) return false;
+    memcpy(copy, text, n + 1);
+    for (char *c = copy; *c; c++)
+        if (*c == decimal) *c = '.';
+    if (strspn(copy, "+-.0123456789eE") != n) return false;
+    *value = strtod(copy, &end);
+    return *end == '\0' && isfinite(*value);
+}
+
+/* The text from a quote on without its quotes; returns what follows the closing one. */
+static char *unquote(char *field)
+{
+    char *to = field, *from = field + 1;
+    for (; *from; from++) {
+        if (*from == '"' && from[1] != '"') break;
+        if (*from == '"') from++;
+        *to++ = *from;
+    }
+    char *rest = *from ? from + 1 : from;
+    *to = '\0';
+    return rest;
+}
+
+/* Cuts the field that begins at *line, behind blanks; *line becomes NULL at the last one. */
+static char *next_field(char **line, char delimiter)
+{
+    const char ends[] = {delimiter, delimiter == ' ' ? '\t' : '\0', '\0'};
+    char *field = *line;
+    while (isspace((unsigned char)*field) && *field != delimiter) field++;
+    char *rest = *field == '"' ? unquote(field) : field;
+    char *end = rest + strcspn(rest, ends);
+    *line = *end ? end + 1 : NULL;
+    if (*line && delimiter == ' ') {
+        *line += strspn(*line, " \t");
+        if (**line == '\0') *line = NULL;
+    }
+    *end = '\0';
+    for (size_t n = strlen(field); n > 0 && isspace((unsigned char)field[n - 1]);)
+        field[--n] = '\0';
+    return field;
+}
+
+/* Cuts a line in place; fields and places have room for it. */
+static enum row_kind cut(struct row *row, char *line, char delimiter, char decimal)
+{
+    const char *begin = line;
+    bool first = false;
+    int numbers = 0, words = 0;
+    row->count = 0;
+    if (delimiter == ' ') line += strspn(line, " \t");
+    for (char *rest = line; rest; row->count++) {
+        char *field = next_field(&rest, delimiter);
+        double unused;
+        const bool number = rows_number(field, decimal, &unused);
+        row->fields[row->count] = field;
+        row->places[row->count] = (int)(field - begin) + 1;
+        first = first || (number && words == 0);
+        numbers += number;
+        words += !number && *field;
+    }
+    if (numbers == 0 && words == 0) return ROW_BLANK;
+    return words == 0 ? ROW_NUMBERS : first ? ROW_MIXED : ROW_WORDS;
+}
+
+/* How many fields a line may have at most. */
+static size_t most_fields(const char *line)
+{
+    size_t n = 2;
+    for (; *line; line++) n += *line == '\t' || *line == ';' || *line == ',' || *line == ' ';
+    return n;
+}
+
+static void make_row(struct row *row, char *line, const struct rows *format)
+{
+    const bool note = line[strspn(line, " \t\"")] == '#';
+    const size_t most = note ? 1 : most_fields(line);
+    row->fields = memory_new(most, sizeof *row->fields);
+    row->places = memory_new(most, sizeof *row->places);
+    if (note)
+        *row = (struct row){ROW_NOTE, row->line, 1, row->fields, row->places, NULL};
+    else
+        row->kind = cut(row, line, format->delimiter, format->decimal);
+    if (note) row->fields[0] = line;
+}
+
+/* Cuts the text at the next line end, of whatever system; NULL at the end. */
+static char *next_line(char **text)
+{
+    char *line = *text;
+    if (!*line) return NULL;
+    char *end = line + strcspn(line, "\r\n");
+    const size_t width = *end == '\0' ? 0 : end[0] == '\r' && end[1] == '\n' ? 2 : 1;
+    *text = end + width;
+    *end = '\0';
+    return line;
+}
+
+static void row_free(struct row *row)
+{
+    free(row->fields);
+    free(row->places);
+    free(row->own);
+}
+
+/* Lines of two or more numbers; without any, those that begin so. */
+static long score(const char *text, const struct rows *format)
+{
+    char *copy = memory_text(text), *rest = copy;
+    long whole = 0, begun = 0;
+    int i = 0;
+    for (char *line; i < SAMPLE && (line = next_line(&rest)); i++) {
+        struct row row = {0};
+        make_row(&row, line, format);
+        whole += row.kind == ROW_NUMBERS && row.count > 1;
+        begun += row.kind == ROW_MIXED && row.count > 1;
+        row_free(&row);
+    }
+    free(copy);
+    return whole * SAMPLE + begun;
+}
+
+struct rows rows_read(const char *text)
+{
+    static const char formats[][2] = {{',', '.'}, {'\t', '.'}, {'\t', ','}, {';', '.'},
+                                      {';', ','}, {' ', '.'},  {' ', ','},  {',', ','}};
+    struct rows rows = {',', '.', 0, NULL, memory_text(text)};
+    long best = 0;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        const struct rows format = {.delimiter = formats[i][0], .decimal = formats[i][1]};
+        const long found = score(text, &format);
+        if (found <= best) continue;
+        best = found;
+        rows.delimiter = format.delimiter;
+        rows.decimal = format.decimal;
+    }
+    char *rest = rows.text;
+    for (char *line; (line = next_line(&rest)); rows.count++) {
+        rows.items = memory_grow(rows.items, rows.count, sizeof *rows.items);
+        rows.items[rows.count] = (struct row){.line = rows.count + 1};
+        make_row(&rows.items[rows.count], line, &rows);
+    }
+    return rows;
+}
+
+int rows_of_note(struct rows *rows, long i)
+{
+    struct row *row = &rows->items[i], made = {.line = row->line};
+    char *copy = memory_text(row->fields[0]), *text = copy + strspn(copy, "# \t");
+    make_row(&made, text, rows);
+    row_free(row);
+    *row = made;
+    row->own = copy;
+    return row->count;
+}
+
+void rows_free(struct rows *rows)
+{
+    for (long i = 0; i < rows->count; i++) row_free(&rows->items[i]);
+    free(rows->items);
+    free(rows->text);
+    *rows = (struct rows){0};
+}

@@ -1,0 +1,229 @@
+#include "study.h"
+
+#include "bounds.h"
+#include "calibrate.h"
+#include "deck.h"
+#include "difference.h"
+#include "group.h"
+#include "keys_options.h"
+#include "memory.h"
+#include "sections.h"
+#include "text_output.h"
+#include "tidy.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The deck whose section post counts; NULL: there is none. */
+static struct deck *find_deck(const struct request *request, const struct input *input)
+{
+    const char *within = attributes_text(&input->attributes, "deck");
+    const char *name = attributes_text(&input->attributes, "deck_name");
+    if (request->deck) return deck_read(request->deck);
+    if (!within) return NULL;
+    return deck_parse(within, strlen(within), name ? name : "the deck within the history");
+}
+
+struct choices study_choose(const struct request *request, const struct deck *deck)
+{
+    struct choices choices = choices_read(deck);
+    keys_read_options(&post_section.keys, request->choices, &choices);
+    return choices;
+}
+
+struct study study_read(const struct request *request, const char *maker)
+{
+    size_t n = (size_t)request->n_files;
+    struct study study = {.count = request->n_files, .maker = maker};
+    study.curves = memory_new(n, sizeof *study.curves);
+    study.choices = memory_new(n, sizeof *study.choices);
+    study.analyses = memory_new(n, sizeof *study.analyses);
+    study.properties = memory_new(n, sizeof *study.properties);
+    study.loops = memory_new(n, sizeof *study.loops);
+    const char **titles = memory_new(n, sizeof *titles);
+    char **decks = memory_new(n, sizeof *decks);
+    for (size_t i = 0; i < n; i++) {
+        struct input input = input_read(request->files[i], request->columns_of);
+        struct deck *deck = find_deck(request, &input);
+        study.choices[i] = study_choose(request, deck);
+        study.curves[i] = curve_make(&input, &study.choices[i]);
+        decks[i] = memory_text(attributes_text(&input.attributes, "deck"));
+        deck_free(deck);
+        input_free(&input);
+        study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
+        if (!request->accept) analysis_check_plausible(&study.curves[i], &study.analyses[i]);
+        study.properties[i] =
+            analysis_report(&study.curves[i], &study.analyses[i], &study.choices[i]);
+        titles[i] = study.curves[i].title;
+        study.loops[i].loops = loops_find(&study.curves[i], &study.analyses[i],
+                                          study.choices[i].loop_offset, &study.loops[i].count);
+    }
+    study.labels = labels_make(titles, request->files, (const char *const *)decks, study.count);
+    for (size_t i = 0; i < n; i++) study.loops[i].title = study.labels[i].curve;
+    for (size_t i = 0; i < n; i++) free(decks[i]);
+    free(decks);
+    free(titles);
+    return study;
+}
+
+void study_free(struct study *study)
+{
+    for (int i = 0; i < study->count; i++) {
+        curve_free(&study->curves[i]);
+        properties_free(&study->properties[i]);
+        analysis_free(&study->analyses[i]);
+        free((void *)study->loops[i].loops);
+    }
+    free(study->curves);
+    free(study->choices);
+    free(study->analyses);
+    free(study->properties);
+    labels_free(study->labels, study->count);
+    free(study->loops);
+}
+
+static void write_curve(const struct study *study, const struct curve *curve, const char *name)
+{
+    struct text_output output = text_output_open(name);
+    fputs(study->maker, output.file);
+    curve_write(output.file, curve);
+    text_output_close(&output);
+}
+
+static void write_properties(const struct study *study, const char *name,
+                             void (*write)(FILE *, const struct properties[], const struct label[],
+                                           int))
+{
+    if (!name) return;
+    struct text_output output = text_output_open(name);
+    write(output.file, study->properties, study->labels, study->count);
+    text_output_close(&output);
+}
+
+static void write_tidy(const struct study *study, const char *name)
+{
+    if (!name) return;
+    struct text_output output = text_output_open(name);
+    tidy_write(output.file, study->curves, study->labels, study->count);
+    text_output_close(&output);
+}
+
+/* Means over the curves of each title. */
+static void treat_groups(const struct request *request, const struct study *study)
+{
+    if (request->statistics) {
+        struct text_output output = text_output_open(request->statistics);
+        groups_write_properties(output.file, study->properties, study->labels, study->count);
+        text_output_close(&output);
+    }
+    if (!request->mean) return;
+    int count;
+    struct group *groups = groups_make(study->analyses, study->labels, study->count, &count);
+    struct text_output output = text_output_open(request->mean);
+    groups_write(output.file, groups, count);
+    text_output_close(&output);
+    groups_free(groups, count);
+}
+
+/* Fills bounds[] with the mixtures asked for, writes them, and returns their number. */
+static int make_bounds(const struct request *request, const struct study *study,
+                       struct curve bounds[2])
+{
+    const char *const names[] = {request->voigt, request->reuss};
+    int count = 0;
+    for (int k = 0; k < 2; k++) {
+        if (!names[k]) continue;
+        bounds[count] =
+            bounds_curve(k == 0 ? BOUND_VOIGT : BOUND_REUSS, study->curves, study->analyses,
+                         request->law, request->fraction, request->strain_range);
+        write_curve(study, &bounds[count++], names[k]);
+    }
+    return count;
+}
+
+static void draw(const struct request *request, const struct study *study,
+                 const struct curve bounds[], int n_bounds)
+{
+    if (!request->plot) return;
+    int count = 0, n_groups;
+    struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
+    struct figure_series *series =
+        memory_new((size_t)(study->count + n_groups + n_bounds), sizeof *series);
+    for (int i = 0; request->band && i < n_groups; i++)
+        series[count++] = (struct figure_series){.title = groups[i].title, .group = &groups[i]};
+    for (int i = 0; !request->band && i < study->count; i++)
+        series[count++] = (struct figure_series){study->labels[i].curve, &study->curves[i],
+                                                 &study->analyses[i], NULL};
+    for (int i = 0; i < n_bounds; i++)
+        series[count++] = (struct figure_series){bounds[i].title, &bounds[i], NULL, NULL};
+    struct spool spool = spool_output(request->plot);
+    const struct figure_style style = {request->true_curve,
+                                       {request->x_range[0], request->x_range[1]},
+                                       {request->y_range[0], request->y_range[1]}};
+    figure_draw(request->plot, spool.path, series, count, &style);
+    spool_finish(&spool);
+    free(series);
+    groups_free(groups, n_groups);
+}
+
+static void compare(const struct request *request, const struct study *study)
+{
+    struct difference difference =
+        difference_of(&study->curves[0], &study->curves[1], request->strain_range);
+    difference_write(stdout, &difference);
+}
+
+static void treat_loops(const struct request *request, const struct study *study)
+{
+    if (request->loops) {
+        struct text_output output = text_output_open(request->loops);
+        loops_write_header(output.file, study->count > 1);
+        for (int i = 0; i < study->count; i++)
+            loops_write(output.file, study->loops[i].loops, study->loops[i].count,
+                        study->count > 1 ? study->labels[i].curve : NULL);
+        text_output_close(&output);
+    }
+    if (!request->plot_loops) return;
+    struct spool spool = spool_output(request->plot_loops);
+    figure_draw_loops(request->plot_loops, spool.path, study->loops, study->count);
+    spool_finish(&spool);
+}
+
+static void make_material(const struct request *request, const struct study *study)
+{
+    struct material material =
+        material_make(request->material, &study->curves[0], &study->analyses[0], request->law_name);
+    material.density = request->density;
+    material.poissons_ratio = request->poissons_ratio;
+    struct text_output output = text_output_open(request->output);
+    fputs(study->maker, output.file);
+    if (request->calibrate)
+        calibrate(output.file, request->calibrate, &material,
+                  &(struct measured){&study->curves[0], &study->analyses[0], &study->choices[0]});
+    else
+        material_print(output.file, &material, &study->curves[0]);
+    text_output_close(&output);
+    material_free(&material);
+}
+
+void study_write(const struct request *request, const struct study *study)
+{
+    for (int i = 0; i < study->count; i++) {
+        properties_print(&study->properties[i], study->labels[i].curve);
+        loops_print(study->loops[i].loops, study->loops[i].count);
+    }
+    write_properties(study, request->properties, properties_write_csv);
+    write_properties(study, request->json, properties_write_json);
+    write_tidy(study, request->tidy);
+    treat_groups(request, study);
+    treat_loops(request, study);
+    struct curve bounds[2];
+    int n_bounds = make_bounds(request, study, bounds);
+    draw(request, study, bounds, n_bounds);
+    if (request->difference) compare(request, study);
+    if (request->material)
+        make_material(request, study);
+    else if (study->count == 1)
+        write_curve(study, &study->curves[0], request->output);
+    for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
+}

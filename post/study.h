@@ -1,0 +1,31 @@
+/* study.h - the curves that hspost was given, with all that is known of them, and what is written of them. */
+#ifndef HS_STUDY_H
+#define HS_STUDY_H
+
+#include "analysis.h"
+#include "figure.h"
+#include "labels.h"
+#include "request.h"
+
+struct study {
+    int count;
+    struct curve *curves; /* [count], as the following */
+    struct choices *choices;
+    struct analysis *analyses;
+    struct properties *properties;
+    struct figure_loops *loops;
+    struct label *labels;
+    const char *maker; /* "# program: ..." and "# command: ..." lines */
+};
+
+/* The choices of a deck (NULL: none) and of the command line, which wins. */
+struct choices study_choose(const struct request *request, const struct deck *deck);
+
+/* Reads and analyses all files of the request. */
+struct study study_read(const struct request *request, const char *maker);
+void study_free(struct study *study);
+
+/* Prints, and writes whatever the request asks for. */
+void study_write(const struct request *request, const struct study *study);
+
+#endif

@@ -1,0 +1,274 @@
+# A run that was cut off and goes on from a checkpoint, on another number of ranks, gives the history and the fields of one
+# that never stopped, to the last bit: every formulation, damage, load steps, both ways to advance, loads in steps.
+
+bats_require_minimum_version 1.5.0
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+plastic='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
+hard='hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}'
+elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
+grips='  - {set: grip_left, direction: x, velocity: -$speed m/s}
+  - {set: grip_right, direction: x, velocity: $speed m/s}'
+
+# study CG UFG SOLVER [DAMAGE]: study.yaml and domain.g of a plate of two phases, pulled at $speed
+# FLAT=yes: of one layer; $boundary, $every
+study() {
+    local speed=${speed:-60}
+    cat >study.yaml <<END
+title: Goes on
+domain:
+  specimen: plate
+  dimensions: $([ -n "${FLAT:-}" ] && echo 2 || echo 3)
+  size: [0.6 mm, 0.2 mm, 0.15 mm]
+  gauge: {length: 0.3 mm}
+  spacing: 25 um
+  topology: random
+  phases: {cg: CG, ufg: UFG}
+  core: cell
+  core_distance: 75 um
+  ufg_fraction: 0.40
+  override: true
+  seed: 3
+  grips: {length: 2 spacings, phase: structure}
+materials:
+  CG: {density: 8900 kg/m3, $1}
+  UFG: {density: 8800 kg/m3, $2}
+boundary:
+${boundary:-${grips//\$speed/$speed}}
+solver: {$3}
+${4:-}
+output:
+  history: 60
+  quantities: [{name: pull, quantity: force_x, reduce: sum, block: CG}]
+  fields: {frames: 6, variables: [displacement, velocity, force, stress, equivalent_plastic_strain, damage]}
+  checkpoint: {every: ${every:-20} steps, keep: 100}
+END
+    hsgen -q study.yaml -o domain.g
+}
+
+# What a file holds but for the command of its run and its own length: to the last bit.
+numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
+
+# goes_on FIRST COUNT RANKS...: the run on FIRST ranks made at least COUNT checkpoints; from one early, one in the middle and
+# the last one it goes on with each number of ranks as the whole run went; options of the first run in $options
+goes_on() {
+    local first=$1 count=$2 found middle from ranks
+    shift 2
+    mkdir whole
+    # shellcheck disable=SC2086 # words
+    (cd whole && hssolve -q -j "$first" ${options:--i ../domain.g} -H history.e -o fields.e) 2>messages ||
+        { cat messages && false; }
+    found=$(find whole -name 'history.e.checkpoint*' | wc -l)
+    echo "$found checkpoints"
+    [ "$found" -ge "$count" ]
+    numbers whole/history.e >whole.history
+    numbers whole/fields.e >whole.fields
+    middle=$((found / 2))
+    for from in "checkpoint.$((found - 1))" "checkpoint.$middle" checkpoint; do
+        for ranks in "$@"; do
+            hssolve -q --restart "whole/history.e.$from" -j "$ranks" -H history.e -o fields.e
+            echo "from $from on $ranks ranks"
+            cmp whole.history <(numbers history.e)
+            cmp whole.fields <(numbers fields.e)
+        done
+    done
+}
+
+# columns of the whole run's history at its end
+last() {
+    hspost -q --columns whole/history.e | grep -v '^#' | awk -F, -v name="$1" '
+        !column { for (i = 1; i <= NF; i++) if ($i == name) column = i; next } { last = $column } END { print last }'
+}
+holds() { awk "BEGIN { exit !($1) }"; }
+
+ductile='damage:
+  - {phase: CG, law: ductile, onset: 0.04, full: 0.12}
+  - {phase: UFG, law: ductile, onset: 0.02, full: 0.05, length: 30 um}'
+between='  - {pair: [CG, UFG], rule: harmonic}'
+cracks='cracks:
+  - {rectangle: [[-0.02 mm, -0.1 mm, -0.08 mm], [0, 0.06 mm, 0], [0, 0, 0.16 mm]]}'
+
+@test "correspondence, mix, ductile: from 1 rank to 1, 2, 3 and 8" {
+    study "model: correspondence, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: correspondence, $elastic, $hard" \
+        'type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.6 us, damping: 1e5 1/s' "$ductile
+$between"
+    goes_on 1 6 1 2 3 8
+    holds "$(last removed_nodes) > 10"
+}
+
+@test "correspondence, capped, ductile and a crack: from 3 ranks to 2" {
+    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+        'type: explicit, horizon: 2, stabilisation: {law: capped}, end_time: 0.6 us, local_damping: 0.1' "$ductile
+$between
+$cracks"
+    goes_on 3 6 2
+    holds "$(last broken_bonds) > 100"
+}
+
+@test "two laws in one body: the states of each" {
+    study "model: correspondence, $elastic, $plastic" "model: correspondence_elastic, $elastic" \
+        'type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.3 us' "damage:
+  - {phase: CG, law: plastic_strain, value: 0.03}"
+    goes_on 2 3 1 3
+}
+
+@test "corner, ductile: from 2 ranks to 1 and 4" {
+    study "model: corner, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: corner, $elastic, $hard" 'type: explicit, end_time: 0.6 us' "$ductile"
+    goes_on 2 4 1 4
+    holds "$(last removed_nodes) > 10"
+}
+
+@test "corner, the law at four points: from 1 rank to 3" {
+    study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+        'type: explicit, residual: {form: four_points}, end_time: 0.4 us' "$ductile"
+    goes_on 1 2 3
+}
+
+@test "ordinary, plastic and ductile, bonds that break: from 1 rank to 2 and 8" {
+    study "model: ordinary_plastic, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: ordinary_plastic, $elastic, $hard" 'type: explicit, horizon: 2.2, end_time: 0.5 us' "damage:
+  - {phase: CG, law: ductile, onset: 0.04, full: 0.12}
+  - {pair: [CG, UFG], law: critical_stretch, value: 0.03}
+  - {pair: [UFG, UFG], law: bond_energy, fracture_energy: 8 kJ/m2}
+$cracks"
+    goes_on 1 4 2 8
+    holds "$(last broken_bonds) > 100"
+}
+
+@test "bond-based, cracks and energies of bonds: from 4 ranks to 1 and 3" {
+    speed=30 study 'model: bond_based, youngs_modulus: 210 GPa' 'model: bond_based, youngs_modulus: 190 GPa' \
+        'type: explicit, horizon: 3, volumes: partial, end_time: 0.5 us' "damage:
+  - {pair: [CG, CG], law: critical_stretch, value: 0.012}
+  - {pair: [UFG, UFG], law: bond_energy, fracture_energy: 3 kJ/m2}
+  - {pair: [CG, UFG], law: critical_stretch, fracture_energy: 2 kJ/m2}
+$cracks"
+    goes_on 4 3 1 3
+    holds "$(last broken_bonds) > 1000"
+}
+
+@test "flat, the a, b, d form, surface correction and a crack: from 1 rank to 3" {
+    FLAT=yes study "model: madenci_oterkus, $elastic" "model: madenci_oterkus, $elastic" \
+        'type: explicit, plane: stress, horizon: 2.2, surface_correction: energy, safety: 0.4, end_time: 0.5 us' "damage:
+  - {pair: [CG, CG], law: critical_stretch, fracture_energy: 3 kJ/m2}
+  - {pair: [UFG, UFG], law: bond_energy, fracture_energy: 8 kJ/m2}
+  - {pair: [CG, UFG], law: critical_stretch, value: 0.02}
+$cracks"
+    goes_on 1 4 3
+}
+
+@test "load steps with ductile damage: from 1 rank to 2 and 3" {
+    every=2 speed=1 study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+        'type: quasi_static, horizon: 1, stabilisation: {law: mix}, step: 0.003, end_strain: 0.02' "$ductile
+$between"
+    goes_on 1 3 2 3
+}
+
+@test "load steps of corner, by relaxation and by Newton's method" {
+    for method in relaxation newton; do
+        rm -rf whole
+        every=2 speed=1 study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+            "type: quasi_static, method: $method, step: 0.003, end_strain: 0.012"
+        goes_on 1 2 2
+    done
+}
+
+@test "forces and motions that depend on place and time, raised in steps: at rest and explicit" {
+    boundary='  - {set: grip_left, direction: x, displacement: 0}
+  - {set: grip_left, direction: y, displacement: 0}
+  - {set: grip_left, direction: z, displacement: "1e-3*y*t/(1e-6)"}
+  - {set: grip_right, direction: x, force: {initial: 1 N, increment: 0.3 N, every: 3 steps}}
+  - {box: [[-1 mm, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], direction: y, body_force: "1e9*x/1e-3*t/1e-6"}'
+    every=2 study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+        'type: quasi_static, horizon: 1, stabilisation: {law: mix}, step: 0.1 us, end_time: 1 us'
+    goes_on 1 3 2
+    rm -rf whole
+    boundary=${boundary/every: 3 steps/every: 25 steps}
+    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+        'type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.3 us'
+    goes_on 1 3 2
+}
+
+@test "load steps, explicit ones, and back: before and after each switch" {
+    every=1 speed=2 study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $plastic" \
+        'type: hybrid, horizon: 1, stabilisation: {law: mix}, step: 0.002, end_strain: 0.012, explicit_strain: 0.008, static_when: {kinetic_to_internal: 0.1, quiet: 0.05 us}'
+    mkdir whole
+    (cd whole && hssolve -q -i ../domain.g -H history.e -o fields.e)
+    hspost -q --columns whole/history.e | grep -v '^#' | awk -F, '
+        !column { for (i = 1; i <= NF; i++) if ($i == "quasi_static") column = i; next }
+        $column != was { printf "%s ", $column; was = $column } END { print "" }' | grep '^1 0 1 0 1 '
+    numbers whole/history.e >whole.history
+    numbers whole/fields.e >whole.fields
+    found=$(find whole -name 'history.e.checkpoint*' | wc -l)
+    echo "$found checkpoints"
+    [ "$found" -gt 40 ]
+    for ((number = 1; number < found; number += found / 9)); do
+        hssolve -q --restart "whole/history.e.checkpoint.$number" -j $((number % 3 + 1)) -H history.e -o fields.e
+        cmp whole.history <(numbers history.e)
+        cmp whole.fields <(numbers fields.e)
+    done
+}
+
+# scattered MODEL SOLVER DAMAGE: particles.txt and study.yaml, which go beside each other
+scattered() {
+    awk 'BEGIN {
+        srand(1); print "# blocks: 1 A"
+        for (z = 0; z < 5; z++) for (y = 0; y < 5; y++) for (x = 0; x < 16; x++)
+            printf "%.9e %.9e %.9e 1 1e-9\n", (x + 0.3 * (rand() - 0.5)) * 1e-3,
+                   (y + 0.3 * (rand() - 0.5)) * 1e-3, (z + 0.3 * (rand() - 0.5)) * 1e-3
+    }' >particles.txt
+    cat >study.yaml <<END
+title: Scattered
+domain: {dimensions: 3, spacing: 1 mm, grips: {length: 3 spacings}, gauge: {length: 6 mm}}
+materials:
+  A: {model: $1}
+damage:
+  - $3
+boundary:
+  - {set: grip_left, direction: x, velocity: -60 m/s}
+  - {set: grip_right, direction: x, velocity: 60 m/s}
+solver: {type: explicit, $2, end_time: 15 us, energy_tolerance: 0.05}
+output:
+  history: 40
+  fields: {frames: 4, variables: [displacement, force, stress, damage]}
+  checkpoint: {every: 20 steps, keep: 100}
+END
+}
+steel='density: 8000, youngs_modulus: 200 GPa, poissons_ratio: 0.3'
+linear='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
+
+@test "scattered particles from a text with the deck beside it: correspondence, degrading" {
+    scattered "correspondence, $steel, $linear" 'horizon: 1.6, stabilisation: {law: capped}' \
+        '{phase: A, law: ductile, onset: 0.03, full: 0.1}'
+    options='-i ../particles.txt -d ../study.yaml' goes_on 2 3 1 3
+    holds "$(last removed_nodes) > 3"
+}
+
+@test "scattered particles: ordinary plastic, breaking" {
+    scattered "ordinary_plastic, $steel, $linear" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.06}'
+    options='-i ../particles.txt -d ../study.yaml' goes_on 1 3 3
+    holds "$(last broken_bonds) > 20"
+}
+
+@test "a load step that takes its time is cut off within, and done again from its start" {
+    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+        'type: quasi_static, horizon: 1, stabilisation: {law: mix}, step: 0.005, end_strain: 0.01'
+    sed -i 's/size: .*/size: [1.5 mm, 0.5 mm, 0.3 mm]/; s/gauge: .*/gauge: {length: 0.7 mm}/; /checkpoint:/d; s,60 m/s,1 m/s,' study.yaml
+    hsgen -q study.yaml -o domain.g
+    hssolve -q -i domain.g -H whole.e -o whole.f
+    local from='-i domain.g' within=0 limit=3
+    while true; do
+        # shellcheck disable=SC2086 # words
+        run timeout -s TERM "$limit" hssolve -q $from -H history.e -o fields.e -j $((limit % 2 + 1))
+        echo "$output"
+        [ "$status" -ne 0 ] || break
+        if [[ "$output" == *"amid the load step"* ]]; then within=$((within + 1)); fi
+        if [ -e history.e.checkpoint ]; then from='--restart history.e.checkpoint'; fi
+        limit=$((limit + 2))
+    done
+    [ "$within" -gt 0 ]
+    cmp <(numbers whole.e) <(numbers history.e)
+    cmp <(numbers whole.f) <(numbers fields.e)
+}
