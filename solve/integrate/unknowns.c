@@ -103,19 +103,25 @@ void vector_add_all(const struct unknowns *unknowns, int count, const double a[]
             add(block_length(unknowns, from), a[k], x[k] + from, y + from);
 }
 
-/* Largest magnitude, and 0, or not a number where one is not finite. */
+/* Largest magnitude, and 0, or not a number where one is not finite; in lanes of their own. */
 HS_SIMD static void find_largest(int64_t count, const double *restrict x, double *restrict largest,
                                  double *restrict nothing)
 {
-    double most = 0, sum = 0;
-#pragma omp simd reduction(max : most) reduction(+ : sum)
-    for (int64_t i = 0; i < count; i++) {
-        const double size = fabs(x[i]);
-        most = size > most ? size : most;
-        sum += 0 * size;
+    enum { WIDTH = 8 };
+    double most[WIDTH] = {0}, sum[WIDTH] = {0};
+    for (int64_t i = 0; i < count; i += WIDTH) {
+        const int lanes = count - i < WIDTH ? (int)(count - i) : WIDTH;
+        for (int k = 0; k < lanes; k++) {
+            const double size = fabs(x[i + k]);
+            most[k] = size > most[k] ? size : most[k];
+            sum[k] += 0 * size;
+        }
     }
-    *largest = most;
-    *nothing = sum;
+    *largest = *nothing = 0;
+    for (int k = 0; k < WIDTH; k++) {
+        *largest = most[k] > *largest ? most[k] : *largest;
+        *nothing += sum[k];
+    }
 }
 
 double vector_largest(const struct unknowns *unknowns, const double *x)
@@ -127,15 +133,8 @@ double vector_largest(const struct unknowns *unknowns, const double *x)
     return least[0] < 0 ? NAN : -least[1];
 }
 
-/* What a term gives to the sums of exact_sum.h. */
-HS_INLINE void extract_term(double term, double high, double low, double *top, double *bottom)
-{
-    const double first = (term + high) - high;
-    *top += first;
-    *bottom += ((term - first) + low) - low;
-}
-
-/* Two chains of additions at a time, which hide the delay of one; exact sums do not mind the order. */
+/* The sums of exact_sum.h in two chains of additions at a time, which hide the delay of one; exact sums do not mind the
+ * order. */
 HS_SIMD static void extract(int count, const double *restrict x, const double *restrict y,
                             double high, double low, double *restrict sums)
 {
@@ -143,10 +142,18 @@ HS_SIMD static void extract(int count, const double *restrict x, const double *r
     double top = 0, bottom = 0, second_top = 0, second_bottom = 0;
 #pragma omp simd reduction(+ : top, bottom, second_top, second_bottom)
     for (int i = 0; i < half; i++) {
-        extract_term(x[i] * y[i], high, low, &top, &bottom);
-        extract_term(x[half + i] * y[half + i], high, low, &second_top, &second_bottom);
+        const double term = x[i] * y[i], second = x[half + i] * y[half + i];
+        const double part = (term + high) - high, second_part = (second + high) - high;
+        top += part;
+        second_top += second_part;
+        bottom += ((term - part) + low) - low;
+        second_bottom += ((second - second_part) + low) - low;
     }
-    if (count % 2) extract_term(x[count - 1] * y[count - 1], high, low, &top, &bottom);
+    if (count % 2) {
+        const double term = x[count - 1] * y[count - 1], part = (term + high) - high;
+        top += part;
+        bottom += ((term - part) + low) - low;
+    }
     sums[0] += top + second_top;
     sums[1] += bottom + second_bottom;
 }

@@ -107,6 +107,8 @@ compare_with_one() {
 @test "plate, mix, horizon 3, steep influence: 2 ranks give the bits of one" {
     study "$plate" '3
   influence: steep' mix
+    sed -i 's/grips: {length: 2/grips: {length: 3/' study.yaml
+    hsgen -q study.yaml -o domain.g
     compare 2
 }
 

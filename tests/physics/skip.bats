@@ -92,7 +92,7 @@ output: {history: 20}"
             # Energies are looked at with each record, and each 16th step.
             awk -v records="$records" -v ranks=$ranks '
                 /evaluations of the force/ { nodes = $1; of = $5; ok += $3 == ranks }
-                / [0-9.]+% +[0-9.]+$/ { share += substr($0, 51, 6) + 0; seconds += substr($0, 28, 11) + 0 }
+                / [0-9.]+% +[0-9.]+$/ { share += $(NF - 1) + 0; seconds += $(NF - 3) }
                 /^all / { total = $2 }
                 /^energies/ { ok += $7 >= ranks * 12 && $7 <= ranks * (12 + records + 1) && $9 == ranks * 201 "," }
                 /^record of a step/ { ok += $6 == ranks * records && $8 == ranks * 201 "," }
