@@ -253,24 +253,3 @@ linear='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
     options='-i ../particles.txt -d ../study.yaml' goes_on 1 3 3
     holds "$(last broken_bonds) > 20"
 }
-
-@test "a load step that takes its time is cut off within, and done again from its start" {
-    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
-        'type: quasi_static, horizon: 1, stabilisation: {law: mix}, step: 0.005, end_strain: 0.01'
-    sed -i 's/size: .*/size: [1.5 mm, 0.5 mm, 0.3 mm]/; s/gauge: .*/gauge: {length: 0.7 mm}/; /checkpoint:/d; s,60 m/s,1 m/s,' study.yaml
-    hsgen -q study.yaml -o domain.g
-    hssolve -q -i domain.g -H whole.e -o whole.f
-    local from='-i domain.g' within=0 limit=10 # tenths of a second
-    while true; do
-        # shellcheck disable=SC2086 # words
-        run timeout -s TERM "$((limit / 10)).$((limit % 10))" hssolve -q $from -H history.e -o fields.e -j $((limit % 2 + 1))
-        echo "$output"
-        [ "$status" -ne 0 ] || break
-        if [[ "$output" == *"amid the load step"* ]]; then within=$((within + 1)); fi
-        if [ -e history.e.checkpoint ]; then from='--restart history.e.checkpoint'; fi
-        limit=$((limit + 7))
-    done
-    [ "$within" -gt 0 ]
-    cmp <(numbers whole.e) <(numbers history.e)
-    cmp <(numbers whole.f) <(numbers fields.e)
-}
