@@ -42,7 +42,7 @@ struct exodus_fields *exodus_fields_open(const struct spool *output, const struc
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[])
 {
     const struct exodus_file *file = &fields->file;
-    int frame = ++fields->n_frames;
+    int frame = fields->n_frames + 1;
     for (int i = 0; i < fields->n_variables; i++)
         exodus_wrote(
             file,
@@ -50,6 +50,7 @@ void exodus_fields_write(struct exodus_fields *fields, double time, const double
             "a frame");
     exodus_wrote(file, ex_put_time(file->id, frame, &time), "a frame's time");
     exodus_sync(file);
+    fields->n_frames = frame;
 }
 
 void exodus_fields_close(struct exodus_fields *fields)

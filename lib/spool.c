@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <ftw.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdio.h>
@@ -95,6 +96,29 @@ static int temporary_file(void)
     unlink(path);
     free(path);
     return descriptor;
+}
+
+char *spool_folder(void)
+{
+    char *path = memory_print("%s/hstools-XXXXXX", temporary_directory());
+    if (!mkdtemp(path))
+        die_run("cannot make a folder in %s: %s (set TMPDIR)", temporary_directory(),
+                strerror(errno));
+    return path;
+}
+
+static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *place)
+{
+    (void)status, (void)kind, (void)place;
+    remove(path);
+    return 0;
+}
+
+void spool_remove_folder(char *path)
+{
+    enum { MOST_OPEN = 16 };
+    nftw(path, remove_entry, MOST_OPEN, FTW_DEPTH | FTW_PHYS);
+    free(path);
 }
 
 static char *descriptor_path(int descriptor)
@@ -320,8 +344,8 @@ void spool_finish(struct spool *spool)
     if (spool->descriptor >= 0) {
         pump(spool);
     } else {
+        lose_track(spool->path); /* it is whole: where it gets no name it stays */
         spool_rename(spool->path, spool->final);
-        lose_track(spool->path);
     }
     free(spool->final);
     spool->final = NULL;

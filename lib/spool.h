@@ -20,6 +20,10 @@ struct spool {
 /* name = NULL or "-": standard input.  An empty input or a terminal is the user's error. */
 struct spool spool_input(const char *name);
 
+/* A new folder among the temporary ones, for who needs one of his own: its path.  Removed with all that is in it. */
+char *spool_folder(void);
+void spool_remove_folder(char *path);
+
 /* These bytes as an input. */
 struct spool spool_bytes(const char *bytes, size_t length);
 

@@ -7,6 +7,7 @@
 #include "restart.h"
 #include "simulation_parts.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,7 +119,7 @@ static struct run_texts texts_of(const struct simulation *s)
 }
 
 /* The newest has the name, the one before NAME.1 and so on. */
-static void rename_all(const char *partial, const char *name, int64_t keep)
+static const char *rename_all(const char *partial, const char *name, int64_t keep)
 {
     for (int64_t k = keep - 1; k > 0; k--) {
         char *from = k > 1 ? memory_print("%s.%lld", name, (long long)k - 1) : memory_text(name);
@@ -127,7 +128,7 @@ static void rename_all(const char *partial, const char *name, int64_t keep)
         free(from);
         free(to);
     }
-    spool_rename(partial, name);
+    return rename(partial, name) == 0 ? NULL : strerror(errno);
 }
 
 bool simulation_checkpoint(struct simulation *s)
@@ -147,11 +148,14 @@ bool simulation_checkpoint(struct simulation *s)
     visit(s, checkpoint);
     checkpoint_free(checkpoint);
     const char *failure = checkpoint_file_close(file);
+    if (s->ranks.rank == 0 && !failure)
+        failure = rename_all(partial, name, s->scene.checkpoint.keep);
     if (s->ranks.rank == 0 && failure) {
         warn("no checkpoint in %s: %s", name, failure);
         unlink(partial);
     }
-    if (s->ranks.rank == 0 && !failure) rename_all(partial, name, s->scene.checkpoint.keep);
+    bool saved = !failure;
+    ranks_share(&saved, sizeof saved);
     run_texts_free(&texts);
     free(partial);
     free(name);
@@ -160,8 +164,8 @@ bool simulation_checkpoint(struct simulation *s)
     s->saved_step = s->integration.step;
     s->saving = s->saved - begun;
     s->saved_records = s->recorder.history.n_records;
-    s->resumable = !failure;
-    return !failure;
+    s->resumable = saved;
+    return saved;
 }
 
 void simulation_forget_checkpoints(const struct simulation *s)

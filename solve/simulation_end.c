@@ -63,21 +63,28 @@ static char *failed_name(const char *name, const char *fallback)
 static void keep_fields(void)
 {
     struct simulation *s = endangered;
+    double time;
     if (!s || !s->fields_output.path || s->fields_output.descriptor >= 0) return; /* a device */
+    if (s->fields && fields_count(s->fields) == 0) return; /* without a frame it is nothing */
     char *name = failed_name(s->arguments->fields, "hssolve-fields");
-    if (spool_keep(&s->fields_output, name)) warn("the frames up to there are kept in %s", name);
+    if (spool_keep(&s->fields_output, name)) {
+        if (s->fields) exodus_repair(name, &time); /* amid a frame */
+        warn("the frames up to there are kept in %s", name);
+    }
     free(name);
 }
 
 static void keep_history(void)
 {
     struct simulation *s = endangered;
-    if (!s || !s->journal) return;
+    if (!s || !s->history_output.path || (!s->journal && !s->whole)) return;
     struct exodus_history *journal = s->journal;
     s->journal = NULL;
     char *name = failed_name(s->arguments->history, "hssolve-history");
-    describe(s);
-    exodus_history_close(journal, &s->recorder.history);
+    if (journal) {
+        describe(s);
+        exodus_history_close(journal, &s->recorder.history);
+    }
     if (spool_keep(&s->history_output, name)) warn("the history up to there is kept in %s", name);
     free(name);
 }
@@ -145,6 +152,7 @@ void simulation_finish(struct simulation *s, const char *failure)
     describe(s);
     exodus_history_close(journal, &s->recorder.history);
     s->journal = NULL;
+    s->whole = true;
     if (s->fields_output.path) spool_finish(&s->fields_output);
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;

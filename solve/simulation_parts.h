@@ -43,6 +43,7 @@ struct simulation {
     struct recorder recorder;
     struct exodus_history *journal; /* rank 0: the records that are on disk */
     double next_save;               /* of records, s */
+    bool whole;                     /* all records are, and the file is closed */
     struct fields *fields;
     double framed;                              /* time of the last frame, s */
     struct spool history_output, fields_output; /* rank 0 */

@@ -157,12 +157,15 @@ int launch_ranks(const struct arguments *a)
          *history_path = a->check ? NULL : seen_by_others(history.path);
     char *deck_path = a->deck ? seen_by_others(deck.path) : NULL;
     within.deck = deck_path;
+    char *folder = spool_folder(); /* of these ranks alone: others' runs come and go beside them */
+    setenv("OMPI_MCA_orte_tmpdir_base", folder, 1);
     pid_t child = fork();
     if (child < 0) die_run("cannot fork: %s", strerror(errno));
     if (child == 0) become_mpirun(&within, input_path, history_path);
     stop_pass_on(child);
     int status, code = wait_for(child, &status);
     tell_end(status, code);
+    spool_remove_folder(folder);
     /* Ranks that stopped have taken the history away. */
     if (code == 0 && !a->check && spool_is_empty(&history)) code = EXIT_STOPPED;
     if (code == 0 && !a->check)

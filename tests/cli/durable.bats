@@ -125,6 +125,8 @@ said" ]
 @test "records are on disk as they are made: after kill -9 a repair gives them back, the same to the last bit" {
     hssolve -q -i domain.g -H out.e --time-limit '4 s' || true
     mv out.e.failed stopped.e
+    mkdir scratch
+    export TMPDIR=$PWD/scratch
     for ranks in 1 2; do
         rm -f ./*.failed
         hssolve -q -j "$ranks" -i domain.g -H out.e -o fields.e 2>said &
@@ -146,12 +148,14 @@ said" ]
             [ "$status" -eq 2 ]
             [[ "$output" == *"nothing to repair"* ]]
         else
-            # A rank is killed, as where memory runs out: that is told, and the history kept.
+            # A rank is killed, as where memory runs out: that is told, the history kept, and no folder of mpirun left.
+            [ -n "$(find scratch -name 'hstools-*')" ]
             pkill -KILL -n -P "$(pgrep -P "$solver")"
             ended "$solver"
             [ "$status" -eq 1 ]
             grep -q 'ended by signal 9 (Killed' said
             same_start out.e.failed stopped.e
+            [ -z "$(find scratch -name 'hstools-*')" ]
         fi
         no_rank_left
         mv fields.e.partial-* left.f
