@@ -37,9 +37,9 @@ END {
     within("inclined", "bar at 0 degrees", "corner_flowing", 10, 0.01)
     falls("inclined", "bar at 26.6 degrees", "corner_flowing", 6, small ? 10 : 20, 0.9)
     within("bending", "stiffness", "corner_flowing", 4, 2)
-    # One volume ratio a particle does not lock; several do, and the documents say so.  2 %: what is asked of a formulation at such
-    # ratios; that of C3D20R itself moves by 0.4 % from four elements to eight.
-    within("block", "two phases nu 0.499 over 0.3", "corner_flowing", 8, 2)
+    # One volume ratio a particle does not lock; several do, and the documents say so.  1 %: C3D20R's own
+    # ratio moves by 0.4 % from four elements to eight, and the rest is the discretisation of eight particles.
+    within("block", "two phases nu 0.499 over 0.3", "corner_flowing", 8, 1)
     must(error["block", "two phases nu 0.499 over 0.3", "corner_four_points", 8] > 10 && error["block", "two phases nu 0.499 over 0.3", "mix", 8] > 10, "four_points or mix do not lock any more: say so in docs/errors.md")
     # Of converged elements, which are known to 0.3 %.
     for (k = 1; k <= split("0.005 0.01 0.02 0.05", strain, " "); k++) {
