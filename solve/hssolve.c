@@ -22,6 +22,13 @@ static int repair(const char *name)
     return 0;
 }
 
+static void release(struct arguments *arguments, struct spool inputs[2])
+{
+    free(arguments->command);
+    for (int k = 0; k < 2; k++)
+        if (inputs[k].path) spool_close(&inputs[k]);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hssolve");
@@ -31,10 +38,13 @@ int main(int argc, char **argv)
         &section_boundary,  &section_ramp,   &section_steps,       &section_initial,
         &section_solver,    &section_output, record_section(),     NULL};
     struct arguments arguments = arguments_read(argc, argv, sections);
-    if (arguments.repair) return repair(arguments.repair);
     struct spool inputs[2] = {{.descriptor = -1}, {.descriptor = -1}};
     if (arguments.restart && !arguments.spooled) restart_unpack(&arguments, inputs);
-    if (launch_wanted(&arguments)) return launch_ranks(&arguments);
+    if (arguments.repair || launch_wanted(&arguments)) {
+        const int code = arguments.repair ? repair(arguments.repair) : launch_ranks(&arguments);
+        release(&arguments, inputs);
+        return code;
+    }
 
     struct ranks ranks = ranks_start(&argc, &argv);
     if (ranks.rank == 0 && !arguments.input && !arguments.check) {
@@ -53,9 +63,7 @@ int main(int argc, char **argv)
         ranks_wait();
     }
     simulation_free(simulation);
-    free(arguments.command);
-    for (int k = 0; k < 2; k++)
-        if (inputs[k].path) spool_close(&inputs[k]);
+    release(&arguments, inputs);
     ranks_wait();
     ranks_stop();
     /* mpirun takes another code of a rank for an accident; the parent of -j sees that the history is gone. */
