@@ -15,6 +15,8 @@ struct load_steps {
 
 /* Seconds of a load step that the deck gives in strain or seconds. */
 double static_step(const struct simulation *simulation, double step);
+/* The first step where the deck leaves it to the yield. */
+void static_first_step(struct simulation *simulation);
 /* Builds what finds equilibria; the body's velocities are its first guess, and become 0. */
 void static_start(struct simulation *simulation);
 void static_free(struct load_steps *steps);

@@ -311,6 +311,7 @@ static void plan_time(struct simulation *s)
     const bool moving = s->course->moving;
     initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
     boundary_set_displacements(&s->boundary, &s->body);
+    static_first_step(s);
     const double dt = moving ? explicit_step(s) : static_step(s, s->scene.statics.first_step);
     s->end_time = end_of_time(s, dt);
     if (!(s->end_time / dt < 1.001e12))

@@ -73,15 +73,17 @@ particles() {
 }
 
 # deck FORMULATION NAME NX NY NZ PHASES SOLVER: the deck of a run, its materials, boundary and output from standard input.
+# Load steps are those of SOLVER, with a residual that tables do not show.
 # The domain is the box around the body, so that --check of hsgen reads it, too.
 deck() {
-    local plane='' sheet=''
+    local plane='' sheet='' residual='tolerance: 1e-6, '
+    case $7 in *tolerance:*) residual='' ;; esac
     if [ "$5" = 1 ]; then plane='plane: strain, ' sheet='dimensions: 2, '; fi
     {
         echo "title: $case_name $2 $1"
         echo "domain: {specimen: plate, ${sheet}size: [$3 spacings, $4 spacings, $([ "$5" = 1 ] && echo $SPACING || echo "$5 spacings")], spacing: $SPACING, topology: homogeneous, phase: $6}"
         cat
-        echo "solver: {type: quasi_static, $plane$7, $(keys "$1")}"
+        echo "solver: {type: quasi_static, accuracy: 1, $residual$plane$7, $(keys "$1")}"
     } >"$folder/$2-$1.yaml"
 }
 

@@ -110,12 +110,17 @@ static const struct key solver_keys[] = {
          "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
          "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where none is found"},
     {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
-     .otherwise = "5e-6 of strain, so that the elastic slope has its records, else the largest",
+     .otherwise =
+         "a tenth of the strain at which the first phase yields, so that the elastic slope "
+         "has its records; else the largest",
      .help = "first load step, in the same unit"},
     {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,
      .otherwise = "1e-4 of the largest", .help = "in the same unit; below it the run stops"},
-    {"tolerance", KEY_NUMBER, AT(statics.tolerance), "1", 1e-10, 1e-2, .usual = 1e-6,
-     .users = RESTING,
+    {"accuracy", KEY_NUMBER, AT(statics.accuracy), "1", 1e-6, 1, .usual = 1e-3, .users = RESTING,
+     .help = "of the forces on what is moved, relative to the largest so far: steps are as short "
+             "as that takes, and residuals as small; of steps that are counted residuals alone"},
+    {"tolerance", KEY_NUMBER, AT(statics.tolerance), "1", 1e-10, 1e-2, .usual = NAN,
+     .users = RESTING, .otherwise = "1000 times the square of the accuracy, from 1e-8 to 1e-3",
      .help = "of the residual: norm of the unbalanced forces over that of reactions and loads"},
     {"most_evaluations", KEY_INTEGER, AT(statics.most_evaluations), NULL, 10, 1e9, .users = RESTING,
      .otherwise = "2000, of relaxation 20000",
@@ -162,13 +167,15 @@ static void read_steps(struct scene *scene)
     const bool strain = scene->end_strain > 0;
     const double usual = strain ? 0.005 : scene->end_time > 0 ? scene->end_time / 100 : 1;
     s->largest_step = step_or(scene, s->given.largest, usual);
-    /* Three records lie where the elastic slope of the softest metals is measured; steps of loads are all alike. */
-    s->first_step =
-        step_or(scene, s->given.first, strain ? fmin(5e-6, s->largest_step) : s->largest_step);
+    /* Steps of loads are all alike; that of a strain follows from the materials. */
+    s->first_step = step_or(scene, s->given.first, strain ? INFINITY : s->largest_step);
     s->smallest_step =
         step_or(scene, s->given.smallest, fmin(1e-4 * s->largest_step, s->first_step));
-    refuse_over(s->first_step, s->given.first, "largest", s->largest_step);
-    refuse_over(s->smallest_step, s->given.smallest, "first", s->first_step);
+    if (s->given.first.index)
+        refuse_over(s->first_step, s->given.first, "largest", s->largest_step);
+    refuse_over(s->smallest_step, s->given.smallest, s->given.first.index ? "first" : "largest",
+                fmin(s->first_step, s->largest_step));
+    if (isnan(s->tolerance)) s->tolerance = fmax(1e-8, fmin(1e-3, 1e3 * s->accuracy * s->accuracy));
 }
 
 static void read_events(struct scene_hybrid *hybrid)

@@ -25,11 +25,12 @@ extern const char *const equilibrium_methods[]; /* ended by NULL */
 
 /* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s. */
 struct scene_static {
-    int method; /* of equilibrium_methods */
-    double first_step, largest_step, smallest_step;
+    int method;                                     /* of equilibrium_methods */
+    double first_step, largest_step, smallest_step; /* first: INFINITY where the yield says it */
     struct {
         struct deck_node first, largest, smallest;
     } given;
+    double accuracy;          /* of the forces' curve */
     double tolerance;         /* of the residual */
     int64_t most_evaluations; /* 0: as many as the method usually takes */
     int64_t break_at_once;    /* bonds and nodes, the worst ones */

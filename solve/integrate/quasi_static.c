@@ -22,13 +22,14 @@ static bool work_depends_on_place(const struct boundary *boundary)
 }
 
 struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
-                                      double smallest)
+                                      double smallest, double accuracy)
 {
     struct quasi_static *q = memory_new(1, sizeof *q);
     struct body *body = equilibrium->body;
     q->equilibrium = equilibrium;
     q->largest = largest;
     q->smallest = smallest;
+    q->error = step_error_new(accuracy, equilibrium->boundary);
     q->rate = vector_new(&equilibrium->unknowns);
     q->before = vector_new(&equilibrium->unknowns);
     q->held_before = memory_new(3 * (size_t)equilibrium->held.count, sizeof(double));
@@ -44,6 +45,7 @@ struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double la
 void quasi_static_free(struct quasi_static *q)
 {
     if (!q) return;
+    step_error_free(&q->error);
     free(q->rate);
     free(q->before);
     free(q->held_before);
@@ -154,18 +156,47 @@ static void accept(struct quasi_static *q, double dt)
     balance_step(integration, e->body, e->boundary, &energy, &sums);
 }
 
+/* Below this length a step is not refused for its error. */
+static double least_measured(const struct quasi_static *q)
+{
+    return fmax(q->smallest, 10 * q->error.accuracy * q->largest);
+}
+
+/* Share of the step's length to try in its place; 1: it is taken. */
+static double solve_step(struct quasi_static *q, double dt)
+{
+    static const double shortest = 0.1, halved = 0.5, careful = 0.9;
+    struct equilibrium *e = q->equilibrium;
+    if (!try_step(q, dt)) return halved;
+    const double room = careful * step_error_room(&q->error, e->boundary, e->body, e->tolerance);
+    if (room >= careful || dt <= least_measured(q)) return 1;
+    return fmax(fmin(fmax(room, shortest), halved), least_measured(q) / dt);
+}
+
+static double next_length(struct quasi_static *q, double dt)
+{
+    static const double shortest = 0.5, careful = 0.9;
+    const struct equilibrium *e = q->equilibrium;
+    const double room = careful * step_error_take(&q->error, e->boundary),
+                 easy = (double)e->evaluations <= EASY * (double)e->most_evaluations
+                            ? QUASI_STATIC_GROWTH
+                            : 1;
+    return fmin(fmax(fmin(easy, fmax(room, shortest)) * dt, q->smallest), q->largest);
+}
+
 bool quasi_static_step(struct quasi_static *q)
 {
     struct equilibrium *e = q->equilibrium;
-    double dt = e->integration->dt;
+    double dt = e->integration->dt, share;
+    step_error_start(&q->error, e->boundary, e->body);
     vector_take(&e->unknowns, e->body->u, 1, q->before);
     keep_held(q, false);
     keep_forces(q);
-    while (!try_step(q, dt)) {
+    while ((share = solve_step(q, dt)) < 1) {
         if (e->cut) return false;
         q->refused++;
         keep_held(q, true);
-        dt *= 0.5;
+        dt *= share;
         if (dt < q->smallest) {
             vector_put(&e->unknowns, q->before, e->body->u);
             body_clear(e->body, e->body->v, 3);
@@ -176,9 +207,7 @@ bool quasi_static_step(struct quasi_static *q)
         }
     }
     accept(q, dt);
-    e->integration->dt = (double)e->evaluations <= EASY * (double)e->most_evaluations
-                             ? fmin(QUASI_STATIC_GROWTH * dt, q->largest)
-                             : dt;
+    e->integration->dt = next_length(q, dt);
     return true;
 }
 
@@ -217,6 +246,7 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
         }
         const double lost = quasi_static_settle(q);
         if (!isfinite(lost)) return false;
+        step_error_forget(&q->error);
         if (breaking) integration->balance.fracture += lost;
     }
 }
@@ -244,6 +274,7 @@ void quasi_static_visit(struct quasi_static *q, struct checkpoint *checkpoint)
         rates.first[s + 1] = rates.first[s] + owned->items[s].count;
     checkpoint_points(checkpoint, "rate of the last load step", owned, 3, place_rate, &rates);
     checkpoint_integer(checkpoint, "load steps tried in vain", &q->refused);
+    step_error_visit(&q->error, checkpoint);
     equilibrium_visit(q->equilibrium, checkpoint);
     free(rates.first);
 }

@@ -1,27 +1,30 @@
 /* quasi_static.h - load steps from one equilibrium to the next.
  *
  * Time is what the prescribed motions and loads depend on; nothing has inertia.  A step that is hard to solve
- * is halved and tried again, an easy one makes the next longer; none is accepted above the tolerance. */
+ * is halved and tried again, an easy one makes the next longer; none is accepted above the tolerance.  Their
+ * lengths follow from the error that they leave, too (step_error.h). */
 #ifndef HS_QUASI_STATIC_H
 #define HS_QUASI_STATIC_H
 
 #include "equilibrium.h"
+#include "step_error.h"
 
 #define QUASI_STATIC_GROWTH 1.5 /* of an easy step to the next */
 
 struct quasi_static {
     struct equilibrium *equilibrium;
     double largest, smallest; /* steps, s */
-    double *rate;             /* motion of the last step, the guess for the next, m/s */
-    double *before;           /* x at the start of the step */
-    double *held_before;      /* u of equilibrium->held, three a node */
+    struct step_error error;
+    double *rate;        /* motion of the last step, the guess for the next, m/s */
+    double *before;      /* x at the start of the step */
+    double *held_before; /* u of equilibrium->held, three a node */
     double *force_before[3], *load_before[3]; /* box fields, where work depends on place */
     int64_t refused;                          /* steps tried in vain */
 };
 
-/* integration->dt is the first step.  The body's velocities are the first guess; they become 0.  Collective. */
+/* integration->dt is the first step; accuracy: of the curve, 0 where steps need not care (step_error.h).  The body's velocities are the first guess; they become 0.  Collective. */
 struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
-                                      double smallest);
+                                      double smallest, double accuracy);
 void quasi_static_free(struct quasi_static *quasi_static);
 
 /* One step of at most integration->dt, which becomes the length of the next; ends in a committed

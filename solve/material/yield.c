@@ -115,6 +115,18 @@ static const struct yield *yield_of_phase(const struct materials *materials, int
                                                  : NULL;
 }
 
+double yield_first_strain(const struct materials *materials)
+{
+    double least = INFINITY;
+    for (int p = 0; p < materials->count; p++) {
+        const struct yield *yield = yield_of_phase(materials, p);
+        if (yield)
+            least = fmin(least, hardening_stress(&yield->hardening, 0) /
+                                    materials->items[p].youngs_modulus);
+    }
+    return least;
+}
+
 void yield_start(struct body *body, const struct materials *materials)
 {
     bool varies = false;

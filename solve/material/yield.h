@@ -30,6 +30,9 @@ void yield_read(struct deck_node material, void *yield);
 void yield_release(void *yield);
 const struct yield *yield_of(const void *yield);
 
+/* Strain at which the first of the phases yields in tension, flaws and scatter aside; INFINITY: none does. */
+double yield_first_strain(const struct materials *materials);
+
 /* For struct law: flow curves by pair, the table of flow_curve.h; of a pair without parameters one that nothing reaches. */
 void *yield_pairs(int count, const void *const first[], const void *const second[]);
 

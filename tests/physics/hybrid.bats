@@ -24,7 +24,7 @@ boundary:
   - {set: grip_left, direction: x, velocity: -${SPEED:-2} m/s}
   - {set: grip_right, direction: x, velocity: ${SPEED:-2} m/s}
 ${4:-}
-solver: {$3}
+solver: {$3, tolerance: 1e-6}
 output: {history: 400}
 END
     hsgen -q "$1.yaml" -o "$1.g"

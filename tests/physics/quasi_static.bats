@@ -10,8 +10,11 @@ voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.32
 correspondence="model: correspondence, poissons_ratio: 0.31, $voce"
 mix='horizon: 1, stabilisation: {law: mix}'
 
-# bar NAME LENGTH_NODES MODEL SOLVER [BOUNDARY [OUTPUT]]: NAME.g of LENGTH x 4 x 4 nodes, 5 of them in the gauge
+# bar NAME LENGTH_NODES MODEL SOLVER [BOUNDARY [OUTPUT]]: NAME.g of LENGTH x 4 x 4 nodes, 5 of them in the gauge, load steps with
+# a residual of 1e-6
 bar() {
+    local tolerance=', tolerance: 1e-6'
+    [[ $4 != *"type: explicit"* && $4 != *tolerance:* ]] || tolerance=
     cat >"$1.yaml" <<END
 title: Bar
 domain:
@@ -27,7 +30,7 @@ materials:
 boundary:
 ${5:-  - {set: grip_left, direction: x, velocity: -1 m/s\}
   - {set: grip_right, direction: x, velocity: 1 m/s\}}
-solver: {$4}
+solver: {$4$tolerance}
 output:
   history: 400
 ${6:-}
@@ -80,7 +83,7 @@ exact='
     # the forces on the grips.
     for method in lbfgs newton relaxation; do
         bar $method 44 "$correspondence" \
-            "type: quasi_static, method: $method, $mix, end_strain: 0.12, first_step: 0.01, step: 0.01"
+            "type: quasi_static, method: $method, $mix, end_strain: 0.12, first_step: 0.01, step: 0.01, accuracy: 1"
         solve $method
         converged $method.e
         columns $method.e extension_m force_right_N force_left_N | awk "$exact"'
@@ -201,7 +204,7 @@ materials:
 boundary:
   - {set: grip_left, direction: x, velocity: -1 m/s}
   - {set: grip_right, direction: x, velocity: 1 m/s}
-solver: {type: quasi_static, method: $method, horizon: 2.6, end_strain: 0.005, step: 0.001, first_step: 0.001}
+solver: {type: quasi_static, method: $method, horizon: 2.6, end_strain: 0.005, step: 0.001, first_step: 0.001, accuracy: 1, tolerance: 1e-6}
 END
         hssolve -q -d scattered.yaml -i particles.txt -H $method.e
         converged $method.e
