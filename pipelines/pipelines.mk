@@ -25,6 +25,9 @@
 #   make decks                 the decks of all studies, as the targets above would run them; nothing is run
 #   make studies               every study in its small form and through its check (some twenty minutes of two cores), a line each
 #
+# FORMULATION=corner: flagship, r40, thesis, study, fracture, loops and spacings, whose decks say correspondence with mix, in that formulation; results in
+# build/results-corner.
+#
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
 # SMALL=yes: the small form of a study, in build/studies: fewer runs, or shorter ones, with what then holds of its check.  Those of the
@@ -32,7 +35,7 @@
 #
 # A run is made anew when its deck is newer, not when a program is: remove its folder for that.
 
-RESULTS := $(BUILD)/$(if $(SMALL),studies,results)
+RESULTS := $(BUILD)/$(if $(SMALL),studies,results)$(FORMULATION:%=-%)
 RANKS ?= 2
 SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
@@ -72,13 +75,18 @@ define VARY
 pipelines/vary $< $(1) > $@
 endef
 
+model_corner = -e 's/model: correspondence$$/model: corner/'
+formulation_corner = $(model_corner) -e '/^  stabilisation: /d' -e '/^  horizon: 1/d'
+formulation = $(formulation_$(FORMULATION))
+formulation_ =
+
 # Every run has its deck beside its results: a copy, or a variant by a rule of its own.
 PLAIN := first plate-cg ni-hs40 ni-r40 ni-hs40-thesis
 small_ni-hs40 = -e 's/end_strain: 0.30/end_strain: 0.01/'
 small_ni-r40 = $(small_ni-hs40)
 small_ni-hs40-thesis = -e 's/end_strain: 0.25/end_strain: 0.01/'
 $(PLAIN:%=$(RESULTS)/%/study.yaml): $(RESULTS)/%/study.yaml: pipelines/%/study.yaml
-	$(call VARY,$(if $(SMALL),$(small_$*)))
+	$(call VARY,$(if $(SMALL),$(small_$*)) $(if $(filter ni-%,$*),$(formulation)))
 DECKS := $(PLAIN:%=$(RESULTS)/%/study.yaml)
 
 # From a deck to everything.
@@ -100,7 +108,7 @@ $(RESULTS)/first/curve.csv: pipelines/first/study.yaml | all
 $(RESULTS)/ni-hs40-horizon-%/study.yaml: pipelines/ni-hs40/study.yaml
 	$(call VARY,-e 's/^  horizon: 1 /  horizon: $* /' -e 's/^  title: HS40/&$(comma) horizon $*/')
 $(RESULTS)/ni-hs40-half-speed/study.yaml: pipelines/ni-hs40/study.yaml
-	$(call VARY,-e 's/10 m.s/5 m\/s/' -e 's/end_strain: 0.30/end_strain: 0.10/' -e 's/^  title: HS40/&$(comma) half the speed/')
+	$(call VARY,$(formulation) -e 's/10 m.s/5 m\/s/' -e 's/end_strain: 0.30/end_strain: 0.10/' -e 's/^  title: HS40/&$(comma) half the speed/')
 DECKS += $(patsubst %,$(RESULTS)/ni-hs40-%/study.yaml,horizon-2 horizon-3 half-speed)
 # Differences are those of the longer horizon against horizon 1, cost is what hssolve said at the end.
 LONGER := $(foreach h,2 3,$(RESULTS)/ni-hs40-horizon-$(h)/curve.csv)
@@ -127,9 +135,9 @@ BOUNDS = $(foreach s,$(SPACINGS),$(RESULTS)/study/voigt-$(s).csv $(RESULTS)/stud
 study_spacing = -e 's/^  spacing: 25 um/  spacing: $(1:um= um)/' -e 's/^  title: .*/&$(comma) $(1:um= um)/'
 define STUDY_DECKS
 $(RESULTS)/study/%-$(1)/study.yaml: pipelines/study/%.yaml
-	$$(call VARY,$$(call study_spacing,$(1)))
+	$$(call VARY,$$(call study_spacing,$(1)) $$(formulation))
 $(RESULTS)/study/r40-seed%-$(1)/study.yaml: pipelines/study/r40.yaml
-	$$(call VARY,-e 's/^  seed: 2 /  seed: $$* /' -e 's/^  title: R40/& seed $$*/' $$(call study_spacing,$(1)))
+	$$(call VARY,-e 's/^  seed: 2 /  seed: $$* /' -e 's/^  title: R40/& seed $$*/' $$(call study_spacing,$(1)) $$(formulation))
 $(RESULTS)/study/voigt-$(1).csv $(RESULTS)/study/reuss-$(1).csv &: $(RESULTS)/study/cg-$(1)/curve.csv $(RESULTS)/study/ufg-$(1)/curve.csv
 	hspost -q $$^ --fraction 0.4 --strain-range 0:0.1 --voigt $$(RESULTS)/study/voigt-$(1).csv --reuss $$(RESULTS)/study/reuss-$(1).csv
 endef
@@ -374,7 +382,7 @@ BREAKS := cg ufg hs40 r40
 DECKS += $(BREAKS:%=$(RESULTS)/fracture/%/study.yaml)
 fracture: $(RESULTS)/fracture/table.csv $(RESULTS)/fracture/figure.svg $(BREAKS:%=$(RESULTS)/fracture/%/broken.png)
 $(BREAKS:%=$(RESULTS)/fracture/%/study.yaml): $(RESULTS)/fracture/%/study.yaml: pipelines/fracture/%.yaml
-	$(call VARY)
+	$(call VARY,$(formulation))
 $(BREAKS:%=$(RESULTS)/fracture/%/fields.e): %/fields.e: %/study.yaml | all
 	$(FRAMES)
 $(BREAKS:%=$(RESULTS)/fracture/%/curve.csv): %/curve.csv: %/fields.e
@@ -501,8 +509,8 @@ loops_down_cg := 0.0024 0.0028 0.0034 0.0038
 loops_down_ufg := 0 0.0158 0.0197 0.0197
 loops_down := 0.0017 0.0026 0.0034 0.004
 $(LOOPED:%=$(RESULTS)/loops/%/study.yaml): $(RESULTS)/loops/%/study.yaml: pipelines/loops/study.yaml pipelines/loops/programme.awk
-	$(call VARY,$(call loops_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))))
-	awk -v to="$(loops_to)" -v down="$(or $(loops_down_$*),$(loops_down))" -f pipelines/loops/programme.awk >> $@
+	$(call VARY,$(call loops_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))) $(model_$(FORMULATION)))
+	awk -v formulation="$(FORMULATION)" -v to="$(loops_to)" -v down="$(or $(loops_down_$*),$(loops_down))" -f pipelines/loops/programme.awk >> $@
 $(LOOPED:%=$(RESULTS)/loops/%/history.e): %/history.e: %/study.yaml | all
 	hsgen -q $< | hssolve -q -j $(RANKS) -H $@
 LOOPS_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/loops/calculix.csv
@@ -526,7 +534,7 @@ spacing_25um := -e 's/^title: HS40, spacings/& at 25 um/'
 spacing_12.5um := -e 's/spacing: 25 um/spacing: 12.5 um/'
 spacing_8.33um := -e 's/spacing: 25 um/spacing: 8.333333333333333 um/'
 $(FINER:%=$(RESULTS)/spacings/%/study.yaml): $(RESULTS)/spacings/%/study.yaml: pipelines/spacings/study.yaml
-	$(call VARY,$(spacing_$*))
+	$(call VARY,$(spacing_$*) $(formulation))
 $(RESULTS)/spacings/table.csv: $(FINER:%=$(RESULTS)/spacings/%/curve.csv) $(wildcard pipelines/spacings/*.awk)
 	$(columns) -v names="$(FINER)" -f pipelines/spacings/table.awk $(filter %.csv,$^) > $@
 	$(call must,spacings) $@

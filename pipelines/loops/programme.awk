@@ -18,5 +18,5 @@ BEGIN {
     print "boundary:"
     printf "  - {set: grip_left, direction: x, displacement: \"-%.9g*%s\"}\n", length_m / 2, text
     printf "  - {set: grip_right, direction: x, displacement: \"%.9g*%s\"}\n", length_m / 2, text
-    printf "solver: {type: quasi_static, horizon: 1, stabilisation: {law: mix, share: 0.1}, step: 0.02 s, end_time: %d s}\n", k
+    printf "solver: {type: quasi_static, %sstep: 0.02 s, end_time: %d s}\n", formulation == "corner" ? "" : "horizon: 1, stabilisation: {law: mix, share: 0.1}, ", k
 }

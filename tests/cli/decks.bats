@@ -61,6 +61,14 @@ check_decks() {
     check_decks "$BATS_FILE_TMPDIR/studies" 3
 }
 
+@test "studies that compare arrangements run in the corner form as well" {
+    for deck in ni-hs40 study/hs40-25um study/r40-seed2-25um fracture/r40 loops/hs40 spacings/25um; do
+        env -u MAKEFLAGS make -s FORMULATION=corner BUILD="$BATS_TEST_TMPDIR" "$BATS_TEST_TMPDIR/results-corner/$deck/study.yaml"
+        grep -q 'model: corner$' "$BATS_TEST_TMPDIR/results-corner/$deck/study.yaml"
+        check_deck "$BATS_TEST_TMPDIR/results-corner/$deck/study.yaml"
+    done
+}
+
 @test "a deck with a wrong key, of hsgen, hssolve or hspost, is found" {
     for wrong in 's/^  seed:/  sead:/' 's/^  horizon:/  horizont:/' 's/^post:/&\n  modulus_range: [2, 1]/'; do
         sed "$wrong" pipelines/ni-hs40/study.yaml >"$BATS_TEST_TMPDIR/wrong.yaml"

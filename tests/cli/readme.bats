@@ -54,7 +54,7 @@ commands() { sed -n 's/^    //p' "$readme"; }
 @test "decks that share a material give it the same numbers" {
     for phase in CG UFG; do
         for deck in "$root"/pipelines/*/*.yaml; do
-            sed -n "/^  $phase: /,/hardening/p" "$deck" | tr '\n' ' '
+            sed -n "/^  $phase: /,/hardening/p" "$deck" | grep -v 'model: co' | tr '\n' ' '
             echo
         done | grep . | sort -u >kinds
         [ "$(wc -l <kinds)" -eq 1 ] || { cat kinds; false; }
@@ -62,13 +62,13 @@ commands() { sed -n 's/^    //p' "$readme"; }
 }
 
 @test "the pipe of the first study makes a curve and a figure" {
-    # to a tenth of its strain and at eight times its speed: the chain is what is looked at
-    sed 's/end_strain: 0.04 /end_strain: 0.004 /; s/2 m.s/16 m\/s/' "$root/pipelines/first/study.yaml" >study.yaml
+    # to a tenth of its strain: the chain is what is looked at
+    sed 's/end_strain: 0.04 /end_strain: 0.004 /' "$root/pipelines/first/study.yaml" >study.yaml
     run -1 cmp -s study.yaml "$root/pipelines/first/study.yaml"
     hsgen -q study.yaml | hssolve -q -j 2 | hspost -q --plot curve.svg >curve.csv
     grep -q '<svg' curve.svg
     grep -v '^#' curve.csv >table
-    [ "$(wc -l <table)" -gt 50 ]
+    [ "$(wc -l <table)" -gt 20 ]
     awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
         END { exit !($column["engineering_strain"] >= 0.004 && $column["engineering_stress_MPa"] > 200) }' table
 }
