@@ -2,6 +2,7 @@
 
 #include "checkpoint.h"
 #include "memory.h"
+#include "profile.h"
 #include "stable_step.h"
 
 #include <math.h>
@@ -199,8 +200,10 @@ bool equilibrium_reached(const struct equilibrium *e)
 
 void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 {
+    const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
     transform_apply(e->transform, g, z);
     for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
+    profile_enter(e->body->profile, before);
 }
 
 static bool solve_by(struct equilibrium *e, const struct equilibrium_method *method, void **self)

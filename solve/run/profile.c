@@ -15,6 +15,7 @@ static const char *const parts[PARTS] = {
     [PART_FORCE_ENERGIES] = "force, with energies",
     [PART_HALO] = "exchange between ranks",
     [PART_DAMAGE] = "damage",
+    [PART_PRECONDITION] = "preconditioner",
     [PART_ADVANCE] = "integrator, boundary",
     [PART_BALANCE] = "energy balance, reactions",
     [PART_RECORD] = "records of the history",
@@ -35,7 +36,8 @@ static const char *const works[WORKS] = {
 
 struct profile {
     enum profile_part part;
-    double since, seconds[PARTS], done[WORKS], possible[WORKS];
+    double since, computed; /* clocks when it was entered: of the wall, of the processor */
+    double seconds[PARTS], processor[PARTS], done[WORKS], possible[WORKS];
 };
 
 struct profile *profile_new(void)
@@ -43,6 +45,7 @@ struct profile *profile_new(void)
     struct profile *profile = memory_new(1, sizeof *profile);
     profile->part = PART_REST;
     profile->since = ranks_clock();
+    profile->computed = ranks_processor();
     return profile;
 }
 
@@ -55,9 +58,11 @@ enum profile_part profile_enter(struct profile *profile, enum profile_part part)
 {
     if (!profile) return PART_REST;
     const enum profile_part before = profile->part;
-    const double now = ranks_clock();
+    const double now = ranks_clock(), computed = ranks_processor();
     profile->seconds[before] += now - profile->since;
+    profile->processor[before] += computed - profile->computed;
     profile->since = now;
+    profile->computed = computed;
     profile->part = part;
     return before;
 }
@@ -69,17 +74,22 @@ void profile_count(struct profile *profile, enum profile_work work, double done,
     profile->possible[work] += possible;
 }
 
-static void print_parts(const double mean[PARTS], const double most[PARTS], double per_node)
+/* Shares are those of the processors' time, which others on the machine do not change. */
+static void print_parts(const double mean[PARTS], const double most[PARTS],
+                        const double processor[PARTS], double per_node)
 {
-    double total = 0;
-    for (int p = 0; p < PARTS; p++) total += mean[p];
-    fprintf(stderr, "%-28s %10s %10s %7s %12s\n", "part", "seconds", "most", "share",
-            "ns/node/force");
+    double total = 0, all = 0;
+    for (int p = 0; p < PARTS; p++) {
+        total += mean[p];
+        all += processor[p];
+    }
+    fprintf(stderr, "%-28s %10s %10s %10s %7s %12s\n", "part", "seconds", "most", "processor",
+            "share", "ns/node/force");
     for (int p = 0; p < PARTS; p++)
         if (most[p] > 0)
-            fprintf(stderr, "%-28s %10.3f %10.3f %6.1f%% %12.1f\n", parts[p], mean[p], most[p],
-                    100 * mean[p] / total, mean[p] * per_node);
-    fprintf(stderr, "%-28s %10.3f\n", "all", total);
+            fprintf(stderr, "%-28s %10.3f %10.3f %10.3f %6.1f%% %12.1f\n", parts[p], mean[p],
+                    most[p], processor[p], 100 * processor[p] / all, processor[p] * per_node);
+    fprintf(stderr, "%-28s %10.3f %10s %10.3f\n", "all", total, "", all);
 }
 
 static void print_works(const double done[WORKS], const double possible[WORKS])
@@ -94,12 +104,14 @@ void profile_print(struct profile *profile, struct ranks ranks, double nodes, do
 {
     if (!profile) return;
     profile_enter(profile, PART_REST);
-    double mean[PARTS], most[PARTS];
+    double mean[PARTS], most[PARTS], processor[PARTS];
     for (int p = 0; p < PARTS; p++) {
         mean[p] = profile->seconds[p] / ranks.size;
         most[p] = -profile->seconds[p];
+        processor[p] = profile->processor[p] / ranks.size;
     }
     ranks_sum(mean, PARTS);
+    ranks_sum(processor, PARTS);
     ranks_minimum(most, PARTS);
     for (int p = 0; p < PARTS; p++) most[p] = -most[p];
     ranks_sum(profile->done, WORKS);
@@ -109,6 +121,6 @@ void profile_print(struct profile *profile, struct ranks ranks, double nodes, do
     fprintf(stderr,
             "%.0f nodes, %d ranks, %.0f evaluations of the force; %.0f bytes a node at most\n",
             nodes, ranks.size, evaluations, bytes / nodes);
-    print_parts(mean, most, 1e9 * ranks.size / nodes / fmax(evaluations, 1));
+    print_parts(mean, most, processor, 1e9 * ranks.size / nodes / fmax(evaluations, 1));
     print_works(profile->done, profile->possible);
 }

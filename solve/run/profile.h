@@ -16,6 +16,7 @@ enum profile_part {
     PART_FORCE_ENERGIES,
     PART_HALO,
     PART_DAMAGE,
+    PART_PRECONDITION,
     PART_ADVANCE,
     PART_BALANCE,
     PART_RECORD,

@@ -5,6 +5,7 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 
 static void abort_all(int code)
@@ -76,6 +77,13 @@ void ranks_wait(void)
 double ranks_clock(void)
 {
     return MPI_Wtime();
+}
+
+double ranks_processor(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 double ranks_memory(void)

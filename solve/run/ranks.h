@@ -25,6 +25,8 @@ void ranks_minimum(double *values, int count);
 void ranks_wait(void); /* until all are here */
 
 double ranks_clock(void); /* s */
+/* Seconds that this rank has computed. */
+double ranks_processor(void);
 
 /* Most memory that all ranks together have held so far [bytes], as the system counts it.  Collective. */
 double ranks_memory(void);

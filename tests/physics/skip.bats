@@ -92,14 +92,14 @@ output: {history: 20}"
             # Energies are looked at with each record, and each 16th step.
             awk -v records="$records" -v ranks=$ranks '
                 /evaluations of the force/ { nodes = $1; of = $5; ok += $3 == ranks }
-                / [0-9.]+% +[0-9.]+$/ { share += $(NF - 1) + 0; seconds += $(NF - 3) }
-                /^all / { total = $2 }
+                / [0-9.]+% +[0-9.]+$/ { share += $(NF - 1) + 0; seconds += $(NF - 4); processor += $(NF - 2) }
+                /^all / { total = $2; computed = $3 }
                 /^energies/ { ok += $7 >= ranks * 12 && $7 <= ranks * (12 + records + 1) && $9 == ranks * 201 "," }
                 /^record of a step/ { ok += $6 == ranks * records && $8 == ranks * 201 "," }
                 /^frame of a step/ { ok += $6 == 0 }
                 /^damage test/ { ok += $0 ~ /done 0 of/ }
                 /^plastic flow/ { ok += $7 > 0 && $7 < $9 + 0 }
-                END { print ok, share, seconds, total; exit !(ok == 6 && nodes == 192 && of == 201 && (share - 100) ^ 2 < 1 && (seconds - total) ^ 2 < 1e-4) }' report
+                END { print ok, share, seconds, total; exit !(ok == 6 && nodes == 192 && of == 201 && (share - 100) ^ 2 < 1 && (seconds - total) ^ 2 < 1e-4 && computed > 0 && (processor - computed) ^ 2 < 1e-4) }' report
         done
     done
 }
