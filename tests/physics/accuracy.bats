@@ -22,7 +22,7 @@ solver: {type: quasi_static, $4}
 END
     hsgen -q "$1.yaml" -o "$1.g" 2>/dev/null
     hssolve -q -i "$1.g" -H "$1.e"
-    columns "$1.e" ${5:-extension_m} force_right_N force_evaluations >"$1.txt"
+    columns "$1.e" "${5:-extension_m}" force_right_N force_evaluations >"$1.txt"
 }
 
 pulled='  - {set: grip_left, direction: x, velocity: -1 m/s}
@@ -42,7 +42,7 @@ worst() {
     for model in corner "correspondence horizon: 1, stabilisation: {law: mix}" "ordinary_plastic horizon: 2"; do
         read -r name keys <<<"$model"
         for accuracy in 1e-4 1e-3 1e-2; do
-            body $name-$accuracy $name "$pulled" "${keys:+$keys, }end_strain: 0.02, accuracy: $accuracy"
+            body "$name-$accuracy" "$name" "$pulled" "${keys:+$keys, }end_strain: 0.02, accuracy: $accuracy"
         done
         echo "$name: $(worst $name-1e-4 $name-1e-3), coarse $(worst $name-1e-4 $name-1e-2)" | tee -a all
     done
