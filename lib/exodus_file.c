@@ -62,6 +62,18 @@ void exodus_check_name(const struct exodus_file *file, const char *name)
         die_run("%s: name '%s' is longer than %d characters", file->shown, name, EXODUS_NAME);
 }
 
+const char *exodus_phase_fault(const char *name)
+{
+    enum { MOST = 45 }; /* "_plastic_strain" and the like stand behind it */
+    for (const char *c = name; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == '/' || *c == '\177')
+            return "has a '/' or a control character, which names in the files cannot have";
+    if (*name == ' ' || (*name && name[strlen(name) - 1] == ' '))
+        return "begins or ends with a blank";
+    return strlen(name) > MOST ? "is longer than 45 bytes, which names in the files cannot be"
+                               : NULL;
+}
+
 char **exodus_names(int64_t count)
 {
     size_t number = (size_t)count, pointers = number * sizeof(char *);

@@ -5,6 +5,7 @@
 #include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
+#include "exodus.h"
 #include "initial.h"
 #include "law.h"
 #include "material_plausible.h"
@@ -45,13 +46,23 @@ static void check_plane(const struct simulation *s)
                    "the body has three dimensions (domain.dimensions: 2 makes one layer)");
 }
 
+/* They become parts of names in the outputs. */
+static void check_phases(const struct simulation *s, struct deck_node materials)
+{
+    for (int p = 0; p < s->domain.n_phases; p++) {
+        const char *name = s->domain.phase_names[p], *fault = exodus_phase_fault(name);
+        const struct deck_node map = deck_find(materials, name);
+        if (fault) deck_error(map.index ? map : materials, "the phase's name '%s' %s", name, fault);
+    }
+}
+
 static void read_model(struct simulation *s)
 {
     const struct scene *scene = &s->scene;
-    s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), s->domain.n_phases,
-                                  s->domain.phase_names, scene->plane);
-    if (!scene->accept)
-        material_check_plausible(&s->materials, deck_get(deck_root(s->deck), "materials"));
+    const struct deck_node section = deck_get(deck_root(s->deck), "materials");
+    check_phases(s, section);
+    s->materials = materials_read(section, s->domain.n_phases, s->domain.phase_names, scene->plane);
+    if (!scene->accept) material_check_plausible(&s->materials, section);
     for (int p = 0; p < s->materials.count; p++)
         s->materials.items[p].density *= scene->mass_scaling;
     const struct formulation *formulation = s->materials.formulation;
@@ -163,6 +174,7 @@ static void open_outputs(struct simulation *s)
                  "(mpirun hides a full disk and a closed pipe)");
     else
         s->history_output = spool_output(a->history);
+    s->history_output.precious = "hssolve-history.failed";
     if (a->fields && s->scene.fields.n_variables == 0)
         die_user("-o %s: the deck's output section asks for no fields", a->fields);
     if (!a->fields && s->scene.fields.n_variables > 0)

@@ -116,6 +116,7 @@ void simulation_protect(struct simulation *s)
     die_at_exit(keep_fields);
     die_at_exit(keep_history);
     describe(s);
+    spool_refuse_unread(&s->history_output);
     s->journal = exodus_history_open(&s->history_output, &s->recorder.history, reserved(s));
 }
 

@@ -160,8 +160,10 @@ int launch_ranks(const struct arguments *a)
 {
     struct arguments within = *a; /* what the ranks are told */
     struct spool input = spool_input(a->input), history = {.descriptor = -1};
-    if (!a->check) history = spool_output(a->history);
     struct spool deck = a->deck ? spool_input(a->deck) : (struct spool){.descriptor = -1};
+    if (!a->check) history = spool_output(a->history);
+    history.precious = "hssolve-history.failed";
+    spool_refuse_unread(&history);
     char *input_path = seen_by_others(input.path),
          *history_path = a->check ? NULL : seen_by_others(history.path);
     char *deck_path = a->deck ? seen_by_others(deck.path) : NULL;

@@ -101,7 +101,7 @@ boundary: []"
     for case in 'damped|1e-6' 'raised|1e-6' 'long|1e-4'; do
         run=${case%|*}
         hssolve -q -i "$run.g" -H "$run.e"
-        columns "$run.e" energy_drift damping_energy_J | awk -v run=$run -v limit="${case#*|}" '
+        columns "$run.e" energy_drift damping_energy_J | awk -v run="$run" -v limit="${case#*|}" '
             { d = $1 < 0 ? -$1 : $1; if (d > most) most = d; damped = $2 }
             END { print run, most, damped, NR; exit !(NR > 100 && most < limit && (damped > 0 || run == "long")) }'
     done
