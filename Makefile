@@ -72,7 +72,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-format docs install uninstall clean format help \
-        stress mutations bench bench-tables bench-compare
+        stress faults mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -154,7 +154,11 @@ bench-compare: $(BUILD)/tests/bench/kernels
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 
 check: all $(TESTS) check-format
-	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats tests/stress/*.bats))
+	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats tests/stress/*.bats tests/faults/*.bats))
+
+# Faults of the disk and kills at each call that small runs make, of which check has some.
+faults: all
+	ALL=1 $(PROVE) $(sort $(wildcard tests/faults/*.bats))
 
 # Numerical stability: the long form of what check has in short.
 stress: all

@@ -169,7 +169,9 @@ struct exodus_file exodus_create(const struct spool *output, const struct attrib
 {
     int memory_word = sizeof(double), file_word = sizeof(double);
     struct exodus_file file = {.path = memory_text(output->path)};
-    file.shown = memory_text(output->final ? output->final : "standard output");
+    file.shown = memory_text(output->shown   ? output->shown
+                             : output->final ? output->final
+                                             : "standard output");
     ex_opts(0);
     file.id = ex_create(file.path, EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API, &memory_word,
                         &file_word);

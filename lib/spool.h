@@ -12,9 +12,10 @@
 #include <stdint.h>
 
 struct spool {
-    int descriptor; /* -1 where path is a file of its own */
-    char *path;     /* what to open or create */
-    char *final;    /* name after spool_finish, NULL for stdout */
+    int descriptor;    /* -1 where path is a file of its own */
+    char *path;        /* what to open or create */
+    char *final;       /* name after spool_finish, NULL for stdout */
+    const char *shown; /* name in messages; NULL: final */
     /* Where a stream that cannot be written to its end is kept; NULL: nowhere. */
     const char *precious;
 };

@@ -174,6 +174,7 @@ static void open_outputs(struct simulation *s)
                  "(mpirun hides a full disk and a closed pipe)");
     else
         s->history_output = spool_output(a->history);
+    s->history_output.shown = a->history;
     s->history_output.precious = "hssolve-history.failed";
     if (a->fields && s->scene.fields.n_variables == 0)
         die_user("-o %s: the deck's output section asks for no fields", a->fields);

@@ -170,3 +170,50 @@ numbers() { ncdump "$1" | sed -n '/^data:/,$p'; }
         run -2 hssolve -q -i n.txt -d d.yaml -H n.e
     done
 }
+
+@test "a deck with a byte order mark is the deck without" {
+    { printf '\xef\xbb\xbf' && cat s.yaml; } >marked.yaml
+    hsgen -q marked.yaml -o marked.g
+    diff <(numbers s.g | sed '/info_records/,/;/d') <(numbers marked.g | sed '/info_records/,/;/d')
+    sed 's/title: .*/title: [1]/' marked.yaml >wrong.yaml
+    run -2 hsgen -q wrong.yaml
+    [[ $output == *"wrong.yaml:1:8:"* ]]
+}
+
+@test "the same input gives the same file to the last byte, whatever memory held before" {
+    for byte in 85 170; do
+        mkdir "$byte"
+        cp s.yaml "$byte"
+        (
+            cd "$byte"
+            export MALLOC_PERTURB_=$byte
+            hsgen -q s.yaml -o s.g
+            hssolve -q -i s.g -H s.e -o f.e
+            hspost -q s.e -o c.csv -p p.csv -j p.json
+            hssolve -q -j 2 -i s.g -H s2.e -o f2.e
+        )
+    done
+    [ "$(find 85 -type f | wc -l)" -eq 9 ]
+    diff -r 85 170
+}
+
+@test "too little memory is told, whatever there is of it" {
+    for kilobytes in 75000 76000 77000 78000 79000 80000 90000 100000; do
+        for command in 'hsgen -q s.yaml -o l.g' 'hssolve -q -i s.g -H l.e' 'hspost -q s.e -o l.csv'; do
+            rm -f l.*
+            run bash -c "ulimit -v $kilobytes; exec $command" 2>&1
+            # 127: what loads programs has not got to ours.
+            [ "$status" -le 2 ] || [ "$status" -eq 127 ]
+            [ "$status" -eq 0 ] || [ -n "$output" ]
+            [ "$status" -ne 0 ] || [ -s "$(echo l.*)" ]
+        done
+    done
+}
+
+@test "Poisson's ratio at both ends of its range" {
+    for nu in -0.99 0.4999; do
+        sed "s/poissons_ratio: 0.31/poissons_ratio: $nu/; s/end_strain: 0.001/end_steps: 3/" s.yaml >nu.yaml
+        hsgen -q nu.yaml -o nu.g
+        hssolve -q -i nu.g -H nu.e
+    done
+}
