@@ -4,6 +4,8 @@
 #   make check           all tests (under ten minutes on two cores)
 #   make install         DESTDIR and PREFIX as usual
 #   make stress          numerical stability, the long form (minutes)
+#   make faults          disks that fail and kills at each call of small runs (some ten minutes)
+#   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
 #   make bench-compare REV=...  kernels beside those of an earlier commit
@@ -72,7 +74,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-format docs install uninstall clean format help \
-        stress mutations bench bench-tables bench-compare
+        stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -112,6 +114,11 @@ TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
 	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(addprefix $(BUILD)/tests/physics/,small_body.o small_static.o scene_body.o)
+
+# Readers of files on changed ones; FUZZER=1: by libFuzzer, which has a main of its own.
+$(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/targets.o $(BUILD)/tests/fuzz/targets_post.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/drive.o) \
+    $(foreach part,gen solve post lib,$(call archive,$(part)))
+	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
 
 # Not a test: prints the table of errors (pipelines/errors).
 $(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/physics/small_body.o \
@@ -153,8 +160,23 @@ bench-compare: $(BUILD)/tests/bench/kernels
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 
-check: all $(TESTS) check-format
-	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats tests/stress/*.bats))
+check: all $(TESTS) $(BUILD)/tests/fuzz/fuzz check-format
+	$(PROVE) $(sort $(TESTS)) $(sort $(wildcard tests/cli/*.bats tests/physics/*.bats tests/stress/*.bats tests/faults/*.bats tests/fuzz/*.bats))
+
+# Faults of the disk and kills at each call that small runs make, of which check has some.
+faults: all
+	ALL=1 $(PROVE) $(sort $(wildcard tests/faults/*.bats))
+
+# Guided by coverage, under the sanitizers: FUZZ_SECONDS for each target; and whole runs of 10,000 changed decks.
+FUZZ_SECONDS ?= 600
+fuzz:
+	+$(MAKE) BUILD=$(BUILD)/fuzz CC=clang SANITIZE=1 FUZZER=1 CFLAGS=-fsanitize=fuzzer-no-link all
+	+$(MAKE) BUILD=$(BUILD)/fuzz CC=clang SANITIZE=1 FUZZER=1 CFLAGS=-fsanitize=fuzzer-no-link $(BUILD)/fuzz/tests/fuzz/fuzz
+	PATH=$(abspath $(BUILD)/fuzz/bin):$$PATH tests/fuzz/guided $(BUILD)/fuzz $(FUZZ_SECONDS)
+
+fuzz-runs:
+	+$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=1 all
+	PATH=$(abspath $(BUILD)/sanitize/bin):$$PATH tests/fuzz/runs 10000 $(BUILD)/results/fuzz-runs
 
 # Numerical stability: the long form of what check has in short.
 stress: all

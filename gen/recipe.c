@@ -1,6 +1,7 @@
 #include "recipe.h"
 
 #include "die.h"
+#include "exodus.h"
 #include "sections.h"
 #include "topology.h"
 
@@ -95,6 +96,19 @@ const struct section domain_section = {
     .usual = -1,
 };
 
+static void check_name(struct deck_node where, const char *phase)
+{
+    const char *fault = exodus_phase_fault(phase);
+    if (fault) deck_error(where, "the phase's name '%s' %s", phase, fault);
+}
+
+static void check_names(struct deck_node domain, const struct recipe *recipe)
+{
+    const struct deck_node one = deck_find(domain, "phase");
+    for (int p = 0; p < recipe->n_phases; p++)
+        check_name(one.index ? one : deck_get(domain, "phases"), recipe->phase_names[p]);
+}
+
 /* What the rows cannot say of two phases. */
 static void check_two_phases(struct deck_node domain, const struct recipe *recipe)
 {
@@ -124,6 +138,7 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
                    "'%s' is neither 'structure' nor one of this domain's phases nor a material of "
                    "this deck",
                    name);
+    check_name(where, name);
     recipe->phase_names[recipe->n_phases] = name;
     recipe->grip_phase = recipe->n_phases++;
 }
@@ -138,6 +153,7 @@ struct recipe recipe_read(const struct deck *deck)
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
     specimen_read(&recipe.specimen, domain);
     recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
+    check_names(domain, &recipe);
     if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
     read_grip_phase(root, &recipe);

@@ -53,8 +53,16 @@ void deck_error(struct deck_node where, const char *format, ...)
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
+/* Editors of Windows put it before the text; libyaml, told the encoding, takes it for a part of that. */
+static const char byte_order_mark[] = "\xef\xbb\xbf";
+
 static void start_parser(yaml_parser_t *parser, const char *text, size_t length)
 {
+    const size_t mark = sizeof byte_order_mark - 1;
+    if (length >= mark && memcmp(text, byte_order_mark, mark) == 0) {
+        text += mark;
+        length -= mark;
+    }
     if (!yaml_parser_initialize(parser)) die_run("out of memory for the deck");
     yaml_parser_set_encoding(parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(parser, (const unsigned char *)text, length);

@@ -19,6 +19,10 @@ const char *exodus_library(void);
  * domain's attributes as netCDF global attributes with the prefix "hs_". */
 void exodus_write_domain(const struct spool *output, const struct domain *domain);
 
+/* What is wrong with the name of a phase, which becomes that of a block, and a part of those of columns and attributes;
+ * NULL: nothing. */
+const char *exodus_phase_fault(const char *name);
+
 /* Reads what exodus_write_domain wrote, and Genesis from elsewhere (then without hs_ attributes;
  * hs_file_bytes may be missing): SPHERE elements, one a node, with an element attribute VOLUME, or
  * hexahedra of eight nodes, or both.  A hexahedron becomes a particle at its centroid with its exact

@@ -62,6 +62,18 @@ void exodus_check_name(const struct exodus_file *file, const char *name)
         die_run("%s: name '%s' is longer than %d characters", file->shown, name, EXODUS_NAME);
 }
 
+const char *exodus_phase_fault(const char *name)
+{
+    enum { MOST = 45 }; /* "_plastic_strain" and the like stand behind it */
+    for (const char *c = name; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == '/' || *c == '\177')
+            return "has a '/' or a control character, which names in the files cannot have";
+    if (*name == ' ' || (*name && name[strlen(name) - 1] == ' '))
+        return "begins or ends with a blank";
+    return strlen(name) > MOST ? "is longer than 45 bytes, which names in the files cannot be"
+                               : NULL;
+}
+
 char **exodus_names(int64_t count)
 {
     size_t number = (size_t)count, pointers = number * sizeof(char *);
@@ -157,7 +169,9 @@ struct exodus_file exodus_create(const struct spool *output, const struct attrib
 {
     int memory_word = sizeof(double), file_word = sizeof(double);
     struct exodus_file file = {.path = memory_text(output->path)};
-    file.shown = memory_text(output->final ? output->final : "standard output");
+    file.shown = memory_text(output->shown   ? output->shown
+                             : output->final ? output->final
+                                             : "standard output");
     ex_opts(0);
     file.id = ex_create(file.path, EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API, &memory_word,
                         &file_word);

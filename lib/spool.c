@@ -2,11 +2,13 @@
 
 #include "die.h"
 #include "memory.h"
+#include "taken.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
 #include <limits.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -140,15 +142,22 @@ static size_t read_fully(int from, char *bytes, size_t count, const char *name)
     return done;
 }
 
-static void write_fully(int to, const char *bytes, size_t count, const char *name)
+/* False where it cannot: errno. */
+static bool write_all(int to, const char *bytes, size_t count)
 {
     while (count > 0) {
         ssize_t put = write(to, bytes, count);
         if (put < 0 && errno == EINTR) continue;
-        if (put < 0) die_run("cannot write %s: %s", name, strerror(errno));
+        if (put < 0) return false;
         bytes += put;
         count -= (size_t)put;
     }
+    return true;
+}
+
+static void write_fully(int to, const char *bytes, size_t count, const char *name)
+{
+    if (!write_all(to, bytes, count)) die_run("cannot write %s: %s", name, strerror(errno));
 }
 
 static size_t copy(int from, const char *from_name, int to, const char *to_name)
@@ -174,6 +183,7 @@ static int open_input(const char *name, const char *shown)
         die_user("cannot open %s: %s", shown, strerror(errno));
     if (S_ISDIR(status.st_mode)) die_user("%s is a directory, expected a file", shown);
     if (isatty(descriptor)) die_user("%s is a terminal, expected a file or a pipe", shown);
+    taken_as_input(descriptor);
     return descriptor;
 }
 
@@ -251,12 +261,30 @@ static void outlive_limits(void)
     signal(SIGXFSZ, SIG_IGN);
 }
 
+void spool_check_output(const char *name)
+{
+    if (is_standard(name) || is_stream(name)) return;
+    const char *end = strrchr(name, '/');
+    char *folder = end ? memory_print("%.*s", (int)(end - name) + 1, name) : memory_text(".");
+    if (access(folder, W_OK | X_OK) != 0) die_user("cannot write %s: %s", name, strerror(errno));
+    free(folder);
+}
+
+void spool_refuse_unread(const struct spool *spool)
+{
+    struct pollfd stream = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    if (spool->descriptor < 0 || spool->final || poll(&stream, 1, 0) <= 0) return;
+    if (stream.revents & POLLERR)
+        die_run("nobody reads standard output: the program behind the pipe has ended");
+}
+
 static struct spool stream_output(const char *name)
 {
     /* A parent may have had SIGPIPE ignored; a filter is meant to die of it. */
     signal(SIGPIPE, SIG_DFL);
     int temporary = temporary_file();
-    return (struct spool){temporary, descriptor_path(temporary), memory_text(name)};
+    return (struct spool){
+        .descriptor = temporary, .path = descriptor_path(temporary), .final = memory_text(name)};
 }
 
 struct spool spool_output(const char *name)
@@ -269,6 +297,7 @@ struct spool spool_output(const char *name)
         return stream_output(NULL);
     }
     if (is_stream(name)) return stream_output(name);
+    taken_as_output(name);
     /* A symbolic link stays one: the file behind it is replaced. */
     char *behind = realpath(name, NULL);
     struct spool spool = {.descriptor = -1, .final = memory_text(behind ? behind : name)};
@@ -330,19 +359,40 @@ void spool_release(const char *path)
     if (stat(path, &status) == 0 && truncate(path, status.st_size) != 0) return; /* it is no loss */
 }
 
-static void pump(const struct spool *spool)
+/* To the stream, to the last byte; 0, or the error of that. */
+static int pump(const struct spool *spool, int stream)
 {
-    const char *shown = spool->final ? spool->final : "standard output";
-    int stream = open_stream(spool->final);
+    char *chunk = memory_new(CHUNK, 1);
+    bool sound = true;
+    size_t got;
     if (lseek(spool->descriptor, 0, SEEK_SET) != 0) die_run("cannot read a temporary file again");
-    copy(spool->descriptor, "a temporary file", stream, shown);
-    if (close(stream) != 0) die_run("cannot write %s: %s", shown, strerror(errno));
+    while (sound && (got = read_fully(spool->descriptor, chunk, CHUNK, "a temporary file")) > 0)
+        sound = write_all(stream, chunk, got);
+    free(chunk);
+    const int failure = sound ? 0 : errno;
+    return close(stream) == 0 || failure ? failure : errno;
+}
+
+/* A reader that has gone ends this program quietly, as it does any filter; what took long to make is kept before. */
+static void send(struct spool *spool)
+{
+    char *shown = memory_text(spool->final ? spool->final : "standard output");
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+    const int stream = open_stream(spool->final);
+    sigaction(SIGPIPE, &ignore, &before);
+    const int failure = pump(spool, stream);
+    sigaction(SIGPIPE, &before, NULL);
+    if (failure && spool->precious && spool_keep(spool, spool->precious))
+        warn("nobody has read %s to its end: it is kept in %s", shown, spool->precious);
+    if (failure == EPIPE && before.sa_handler == SIG_DFL) raise(SIGPIPE);
+    if (failure) die_run("cannot write %s: %s", shown, strerror(failure));
+    free(shown);
 }
 
 void spool_finish(struct spool *spool)
 {
     if (spool->descriptor >= 0) {
-        pump(spool);
+        send(spool);
     } else {
         lose_track(spool->path); /* it is whole: where it gets no name it stays */
         spool_rename(spool->path, spool->final);

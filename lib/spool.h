@@ -12,9 +12,12 @@
 #include <stdint.h>
 
 struct spool {
-    int descriptor; /* -1 where path is a file of its own */
-    char *path;     /* what to open or create */
-    char *final;    /* name after spool_finish, NULL for stdout */
+    int descriptor;    /* -1 where path is a file of its own */
+    char *path;        /* what to open or create */
+    char *final;       /* name after spool_finish, NULL for stdout */
+    const char *shown; /* name in messages; NULL: final */
+    /* Where a stream that cannot be written to its end is kept; NULL: nowhere. */
+    const char *precious;
 };
 
 /* name = NULL or "-": standard input.  An empty input or a terminal is the user's error. */
@@ -30,10 +33,14 @@ struct spool spool_bytes(const char *bytes, size_t length);
 /* name = NULL or "-": standard output; refuses a terminal (exit 2, "use -o FILE or a pipe").
  * Called early, so that an unwritable directory is found before the work is done. */
 struct spool spool_output(const char *name);
+/* The same look at an output that is opened later: at its folder. */
+void spool_check_output(const char *name);
+/* Dies (exit 1) where this output is a pipe that has no reader any more: before long work. */
+void spool_refuse_unread(const struct spool *spool);
 
 /* Makes the output appear: renames it when it is on the disk itself, so that a power cut leaves the whole of it or
  * nothing, or copies it to stdout (checked to the last byte; a closed pipe ends the program quietly by SIGPIPE as with
- * any filter, a full disk exits 1). */
+ * any filter, a full disk exits 1; either keeps what is precious). */
 void spool_finish(struct spool *spool);
 
 /* What there is of an unfinished output gets this name, for good; false where it is empty, and gone.  Dies (exit 1)

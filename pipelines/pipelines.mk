@@ -36,7 +36,7 @@
 # A run is made anew when its deck is newer, not when a program is: remove its folder for that.
 
 RESULTS := $(BUILD)/$(if $(SMALL),studies,results)$(FORMULATION:%=-%)
-RANKS ?= 2
+RANKS ?= $(shell n=$$(nproc); echo $$((n < 2 ? n : 2)))
 SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 

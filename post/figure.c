@@ -1,13 +1,16 @@
 #include "figure.h"
 
 #include "die.h"
+#include "memory.h"
+#include "spool.h"
 
 #include <errno.h>
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 static const double mega = 1e6, percent = 100;
 
@@ -35,9 +38,26 @@ static const char *terminal_of(const char *name)
     die_user("%s: the name of a figure ends in .svg, .png or .pdf", name);
 }
 
-void figure_check_name(const char *name)
+/* As a shell looks for it. */
+static bool has_gnuplot(void)
+{
+    const char *path = getenv("PATH");
+    bool found = false;
+    char *folders = memory_text(path ? path : ""), *rest = folders;
+    for (char *folder; !found && (folder = strsep(&rest, ":"));) {
+        char *name = memory_print("%s/gnuplot", *folder ? folder : ".");
+        found = access(name, X_OK) == 0;
+        free(name);
+    }
+    free(folders);
+    return found;
+}
+
+void figure_check(const char *name)
 {
     terminal_of(name);
+    if (!has_gnuplot())
+        die_run("%s: no gnuplot found; install it (gnuplot-nox) or do without --plot", name);
 }
 
 /* gnuplot's single quotes: nothing is special in them but the quote, which is doubled. */
@@ -163,13 +183,9 @@ static void write_plot(FILE *gnuplot, const struct figure_series series[], int c
     fputc('\n', gnuplot);
 }
 
-static void write_script(FILE *gnuplot, const char *terminal, const char *path,
-                         const struct figure_series series[], int count,
+static void write_script(FILE *gnuplot, const struct figure_series series[], int count,
                          const struct figure_style *style)
 {
-    fprintf(gnuplot, "set terminal %s\nset output ", terminal);
-    write_quoted(gnuplot, path);
-    fputc('\n', gnuplot);
     for (int i = 0; i < count; i++) {
         if (series[i].group)
             write_band(gnuplot, i, series[i].group);
@@ -183,12 +199,10 @@ static void write_script(FILE *gnuplot, const char *terminal, const char *path,
     if (!isnan(style->x_range[0]) || !isnan(style->y_range[0]))
         fputs("set offsets 0, 0, 0, 0\n", gnuplot);
     write_plot(gnuplot, series, count, style->true_curve, marks);
-    fputs("set output\n", gnuplot);
 }
 
 /* What writes a script to gnuplot. */
 struct drawing {
-    const char *terminal, *path;
     const struct figure_series *series;
     const struct figure_loops *loops;
     int count;
@@ -197,9 +211,6 @@ struct drawing {
 
 static void write_loops(FILE *gnuplot, const struct drawing *d)
 {
-    fprintf(gnuplot, "set terminal %s\nset output ", d->terminal);
-    write_quoted(gnuplot, d->path);
-    fputc('\n', gnuplot);
     for (int i = 0; i < d->count; i++) {
         fprintf(gnuplot, "$loops%d << EOD\n", i);
         for (long k = 0; k < d->loops[i].count; k++) {
@@ -225,43 +236,75 @@ static void write_loops(FILE *gnuplot, const struct drawing *d)
     fputs("NaN with linespoints pt 7 ps 0.8 lc rgb '#404040' title 'back stress', "
           "NaN with linespoints dt 3 pt 6 ps 0.8 lc rgb '#404040' title 'effective stress'",
           gnuplot);
-    fputs("\nset output\n", gnuplot);
+    fputc('\n', gnuplot);
 }
 
 static void write_curves(FILE *gnuplot, const struct drawing *d)
 {
-    write_script(gnuplot, d->terminal, d->path, d->series, d->count, d->style);
+    write_script(gnuplot, d->series, d->count, d->style);
 }
 
-static void draw(const char *name, void (*write)(FILE *, const struct drawing *),
+/* As a file that gnuplot can open. */
+static struct spool script_of(const char *name, void (*write)(FILE *, const struct drawing *),
+                              const struct drawing *drawing)
+{
+    char *text;
+    size_t length;
+    FILE *script = open_memstream(&text, &length);
+    if (!script) die_run("%s: %s", name, strerror(errno));
+    fprintf(script, "set terminal %s\n", terminal_of(name));
+    write(script, drawing);
+    if (fclose(script) != 0) die_run("%s: %s", name, strerror(errno));
+    const struct spool spool = spool_bytes(text, length);
+    free(text);
+    return spool;
+}
+
+/* Returns the bytes copied. */
+static size_t copy(FILE *from, const char *name, const char *path)
+{
+    char bytes[1 << 14];
+    size_t count, all = 0;
+    FILE *figure = fopen(path, "w");
+    if (!figure) die_run("cannot write %s: %s", name, strerror(errno));
+    while ((count = fread(bytes, 1, sizeof bytes, from)) > 0) {
+        if (fwrite(bytes, 1, count, figure) != count)
+            die_run("cannot write %s: %s", name, strerror(errno));
+        all += count;
+    }
+    if (fclose(figure) != 0) die_run("cannot write %s: %s", name, strerror(errno));
+    return all;
+}
+
+/* gnuplot's exit status says nothing of a full disk: its bytes come here, and are written where that is seen. */
+static void draw(const char *name, const char *path, void (*write)(FILE *, const struct drawing *),
                  const struct drawing *drawing)
 {
-    /* A gnuplot that is missing or stops early shows in its exit code. */
-    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
-    sigaction(SIGPIPE, &ignore, &before);
-    FILE *gnuplot = popen("LC_ALL=C.UTF-8 exec gnuplot >&2", "w");
+    struct spool script = script_of(name, write, drawing);
+    char *command = memory_print("LC_ALL=C.UTF-8 exec gnuplot </proc/%ld/fd/%d", (long)getpid(),
+                                 script.descriptor);
+    FILE *gnuplot = popen(command, "r");
     if (!gnuplot) die_run("%s: cannot start gnuplot: %s", name, strerror(errno));
-    write(gnuplot, drawing);
-    bool written = fflush(gnuplot) == 0 && !ferror(gnuplot);
-    int status = pclose(gnuplot);
-    sigaction(SIGPIPE, &before, NULL);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-        die_run("%s: no gnuplot found; install it (gnuplot-nox) or do without --plot", name);
-    if (!written || status != 0)
-        die_run("%s: gnuplot failed (status %d)", name,
-                WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+    const size_t bytes = copy(gnuplot, name, path);
+    const int status = pclose(gnuplot);
+    free(command);
+    spool_close(&script);
+    if (WIFSIGNALED(status)) die_run("%s: gnuplot was ended by signal %d", name, WTERMSIG(status));
+    if (status != 0 || bytes == 0)
+        die_run("%s: gnuplot failed (status %d, %zu bytes)", name,
+                WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes);
 }
 
 void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
                  const struct figure_style *style)
 {
-    const struct drawing drawing = {terminal_of(name), path, series, NULL, count, style};
-    draw(name, write_curves, &drawing);
+    const struct drawing drawing = {series, NULL, count, style};
+    draw(name, path, write_curves, &drawing);
 }
 
 void figure_draw_loops(const char *name, const char *path, const struct figure_loops series[],
                        int count)
 {
-    const struct drawing drawing = {terminal_of(name), path, NULL, series, count, NULL};
-    draw(name, write_loops, &drawing);
+    const struct drawing drawing = {NULL, series, count, NULL};
+    draw(name, path, write_loops, &drawing);
 }

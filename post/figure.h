@@ -19,11 +19,11 @@ struct figure_style {
     double x_range[2], y_range[2]; /* in the units of the axes; NAN: by the data */
 };
 
-/* Dies (exit 2) unless the name ends in .svg, .png or .pdf. */
-void figure_check_name(const char *name);
+/* Dies unless the name ends in .svg, .png or .pdf (exit 2), and gnuplot is at hand (exit 1). */
+void figure_check(const char *name);
 
 /* Lines, of seven colours and, beyond, of other dashes.  Engineering stress against strain with Rm marked, or true stress against strain up to maximum force
- * with Considere's point marked.  name tells the format, path is where gnuplot writes. */
+ * with Considere's point marked.  name tells the format, path is where the figure goes. */
 void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
                  const struct figure_style *style);
 

@@ -56,20 +56,43 @@ static void check_curves(const struct request *request)
     study_free(&study);
 }
 
+enum { OUTPUTS = 12 };
+
+static void outputs_of(const struct request *request, const char *files[OUTPUTS])
+{
+    const char *const all[OUTPUTS] = {request->output, request->properties, request->json,
+                                      request->plot,   request->voigt,      request->reuss,
+                                      request->loops,  request->plot_loops, request->tidy,
+                                      request->mean,   request->statistics, request->view.picture};
+    memcpy(files, all, sizeof all);
+}
+
+/* Before anything is read, which may take as long as a run. */
+static void check_outputs(const struct request *request)
+{
+    const char *files[OUTPUTS];
+    outputs_of(request, files);
+    for (int i = 0; i < OUTPUTS; i++) {
+        if (files[i]) spool_check_output(files[i]);
+        for (int k = 0; files[i] && k < i; k++)
+            if (files[k] && strcmp(files[i], files[k]) == 0 && strcmp(files[i], "-") != 0 &&
+                strncmp(files[i], "/dev/", strlen("/dev/")) != 0)
+                die_user("two outputs are called %s: give each a name of its own", files[i]);
+    }
+}
+
 /* Does all but writing: what is wrong ends the program. */
 static void check_all(const struct request *request)
 {
-    const char *const files[] = {request->output, request->properties, request->json,
-                                 request->plot,   request->voigt,      request->reuss,
-                                 request->loops,  request->plot_loops, request->tidy,
-                                 request->mean,   request->statistics, request->view.picture};
+    const char *files[OUTPUTS];
+    outputs_of(request, files);
     if (request->view.frames)
         check_frames(&request->view);
     else if (request->columns && request->n_files > 0)
         check_columns(request->files[0]);
     else
         check_curves(request);
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+    for (int i = 0; i < OUTPUTS; i++)
         if (files[i]) note("would write %s", files[i]);
 }
 
@@ -78,6 +101,7 @@ int main(int argc, char **argv)
     die_set_program("hspost");
     struct request request = request_read(argc, argv);
     note_set_quiet(request.quiet);
+    check_outputs(&request);
     char *maker = describe_maker(argc, argv);
     if (request.check)
         check_all(&request);

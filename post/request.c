@@ -52,8 +52,8 @@ static void check(const struct request *request)
         die_user(
             "--material needs --density, as in '8900 kg/m3', and --poissons-ratio, as in 0.31: no "
             "tension test tells them");
-    if (request->plot) figure_check_name(request->plot);
-    if (request->plot_loops) figure_check_name(request->plot_loops);
+    if (request->plot) figure_check(request->plot);
+    if (request->plot_loops) figure_check(request->plot_loops);
     if (request->band && (!request->plot || request->true_curve))
         die_user("--band is a way of --plot, for engineering curves");
     if (request->true_curve && !request->plot)

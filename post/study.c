@@ -3,6 +3,7 @@
 #include "bounds.h"
 #include "calibrate.h"
 #include "deck.h"
+#include "die.h"
 #include "difference.h"
 #include "group.h"
 #include "keys_options.h"
@@ -11,6 +12,8 @@
 #include "text_output.h"
 #include "tidy.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -212,18 +215,20 @@ void study_write(const struct request *request, const struct study *study)
         properties_print(&study->properties[i], study->labels[i].curve);
         loops_print(study->loops[i].loops, study->loops[i].count);
     }
+    /* The curve is what the run was for: first, and to the end, whatever becomes of the rest. */
+    if (study->count == 1 && !request->material) {
+        write_curve(study, &study->curves[0], request->output);
+        if (fflush(stdout) != 0) die_run("cannot write to standard output: %s", strerror(errno));
+    }
     write_properties(study, request->properties, properties_write_csv);
     write_properties(study, request->json, properties_write_json);
     write_tidy(study, request->tidy);
     treat_groups(request, study);
-    treat_loops(request, study);
     struct curve bounds[2];
     int n_bounds = make_bounds(request, study, bounds);
-    draw(request, study, bounds, n_bounds);
     if (request->difference) compare(request, study);
-    if (request->material)
-        make_material(request, study);
-    else if (study->count == 1)
-        write_curve(study, &study->curves[0], request->output);
+    treat_loops(request, study);
+    draw(request, study, bounds, n_bounds);
+    if (request->material) make_material(request, study);
     for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
 }

@@ -1,6 +1,7 @@
 /* The explicit course: steps of a length that the fastest wave sets. */
 #include "explicit_steps.h"
 
+#include "balance.h"
 #include "simulation_parts.h"
 #include "stable_step.h"
 #include "verlet.h"
@@ -9,16 +10,29 @@
 
 enum { LOOK_EVERY = 16 }; /* steps from one look at the energies to the next, at most */
 
+double explicit_length(const struct simulation *s)
+{
+    const struct scene *scene = &s->scene;
+    const double stable = scene->safety * s->explicit_steps.critical,
+                 rate = fabs(boundary_full_strain_rate(&s->boundary));
+    if (scene->end_steps > 0) return stable;
+    return fmin(stable, fmin(scene->strain_step / rate, s->end_time / (double)scene->least_steps));
+}
+
 void explicit_find_step(struct simulation *s)
 {
     const double critical = stable_step(s->model, &s->body, &s->materials);
     if (!isfinite(critical)) return; /* nothing pulls any more: fragments fly on */
     s->explicit_steps.critical = critical;
-    s->integration.dt = s->scene.safety * s->explicit_steps.critical;
+    s->explicit_steps.length = explicit_length(s);
+    balance_set_step(&s->integration, &s->body, &s->boundary, s->explicit_steps.length);
 }
 
 void explicit_begin(struct simulation *s)
 {
+    s->explicit_steps.length = s->integration.dt;
+    s->explicit_steps.strain = s->strain;
+    s->explicit_steps.since = s->integration.time;
     s->explicit_steps.deformation = simulation_deformation(s);
     s->explicit_steps.broken = damage_broken_bonds(s->damage);
 }
@@ -70,19 +84,64 @@ static void raise_loads(struct simulation *s, bool looking)
         s->explicit_steps.disturbed = time;
 }
 
-/* Whether the gauge has got to its end since the last record, which lie up to a hundredth of the run apart. */
-static bool gauge_at_end(struct simulation *s)
+/* Whether the gauge may be at its end within two looks; from then on each step has one, whatever is recorded. */
+static bool close_to_end(const struct simulation *s)
 {
-    return s->scene.end_strain > 0 && s->strain > 0.9 * s->scene.end_strain &&
-           simulation_deformation(s) >= s->scene.end_strain;
+    const struct explicit_steps *steps = &s->explicit_steps;
+    const double ahead = 2 * LOOK_EVERY * steps->length;
+    return s->scene.end_strain > 0 && (steps->strain > 0.95 * s->scene.end_strain ||
+                                       steps->strain + steps->growth * ahead > s->scene.end_strain);
+}
+
+/* At the end of a step; what records show does not count, as the deck chooses where they are. */
+static void look_at_gauge(struct simulation *s)
+{
+    struct explicit_steps *steps = &s->explicit_steps;
+    const double strain = simulation_deformation(s), time = s->integration.time;
+    steps->growth = (strain - steps->strain) / (time - steps->since);
+    steps->strain = strain;
+    steps->since = time;
+}
+
+/* What is left to the end that is given, where the next step would go beyond it: a little more, or rounding would miss
+ * it.  Else infinite. */
+static double time_left(const struct simulation *s)
+{
+    enum { A_LITTLE = 1000000 }; /* a part in so many */
+    const struct explicit_steps *steps = &s->explicit_steps;
+    const double missing = s->scene.end_strain - steps->strain, least = steps->length / A_LITTLE;
+    if (s->scene.end_time > 0) return fmax(s->end_time - s->integration.time, least);
+    if (!close_to_end(s)) return INFINITY;
+    if (missing <= 0) return least;
+    const double left = missing / steps->growth * (1 + 1.0 / A_LITTLE);
+    return steps->growth > 0 && left < steps->length ? fmax(left, least) : INFINITY;
+}
+
+/* Cuts the step that leads to the end, or undoes that; true where it is one. */
+static bool cut_step(struct simulation *s)
+{
+    const double length = s->explicit_steps.length, left = time_left(s);
+    balance_set_step(&s->integration, &s->body, &s->boundary, fmin(length, left));
+    return s->scene.end_strain > 0 && left < length;
+}
+
+/* The end of a strain is no end yet where it has turned out a little farther away. */
+static void record_end(struct simulation *s, bool due)
+{
+    const double before = s->strain;
+    simulation_record(s);
+    if (due || s->strain >= s->scene.end_strain) return;
+    recorder_forget(&s->recorder);
+    s->strain = before;
 }
 
 /* One step, and what it leaves behind. */
 void explicit_advance(struct simulation *s)
 {
-    const bool recording = record_due(s) || near_end(s) || s->explicit_steps.ending,
+    const bool cut = cut_step(s), due = record_due(s) || near_end(s), recording = due || cut,
                framing = simulation_frame_due(s),
-               looking = recording || framing || (s->integration.step + 1) % LOOK_EVERY == 0;
+               turn = (s->integration.step + 1) % LOOK_EVERY == 0,
+               looking = recording || framing || turn;
     verlet_step(&s->integration, &s->body, &s->boundary, s->model, looking, recording);
     s->explicit_steps.looked = looking;
     if (looking) {
@@ -90,10 +149,11 @@ void explicit_advance(struct simulation *s)
         s->failure = simulation_find_failure(s);
         if (s->failure) return;
     }
-    if (recording)
+    if (s->scene.end_strain > 0 && (turn || close_to_end(s))) look_at_gauge(s);
+    if (cut)
+        record_end(s, due);
+    else if (recording)
         simulation_record(s);
-    else if (looking)
-        s->explicit_steps.ending = gauge_at_end(s);
     check_step(s);
     if (framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
     raise_loads(s, looking);

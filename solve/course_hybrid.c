@@ -50,12 +50,12 @@ static void find_rate(struct simulation *s)
 static void begin_explicit(struct simulation *s, const char *reason)
 {
     struct integration *integration = &s->integration;
-    integration->moving = true;
-    integration->residual = 0;
     quasi_static_velocities(s->load_steps.quasi_static);
     boundary_set_velocities(&s->boundary, &s->body, integration->time, integration->dt);
-    balance_motion(integration, &s->body, &s->boundary);
     explicit_find_step(s);
+    integration->moving = true;
+    integration->residual = 0;
+    balance_motion(integration, &s->body, &s->boundary);
     explicit_begin(s);
     *(struct quiet *)s->own = (struct quiet){integration->time, s->explicit_steps.broken};
     if (s->ranks.rank == 0)

@@ -9,15 +9,19 @@ struct simulation;
 struct explicit_steps {
     double critical;            /* step, s */
     double deformation, broken; /* as of the last critical step; bonds */
-    double disturbed; /* time at which the body was last known not to be at equilibrium, s */
-    bool looked;      /* the energies are those of the step just done */
-    bool ending;      /* the gauge is at its end: the next step is the last */
+    double disturbed;      /* time at which the body was last known not to be at equilibrium, s */
+    bool looked;           /* the energies are those of the step just done */
+    double length;         /* of a step, s; the last ones are cut */
+    double strain, growth; /* of the gauge at the last look, and since the one before, for each s */
+    double since;          /* time of that look, s */
 };
 
+/* Length of the next steps [s]: within solver.safety, strain_step and least_steps. */
+double explicit_length(const struct simulation *simulation);
 /* Explicit steps follow, with the step that simulation->integration has. */
 void explicit_begin(struct simulation *simulation);
 void explicit_advance(struct simulation *simulation);
-/* The stable step from here on [s], or where nothing acts on anything the one before. */
+/* The step from here on, which is stable and resolves the test; where nothing acts on anything the one before. */
 void explicit_find_step(struct simulation *simulation);
 
 #endif

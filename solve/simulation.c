@@ -5,7 +5,10 @@
 #include "cracks.h"
 #include "die.h"
 #include "domain_input.h"
+#include "exodus.h"
 #include "initial.h"
+#include "law.h"
+#include "material_plausible.h"
 #include "material_read.h"
 #include "memory.h"
 #include "options.h"
@@ -43,11 +46,23 @@ static void check_plane(const struct simulation *s)
                    "the body has three dimensions (domain.dimensions: 2 makes one layer)");
 }
 
+/* They become parts of names in the outputs. */
+static void check_phases(const struct simulation *s, struct deck_node materials)
+{
+    for (int p = 0; p < s->domain.n_phases; p++) {
+        const char *name = s->domain.phase_names[p], *fault = exodus_phase_fault(name);
+        const struct deck_node map = deck_find(materials, name);
+        if (fault) deck_error(map.index ? map : materials, "the phase's name '%s' %s", name, fault);
+    }
+}
+
 static void read_model(struct simulation *s)
 {
     const struct scene *scene = &s->scene;
-    s->materials = materials_read(deck_get(deck_root(s->deck), "materials"), s->domain.n_phases,
-                                  s->domain.phase_names, scene->plane);
+    const struct deck_node section = deck_get(deck_root(s->deck), "materials");
+    check_phases(s, section);
+    s->materials = materials_read(section, s->domain.n_phases, s->domain.phase_names, scene->plane);
+    if (!scene->accept) material_check_plausible(&s->materials, section);
     for (int p = 0; p < s->materials.count; p++)
         s->materials.items[p].density *= scene->mass_scaling;
     const struct formulation *formulation = s->materials.formulation;
@@ -159,6 +174,8 @@ static void open_outputs(struct simulation *s)
                  "(mpirun hides a full disk and a closed pipe)");
     else
         s->history_output = spool_output(a->history);
+    s->history_output.shown = a->history;
+    s->history_output.precious = "hssolve-history.failed";
     if (a->fields && s->scene.fields.n_variables == 0)
         die_user("-o %s: the deck's output section asks for no fields", a->fields);
     if (!a->fields && s->scene.fields.n_variables > 0)
@@ -178,6 +195,16 @@ static void start_damage(struct simulation *s)
     if (cracks.count > 0 && cut == 0 && s->ranks.rank == 0) warn("the cracks cut no bond");
     if (cut > 0) note("cracks cut %lld bonds", (long long)cut);
     cracks_free(&cracks);
+}
+
+/* Steps keep the energy of an elastic body; each node that begins to flow, and each bond that breaks, is a kink which a step
+ * meets in its midst. */
+static double usual_tolerance(const struct simulation *s)
+{
+    bool elastic = !deck_find(deck_root(s->deck), "damage").index;
+    for (int k = 0; k < s->materials.n_laws; k++)
+        elastic = elastic && s->materials.laws[k].law->n_states == 0;
+    return elastic ? 1e-4 : 0.01;
 }
 
 static void fill_corners(struct simulation *s)
@@ -243,6 +270,7 @@ static void build(struct simulation *s)
     s->bonds = bonds_new(&s->body);
     s->n_bonds = (double)bonds_total(s->bonds);
     start_damage(s);
+    if (isnan(s->scene.energy_tolerance)) s->scene.energy_tolerance = usual_tolerance(s);
     model_start(s->model, &s->body, s->bonds);
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     check_grips(s);
@@ -296,6 +324,19 @@ static double explicit_step(struct simulation *s)
     return s->scene.safety * s->explicit_steps.critical;
 }
 
+/* A step that is stable has to show something of the test. */
+static double resolve_test(const struct simulation *s, double stable)
+{
+    if (s->course->moving && s->scene.end_steps == 0 && !(s->end_time > stable) && !s->scene.accept)
+        deck_error(
+            s->scene.solver,
+            "the test is over in %.3g s, within one stable step of %.3g s: no wave has "
+            "crossed a particle by then. Are the grips' velocities, the moduli (did you "
+            "mean GPa?), density and mass_scaling what they should be? 'accept: true' takes them",
+            s->end_time, stable);
+    return s->course->moving ? explicit_length(s) : stable;
+}
+
 static double end_of_time(const struct simulation *s, double dt)
 {
     if (s->scene.end_strain > 0) return time_to_strain(s);
@@ -312,8 +353,9 @@ static void plan_time(struct simulation *s)
     initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
     boundary_set_displacements(&s->boundary, &s->body);
     static_first_step(s);
-    const double dt = moving ? explicit_step(s) : static_step(s, s->scene.statics.first_step);
-    s->end_time = end_of_time(s, dt);
+    const double first = moving ? explicit_step(s) : static_step(s, s->scene.statics.first_step);
+    s->end_time = end_of_time(s, first);
+    const double dt = resolve_test(s, first);
     if (!(s->end_time / dt < 1.001e12))
         deck_error(s->scene.solver, "%.3g s in steps of %.3g s are over 1e12 steps", s->end_time,
                    dt);

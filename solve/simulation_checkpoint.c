@@ -18,14 +18,18 @@
 
 static void visit_explicit(struct explicit_steps *steps, struct checkpoint *checkpoint)
 {
-    double values[] = {steps->critical, steps->deformation, steps->broken, steps->disturbed};
+    double values[] = {steps->critical, steps->deformation, steps->broken, steps->disturbed,
+                       steps->length,   steps->strain,      steps->growth, steps->since};
     checkpoint_numbers(checkpoint, "explicit steps", values, sizeof values / sizeof *values);
     steps->critical = values[0];
     steps->deformation = values[1];
     steps->broken = values[2];
     steps->disturbed = values[3];
+    steps->length = values[4];
+    steps->strain = values[5];
+    steps->growth = values[6];
+    steps->since = values[7];
     checkpoint_flag(checkpoint, "energies are known", &steps->looked);
-    checkpoint_flag(checkpoint, "the gauge is at its end", &steps->ending);
 }
 
 static void visit_run(struct simulation *s, struct checkpoint *checkpoint)

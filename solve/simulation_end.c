@@ -116,6 +116,7 @@ void simulation_protect(struct simulation *s)
     die_at_exit(keep_fields);
     die_at_exit(keep_history);
     describe(s);
+    spool_refuse_unread(&s->history_output);
     s->journal = exodus_history_open(&s->history_output, &s->recorder.history, reserved(s));
 }
 
@@ -129,6 +130,16 @@ void simulation_save_records(struct simulation *s, bool now)
     profile_enter(s->profile, before);
     const double end = ranks_clock();
     s->next_save = end + fmax(SAVE_EVERY, (end - begun) / SAVE_SHARE);
+}
+
+/* Degraded nodes have next to nothing left to give when their bonds go: below 0 it is the error of a half step (theory.md). */
+static void tell_broken(const struct simulation *s)
+{
+    const double bonds = damage_broken_bonds(s->damage), energy = s->integration.balance.fracture;
+    if (bonds > 0 && energy > 0)
+        note("%.0f bonds broken, %.3g J", bonds, energy);
+    else if (bonds > 0)
+        note("%.0f bonds broken, which held next to nothing", bonds);
 }
 
 void simulation_finish(struct simulation *s, const char *failure)
@@ -157,9 +168,7 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;
     simulation_forget_checkpoints(s);
-    if (damage_broken_bonds(s->damage) > 0)
-        note("%.0f bonds broken, %.3g J", damage_broken_bonds(s->damage),
-             s->integration.balance.fracture);
+    tell_broken(s);
     if (s->materials.formulation->stress_of == STRESS_OF_NODES && s->body.broken &&
         s->body.broken->n_lost > 0)
         note("%.0f nodes have no deformation gradient left", s->body.broken->n_lost);

@@ -4,9 +4,11 @@
 
 #include <mpi.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct collection {
     int own;
+    bool alone;           /* one rank */
     int *counts, *starts; /* [ranks] */
     int64_t *sites;       /* [n_nodes] */
 };
@@ -23,7 +25,8 @@ struct collection *collection_new(const struct body *body)
     collection->counts = memory_new((size_t)size, sizeof(int));
     collection->starts = memory_new((size_t)size, sizeof(int));
     collection->sites = memory_new((size_t)body->n_nodes, sizeof(int64_t));
-    if (size == 1) {
+    collection->alone = size == 1;
+    if (collection->alone) {
         collection->counts[0] = collection->own;
         for (int64_t i = 0; i < n; i++) collection->sites[i] = own[i];
     } else {
@@ -53,13 +56,19 @@ const int64_t *collection_sites(const struct collection *collection)
 void collection_gather(const struct collection *collection, int root, const double *own,
                        double *all)
 {
-    MPI_Gatherv(own, collection->own, MPI_DOUBLE, all, collection->counts, collection->starts,
-                MPI_DOUBLE, root, MPI_COMM_WORLD);
+    if (collection->alone)
+        memcpy(all, own, (size_t)collection->own * sizeof *all);
+    else
+        MPI_Gatherv(own, collection->own, MPI_DOUBLE, all, collection->counts, collection->starts,
+                    MPI_DOUBLE, root, MPI_COMM_WORLD);
 }
 
 void collection_scatter(const struct collection *collection, int root, const double *all,
                         double *own)
 {
-    MPI_Scatterv(all, collection->counts, collection->starts, MPI_DOUBLE, own, collection->own,
-                 MPI_DOUBLE, root, MPI_COMM_WORLD);
+    if (collection->alone)
+        memcpy(own, all, (size_t)collection->own * sizeof *own);
+    else
+        MPI_Scatterv(all, collection->counts, collection->starts, MPI_DOUBLE, own, collection->own,
+                     MPI_DOUBLE, root, MPI_COMM_WORLD);
 }

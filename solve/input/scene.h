@@ -114,12 +114,15 @@ struct scene {
     int64_t end_steps;           /* one of the three; the others are 0 */
     double end_load; /* share of the largest load below which a broken body ends the run; 0: none */
     double safety;
+    bool accept; /* numbers that no metal has */
     enum scene_start start;
     double ramp;             /* s */
     double damping;          /* 1/s */
     double local_damping;    /* share of the force on a node */
     double mass_scaling;     /* of the inertia alone */
     double energy_tolerance; /* of the balance, relative */
+    double strain_step;      /* largest strain between the grips in an explicit step */
+    int64_t least_steps;     /* explicit ones, of the whole test */
     int64_t history;         /* records */
     struct deck_node columns;
     int n_quantities;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 /* Sums in the message of a step; the reactions follow. */
-enum { DAMPED, WORK, HELD, KINETIC, STORED, PLASTIC, STABILISATION, LOADED, WISHED };
+enum { DAMPED, WORK, HELD, KINETIC, STAGGERED, STORED, PLASTIC, STABILISATION, LOADED, WISHED };
 enum { SUMS = WISHED + WISHES };
 
 HS_SIMD static void speed_squared(int count, const double *restrict x, const double *restrict y,
@@ -31,6 +31,56 @@ static void sum_kinetic(const struct integration *integration, const struct body
         body_times_volume(body, strip->site, strip->count, terms);
         exact_sum_add_strip(kinetic, strip->count, terms, 0.5);
     }
+}
+
+/* Velocities half a step before and behind differ by dt a: the product of both is v^2 - (dt a/2)^2 (balance.1).  Of components that
+ * are free, as the others do not follow their force. */
+static void sum_staggered(const struct integration *integration, const struct body *body,
+                          const struct boundary *boundary, struct exact_sum *staggered)
+{
+    const double factor = -0.125 * integration->dt * integration->dt;
+    if (!integration->moving) return;
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        double inverse_density[LANES], terms[LANES] = {0};
+        integration_strip_density(integration, body, strip, inverse_density);
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < strip->count; i++) {
+                const int64_t site = strip->site + i;
+                if (boundary->held && (boundary->held[site] >> a & 1)) continue;
+                const double force = body->f[a][site] + (body->b[a] ? body->b[a][site] : 0);
+                terms[i] += force * force * inverse_density[i];
+            }
+        body_times_volume(body, strip->site, strip->count, terms);
+        exact_sum_add_strip(staggered, strip->count, terms, factor);
+    }
+}
+
+double balance_staggered(const struct integration *integration, const struct body *body,
+                         const struct boundary *boundary)
+{
+    struct exact_sum sum = integration->kinetic_zero;
+    double value;
+    sum_staggered(integration, body, boundary, &sum);
+    exact_sum_finish(&sum, 1, &value);
+    return value;
+}
+
+void balance_set_step(struct integration *integration, const struct body *body,
+                      const struct boundary *boundary, double dt)
+{
+    const double before = integration->dt;
+    if (dt == before) return;
+    integration->dt = dt;
+    if (!integration->moving) return;
+    const double staggered = balance_staggered(integration, body, boundary);
+    balance_shift(&integration->balance, staggered * (1 - (before / dt) * (before / dt)));
+}
+
+void balance_shift(struct energy_balance *balance, double change)
+{
+    balance->staggered += change;
+    balance->initial += change;
 }
 
 /* Kinetic energy of the prescribed components of sets whose motion depends on place. */
@@ -128,6 +178,7 @@ static void finish(struct integration *integration, const struct body *body,
     sum_held(integration, body, boundary, &sums[HELD]);
     if (energy) {
         sum_kinetic(integration, body, &sums[KINETIC]);
+        sum_staggered(integration, body, boundary, &sums[STAGGERED]);
         sums[STORED] = energy->stored;
         sums[PLASTIC] = energy->plastic;
         sums[STABILISATION] = energy->stabilisation;
@@ -153,6 +204,7 @@ static void take_energies(struct integration *integration, const struct body *bo
 {
     struct energy_balance *balance = &integration->balance;
     balance->kinetic = values[KINETIC];
+    balance->staggered = values[STAGGERED];
     balance->stored = values[STORED];
     balance->plastic = values[PLASTIC];
     balance->stabilisation = values[STABILISATION];
@@ -173,7 +225,7 @@ void balance_start(struct integration *integration, const struct body *body,
     integration->balance.initial = energy_total(&integration->balance);
 }
 
-/* Work of the sets over a step: mean force times way, and what their own mass has gained. */
+/* Work of the sets over a step (balance.2): mean force times way, and what their own mass has gained. */
 static void add_work_of_sets(struct boundary *boundary, double *work)
 {
     for (int b = 0; b < boundary->count; b++) {
@@ -205,14 +257,18 @@ void balance_motion(struct integration *integration, const struct body *body,
                     struct boundary *boundary)
 {
     struct energy_balance *balance = &integration->balance;
-    struct exact_sum sums[] = {integration->kinetic_zero, integration->kinetic_zero};
-    double values[2];
+    struct exact_sum sums[] = {integration->kinetic_zero, integration->kinetic_zero,
+                               integration->kinetic_zero};
+    double values[3];
     sum_kinetic(integration, body, &sums[0]);
     sum_held(integration, body, boundary, &sums[1]);
-    exact_sum_finish(sums, 2, values);
-    if (values[0] < balance->kinetic) balance->damping += balance->kinetic - values[0];
-    const bool gained = values[0] > balance->kinetic;
+    sum_staggered(integration, body, boundary, &sums[2]);
+    exact_sum_finish(sums, 3, values);
+    const double lost = balance->kinetic + balance->staggered - values[0] - values[2];
+    const bool gained = lost < 0;
+    if (!gained) balance->damping += lost;
     balance->kinetic = values[0];
+    balance->staggered = values[2];
     integration->held = values[1];
     if (gained) balance->initial = energy_total(balance) - balance->work;
 }

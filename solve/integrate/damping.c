@@ -47,7 +47,8 @@ static double damped(const struct integration *integration, double beyond, doubl
 }
 
 void damping_apply(const struct integration *integration, struct body *body,
-                   const struct boundary *boundary, double time, struct exact_sum *lost)
+                   const struct boundary *boundary, double time, double kicked,
+                   struct exact_sum *lost)
 {
     const struct affine affine = affine_motion(boundary, body, time, integration->dt);
     const double keep = exp(-0.5 * integration->damping * integration->dt);
@@ -64,8 +65,9 @@ void damping_apply(const struct integration *integration, struct body *body,
                 const double after = target[a] + damped(integration, before - target[a], keep,
                                                         force, inverse_density);
                 body->v[a][site] = after;
-                exact_sum_add(lost, 0.5 * integration_node_mass(integration, body, site) *
-                                        (before * before - after * after));
+                exact_sum_add(lost,
+                              integration_node_mass(integration, body, site) * (before - after) *
+                                  (0.5 * (before + after) - kicked * force * inverse_density));
             }
         }
 }

@@ -18,9 +18,12 @@ static inline bool damping_acts(const struct integration *integration)
 }
 
 /* Velocities decay towards the affine motion between the grips (towards rest, where there are none) over half
- * a step; prescribed components do not.  lost takes the energy [J]. */
+ * a step; prescribed components do not.  kicked: how long before, beyond the full step, the force began to act on them
+ * [s]: half a step, or 0 at the full step.  lost takes the energy [J]: m (v - v') . (v + v')/2 of velocities that are those of
+ * the full step, as the scheme keeps its energy between full steps. */
 void damping_apply(const struct integration *integration, struct body *body,
-                   const struct boundary *boundary, double time, struct exact_sum *lost);
+                   const struct boundary *boundary, double time, double kicked,
+                   struct exact_sum *lost);
 
 /* Kinetic energy [J] of the motion beyond the uniform stretching that the grips impose: waves, and necks.
  * Collective. */

@@ -4,7 +4,8 @@
 
 double energy_total(const struct energy_balance *b)
 {
-    return b->kinetic + b->stored + b->plastic + b->stabilisation + b->damping + b->fracture;
+    return b->kinetic + b->staggered + b->stored + b->plastic + b->stabilisation + b->damping +
+           b->fracture;
 }
 
 double energy_drift(const struct energy_balance *b)

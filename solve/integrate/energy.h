@@ -1,7 +1,8 @@
 /* energy.h - where the work from outside has gone.
  *
- *   kinetic + stored + plastic + stabilisation + damping + fracture = the same at the start + external work
+ *   kinetic + staggered + stored + plastic + stabilisation + damping + fracture = the same at the start + external work
  *
+ * kinetic + staggered is 1/2 m v(n-1/2).v(n+1/2), which explicit steps keep where 1/2 m v(n)^2 swings (theory.md).
  * The work is that of prescribed motions and of loads.  The drift is the difference of both sides over the
  * larger of them, and, while both are still small, over a reference: what the loads and prescribed motions
  * themselves say about the energy that is to come (theory.md).  It measures the integrator, the law and
@@ -11,6 +12,7 @@
 
 struct energy_balance {
     double kinetic, stored, plastic, stabilisation, damping; /* J */
+    double staggered;     /* of the scheme, 0 or below; at rest 0, J */
     double fracture;      /* what the body held less after bonds had broken, J */
     double initial, work; /* J */
     double reference;     /* J */

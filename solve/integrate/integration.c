@@ -42,7 +42,9 @@ bool integration_raise_loads(struct integration *integration, struct body *body,
                              struct boundary *boundary, bool equilibrium)
 {
     if (!loads_raise(&boundary->loads, integration->step, equilibrium)) return false;
+    const double before = balance_staggered(integration, body, boundary);
     loads_set(&boundary->loads, body, integration->time);
+    balance_shift(&integration->balance, balance_staggered(integration, body, boundary) - before);
     balance_reactions(body, boundary);
     return true;
 }
@@ -50,9 +52,9 @@ bool integration_raise_loads(struct integration *integration, struct body *body,
 static void visit_balance(struct integration *integration, struct checkpoint *checkpoint)
 {
     struct energy_balance *b = &integration->balance;
-    double *const parts[] = {&b->kinetic,   &b->stored,        &b->plastic, &b->stabilisation,
-                             &b->damping,   &b->fracture,      &b->initial, &b->work,
-                             &b->reference, &integration->held};
+    double *const parts[] = {&b->kinetic,   &b->stored,    &b->plastic,       &b->stabilisation,
+                             &b->damping,   &b->fracture,  &b->initial,       &b->work,
+                             &b->reference, &b->staggered, &integration->held};
     enum { PARTS = sizeof parts / sizeof *parts };
     double values[PARTS];
     for (int k = 0; k < PARTS; k++) values[k] = *parts[k];

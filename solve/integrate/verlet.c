@@ -114,7 +114,8 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
 
     half_kick(integration, body);
     if (damping_acts(integration))
-        damping_apply(integration, body, boundary, integration->time, &sums.damped);
+        damping_apply(integration, body, boundary, integration->time, 0.5 * integration->dt,
+                      &sums.damped);
     boundary_set_ways(boundary, body, integration->time, integration->dt);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     const double most = move(integration, body);
@@ -132,7 +133,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     half_kick(integration, body);
     if (damping_acts(integration))
-        damping_apply(integration, body, boundary, integration->time, &sums.damped);
+        damping_apply(integration, body, boundary, integration->time, 0, &sums.damped);
     boundary_set_velocities(boundary, body, integration->time, integration->dt);
 
     balance_step(integration, body, boundary, energies ? &energy : NULL, &sums);

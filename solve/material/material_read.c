@@ -120,7 +120,7 @@ static void find_moduli(struct deck_node map, const struct kind *kind, enum plan
     } else if (!has[E]) {
         value[E] = has[K] ? 3 * value[K] * (1 - 2 * value[NU]) : 2 * value[G] * (1 + value[NU]);
     }
-    if (!(value[NU] > -0.99 && value[NU] < 0.4999))
+    if (!(value[NU] >= -0.99 && value[NU] <= 0.4999))
         deck_error(
             map, "material '%s': its moduli give a Poisson's ratio of %g, expected -0.99 to 0.4999",
             m->name, value[NU]);

@@ -21,6 +21,7 @@ void progress_update(struct progress *progress, double done, int64_t step, doubl
     double now = ranks_clock();
     if (now - progress->last < (progress->terminal ? 0.5 : 30)) return;
     progress->last = now;
+    done = fmin(fmax(done, 0), 1); /* a strain may overshoot, or go the other way */
     double spent = now - progress->started, remaining = done > 0 ? spent * (1 - done) / done : 0;
     fprintf(stderr, "%shssolve: %3.0f %%  step %lld  ", progress->terminal ? "\r\033[K" : "",
             100 * done, (long long)step);

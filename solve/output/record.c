@@ -84,6 +84,9 @@ static void add_run(struct list *columns, const struct record *record)
         {"unsteady_to_internal", "1", 0, record->unsteady * per_internal,
          "as kinetic_to_internal, of the motion beyond the uniform stretching between the grips "
          "(waves, necks): what makes a test dynamic"},
+        {"staggered_energy", "J", 0, energy->staggered,
+         "1/2 m (v(n-1/2).v(n+1/2) - v(n)^2), which with kinetic_energy is what explicit steps "
+         "keep"},
         {"fracture_energy", "J", 0, energy->fracture,
          "what the body held less after bonds had broken"},
         {"broken_bonds", "1", 0, run->damage ? damage_broken_bonds(run->damage) : 0,

@@ -66,6 +66,7 @@ struct arguments arguments_read(int argc, char **argv, const struct section *con
         {'d', "deck", "FILE", "the study's deck (default: the one inside the domain)", NULL,
          &a.deck},
         {'j', "ranks", "N", "run on N processes of this machine", NULL, &ranks},
+        {0, "oversubscribe", NULL, "more processes than there are cores", &a.oversubscribe, NULL},
         {'o', "output", "FILE", "fields for ParaView (Exodus), as the deck's output section asks",
          NULL, &a.fields},
         {'H', "history", "FILE", "the history (default: the pipe)", NULL, &a.history},

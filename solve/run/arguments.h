@@ -17,6 +17,7 @@ struct arguments {
     const char *repair;     /* a file left behind unfinished, to be made whole; NULL: none */
     double time_limit;      /* s; 0: none */
     int ranks;              /* of -j */
+    bool oversubscribe;     /* more ranks than cores */
     bool quiet, profile;
     bool check;    /* everything but the run */
     char *command; /* the whole line, for provenance */

@@ -6,7 +6,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -192,7 +191,7 @@ void checkpoint_file_write(struct checkpoint_file *file, const char *name, int64
     if (strlen(name) >= NAME) die_run("'%s' is too long a name for a checkpoint", name);
     strcpy(table.name, name);
     table.checksum = checksum(&table, offsetof(struct table, checksum));
-    MPI_Allgather(&rows, 1, MPI_INT64_T, all, 1, MPI_INT64_T, MPI_COMM_WORLD);
+    ranks_tell_all(rows, all);
     if (file->ranks.rank == 0) put(file, &table, sizeof table, file->at);
     int64_t at = file->at + (int64_t)sizeof table;
     for (int r = 0; r < file->ranks.size; at += block_bytes(width, all[r++])) {

@@ -3,11 +3,14 @@
 #include "die.h"
 #include "exodus.h"
 #include "memory.h"
+#include "ranks.h"
 #include "spool.h"
 #include "stop.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,16 +18,22 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* mpirun tells its processes; srun, too, but so it does to a shell that it started as a single task. */
-static int started_by_launcher(void)
+/* Cores that this process may run on. */
+static int cores(void)
 {
-    const char *tasks = getenv("SLURM_STEP_NUM_TASKS");
-    return getenv("OMPI_COMM_WORLD_SIZE") || (tasks && strtol(tasks, NULL, 10) > 1);
+    cpu_set_t set;
+    return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : INT_MAX;
 }
 
 int launch_wanted(const struct arguments *arguments)
 {
-    return arguments->ranks > 1 && !started_by_launcher();
+    if (arguments->ranks <= 1 || ranks_launched()) return false;
+    if (arguments->ranks > cores() && !arguments->oversubscribe && !getenv("HSSOLVE_OVERSUBSCRIBE"))
+        die_user(
+            "-j %d: there are %d cores for this process, and more ranks than cores wait for each "
+            "other at every step; --oversubscribe runs them all the same",
+            arguments->ranks, cores());
+    return true;
 }
 
 /* A path to a file that only this process has open. */
@@ -151,8 +160,10 @@ int launch_ranks(const struct arguments *a)
 {
     struct arguments within = *a; /* what the ranks are told */
     struct spool input = spool_input(a->input), history = {.descriptor = -1};
-    if (!a->check) history = spool_output(a->history);
     struct spool deck = a->deck ? spool_input(a->deck) : (struct spool){.descriptor = -1};
+    if (!a->check) history = spool_output(a->history);
+    history.precious = "hssolve-history.failed";
+    spool_refuse_unread(&history);
     char *input_path = seen_by_others(input.path),
          *history_path = a->check ? NULL : seen_by_others(history.path);
     char *deck_path = a->deck ? seen_by_others(deck.path) : NULL;

@@ -10,8 +10,12 @@ struct ranks {
     int rank, size;
 };
 
-/* Starts MPI; alone (no launcher) as an isolated process that needs no daemon.  Makes die() end all
- * ranks with its code; a user's error, which all ranks meet, is told by rank 0. */
+/* Whether a launcher (mpirun, srun) has started this process, with others or alone. */
+bool ranks_launched(void);
+
+/* Starts MPI where a launcher has started this process: alone there is nobody to speak with, and what MPI needs, a folder, a
+ * daemon, ports, can fail.  Makes die() end all ranks with its code; a user's error, which all ranks meet, is told by
+ * rank 0. */
 struct ranks ranks_start(int *argc, char ***argv);
 void ranks_stop(void);
 
@@ -21,6 +25,9 @@ void ranks_share(void *data, size_t bytes);
 /* Sums and minima over all ranks, in place. */
 void ranks_sum(double *values, int count);
 void ranks_minimum(double *values, int count);
+
+/* One number of each rank: all[size]. */
+void ranks_tell_all(int64_t value, int64_t *all);
 
 void ranks_wait(void); /* until all are here */
 

@@ -318,7 +318,7 @@ wrong() {
 }
 
 @test "a run that loses its energy balance stops with 1 and keeps what was good" {
-    change 's/  horizon: 1/&\n  safety: 3/'
+    change 's/  horizon: 1/&\n  safety: 3\n  least_steps: 1\n  strain_step: 1/'
     for ranks in 1 2; do
         rm -f ./*.failed
         run hssolve -q -j "$ranks" -i domain.g -d changed.yaml -H out.e -o fields.e
@@ -390,6 +390,20 @@ wrong() {
 
 @test "a run of one process needs no directory of MPI's, which runs side by side would take from each other" {
     run -0 env TMPDIR=/dev/null/none hssolve -q --check -i domain.g
+    # MPI cannot start where it is told to do so by what there is not.
+    run -0 env OMPI_MCA_pml=none_such hssolve -q -i domain.g -H out.e
+}
+
+@test "more ranks than cores are refused, unless they are asked for" {
+    unset HSSOLVE_OVERSUBSCRIBE
+    local first
+    first=$(taskset -pc $$ | sed 's/.*: \([0-9]*\).*/\1/')
+    run taskset -c "$first" hssolve -q -j 2 -i domain.g -H out.e
+    [ "$status" -eq 2 ]
+    [[ $output == *"-j 2: there are 1 cores"*"--oversubscribe"* ]]
+    [ ! -e out.e ]
+    taskset -c "$first" hssolve -q -j 2 --oversubscribe -i domain.g -H out.e
+    HSSOLVE_OVERSUBSCRIBE=1 taskset -c "$first" hssolve -q -j 2 -i domain.g -H again.e
 }
 
 @test "--check says what would be done, finds what a run would find, and leaves no file" {

@@ -58,7 +58,7 @@ rows() { grep -v '^#' "$1"; }
     run -2 hsgen -q high.yaml -o domain.g
     [[ "$output" == *"high.yaml:9:17: 1.4 is out of range, expected 1e-06 to 0.999999"* ]]
     [ ! -e domain.g ]
-    sed 's/  horizon: 1/&\n  safety: 3/' study.yaml >long.yaml
+    sed 's/  horizon: 1/&\n  safety: 3\n  least_steps: 1\n  strain_step: 1/' study.yaml >long.yaml
     set +e
     hsgen -q long.yaml | hssolve -q 2>hssolve.err | hspost -q >curve.csv
     status=("${PIPESTATUS[@]}")
@@ -94,6 +94,8 @@ rows() { grep -v '^#' "$1"; }
 @test "a hspost that fails keeps the history it has read through the pipe, under a name it tells" {
     hsgen -q study.yaml | hssolve -q -H history.e
     mkdir empty
+    printf '#!/bin/sh\nexit 3\n' >empty/gnuplot
+    chmod +x empty/gnuplot
     program=$(command -v hspost)
     for expected in hspost-history.e hspost-history-2.e; do
         run -1 bash -c "PATH=$PWD/empty '$program' -q --plot f.png -o c.csv <&0" < <(cat history.e)

@@ -44,7 +44,7 @@ worst() {
         for accuracy in 1e-4 1e-3 1e-2; do
             body "$name-$accuracy" "$name" "$pulled" "${keys:+$keys, }end_strain: 0.02, accuracy: $accuracy"
         done
-        echo "$name: $(worst $name-1e-4 $name-1e-3), coarse $(worst $name-1e-4 $name-1e-2)" | tee -a all
+        echo "$name: $(worst "$name-1e-4" "$name-1e-3"), coarse $(worst "$name-1e-4" "$name-1e-2")" | tee -a all
     done
     cat all
     run ! awk '{ gsub(",", "") } !($2 <= 1e-3 && $6 <= 1e-2 && $4 < 800) { print "not as promised: " $0; bad = 1 } END { exit !bad }' all

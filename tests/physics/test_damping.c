@@ -76,15 +76,14 @@ static struct pull pull(const char *stabilisation, double damping, double dt)
     return pull;
 }
 
-/* Without damping the steps keep an energy that differs from this one by (omega dt)^2, 2e-4 here with the
- * work's trapezia.  Damping is split around the step: velocities decay by c dt/2 between kick and motion,
- * so of what is lost no more than that share is booked at the wrong velocity. */
+/* What is left is the error of the work's trapezia, of second order where nodes begin to flow; what damping takes is
+ * known exactly, so that the drift does not grow with it. */
 static void check_pull(const char *stabilisation, double c_dt)
 {
     const double dt = 2e-9;
     const struct pull result = pull(stabilisation, c_dt / dt, dt);
     if (c_dt > 0) assert_true(result.damped > 0.02);
-    assert_near(result.drift, 0, 3e-4 + 0.5 * c_dt * result.damped);
+    assert_near(result.drift, 0, 2e-4);
 }
 
 static void test_energy_of_a_damped_pull(void **state)
@@ -142,7 +141,7 @@ static void test_affine_motion_is_left_alone(void **state)
     }
     struct exact_sum lost = it.integration.kinetic_zero;
     double energy;
-    damping_apply(&it.integration, body, &it.boundary, 0, &lost);
+    damping_apply(&it.integration, body, &it.boundary, 0, 0, &lost);
     exact_sum_finish(&lost, 1, &energy);
     const double kinetic = it.integration.balance.kinetic;
     assert_true(kinetic > 0);

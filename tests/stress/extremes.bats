@@ -68,7 +68,8 @@ initial:
         for model in "ordinary|horizon: 2.015" "correspondence_elastic|horizon: 1, stabilisation: {law: mix}" "correspondence_elastic|horizon: 1, stabilisation: {law: capped}"; do
             RECORDS=200 body poisson "model: ${model%|*}, youngs_modulus: 210 GPa, poissons_ratio: $nu" "type: explicit, safety: 0.8, end_steps: 3000, energy_tolerance: 0.5, ${model#*|}" "$checks"
             hssolve -q -i poisson.g -H poisson.e
-            swings poisson.e | awk -v what="$nu $model" '{ print what, $1, $2; exit !($2 < 1.2 * $1) }'
+            # Velocities of 0.5 m/s are strains of 1e-4, and the steps keep the energy but for as much of a step's change.
+            swings poisson.e | awk -v what="$nu $model" '{ print what, $1, $2; exit !($2 < 1e-6) }'
         done
     done
 }
@@ -135,7 +136,7 @@ END_OF_DECK
     # The force of an elastic bar that starts in uniform motion is that of its strain, E A rate t, whatever the rate.
     for case in "1 400 0.8" "1e2 400 0.8" "1e4 400 0.8" "1e5 40 0.8" "1e6 40 0.08"; do
         read -r rate steps safety <<<"$case"
-        GRIP=3 body rate "model: correspondence_elastic, $elastic" "type: explicit, safety: $safety, end_steps: $steps, horizon: 1, stabilisation: {law: mix}" \
+        GRIP=3 body rate "model: correspondence_elastic, $elastic" "type: explicit, safety: $safety, end_steps: $steps, energy_tolerance: 0.01, horizon: 1, stabilisation: {law: mix}" \
             "$(stretch "$rate")
   - {where: \"1\", direction: y, velocity: \"-0.31*$rate*y\"}
   - {where: \"1\", direction: z, velocity: \"-0.31*$rate*(z-50e-6)\"}" '[0.3 mm, 0.15 mm, 0.125 mm]'

@@ -20,18 +20,23 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
     done
 }
 
-@test "free vibration: the energy has no trend" {
-    RECORDS=200 GRIP=1 body free "model: correspondence_elastic, $elastic" \
-        "type: explicit, end_steps: ${LONG:+1000000}${LONG:-40000}, energy_tolerance: 0.2, horizon: 1, stabilisation: {law: mix}" \
-        'initial:
-  - {where: "1", direction: x, velocity: "2e4*x"}' '[0.1 mm, 0.1 mm, 0.1 mm]'
-    [ -z "${LONG:-}" ] || { sed -i "s/end_steps: [0-9]*/end_steps: 1000000/" free.yaml && hsgen -q free.yaml -o free.g; }
-    hssolve -q -i free.g -H free.e
-    # Means of the first and of the last quarter of the records; they lie evenly in the root of time.  The balance swings by
-    # some per cent, so that fifty records know their mean to 2 %.
-    columns free.e energy_drift | awk '{ d[NR] = $1 } END {
-        for (i = 1; i <= NR / 4; i++) { a += d[i + 1]; b += d[NR + 1 - i] }
-        a /= int(NR / 4); b /= int(NR / 4); print a, b, NR; exit !((a - b) ^ 2 < 4e-4) }'
+@test "free vibration: the scheme keeps its energy to 1e-9, whatever the number of steps" {
+    # In a chain of particles forces are linear: all that is left is rounding, 1e-14.  In a block they are within its strain of
+    # 2e-6; of energies as small as that the sums know 1e-8.
+    for case in '1e-9|2e4|model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015|[0.4 mm, 25 um, 25 um]' \
+        "1e-6|200|model: correspondence_elastic, $elastic|horizon: 1, stabilisation: {law: mix}|[0.1 mm, 0.1 mm, 0.1 mm]"; do
+        IFS='|' read -r limit speed model solver size <<<"$case"
+        steps=${LONG:+1000000}
+        RECORDS=200 GRIP=1 body free "$model" "type: explicit, end_steps: ${steps:-40000}, $solver" \
+            "initial:
+  - {where: \"1\", direction: x, velocity: \"$speed*x\"}" "$size"
+        hssolve -q -i free.g -H free.e
+        # Kinetic energy alone swings by some per cent of the whole.
+        columns free.e energy_drift staggered_energy_J kinetic_energy_J | awk -v limit="$limit" '
+            NR == 1 { all = $3 + $2 }
+            { d = $1 < 0 ? -$1 : $1; if (d > most) most = d; if (-$2 > staggered) staggered = -$2 }
+            END { print most, staggered / all, NR; exit !(NR > 150 && most < limit && staggered > 1e-2 * all) }'
+    done
 }
 
 @test "Poisson's ratio from 0 to 0.49, yield without hardening, softening: bars at rest" {

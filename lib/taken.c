@@ -1,0 +1,94 @@
+#include "taken.h"
+
+#include "die.h"
+#include "memory.h"
+
+#include <glob.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Of this process, as its open files are. */
+static struct {
+    int n_inputs, n_outputs;
+    struct file {
+        dev_t device;
+        ino_t number;
+    } * inputs;
+    char **outputs; /* absolute names */
+} taken;
+
+void taken_as_input(int descriptor)
+{
+    struct stat status;
+    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return;
+    taken.inputs = memory_grow(taken.inputs, taken.n_inputs, sizeof *taken.inputs);
+    taken.inputs[taken.n_inputs++] = (struct file){status.st_dev, status.st_ino};
+}
+
+/* Where a file is, or is going to be; a folder that is not there is told by who opens it. */
+static char *place_of(const char *name)
+{
+    char *there = realpath(name, NULL);
+    if (there) return there;
+    const char *end = strrchr(name, '/');
+    char *folder = end ? memory_print("%.*s", (int)(end - name) + 1, name) : memory_text(".");
+    char *real = realpath(folder, NULL),
+         *place = memory_print("%s/%s", real ? real : folder, end ? end + 1 : name);
+    free(real);
+    free(folder);
+    return place;
+}
+
+static bool is_input(const char *name)
+{
+    struct stat status;
+    if (stat(name, &status) != 0) return false;
+    for (int i = 0; i < taken.n_inputs; i++)
+        if (taken.inputs[i].device == status.st_dev && taken.inputs[i].number == status.st_ino)
+            return true;
+    return false;
+}
+
+/* A name with nothing in it that a pattern could mean. */
+static char *literal(const char *name)
+{
+    char *pattern = memory_new(2 * strlen(name) + 1, 1), *to = pattern;
+    for (; *name; *to++ = *name++)
+        if (strchr("*?[\\", *name)) *to++ = '\\';
+    return pattern;
+}
+
+/* Outputs that are not finished carry the number of their process. */
+static void look_for_others(const char *place, const char *name)
+{
+    glob_t found;
+    char *fixed = literal(place), *pattern = memory_print("%s.partial-*", fixed);
+    if (glob(pattern, GLOB_NOSORT, NULL, &found) == 0) {
+        for (size_t i = 0; i < found.gl_pathc; i++) {
+            const long process = strtol(strrchr(found.gl_pathv[i], '-') + 1, NULL, 10);
+            if (process > 0 && process != (long)getpid() && kill((pid_t)process, 0) == 0)
+                warn("process %ld is writing %s, too: what ends last stays", process, name);
+        }
+        globfree(&found);
+    }
+    free(pattern);
+    free(fixed);
+}
+
+void taken_as_output(const char *name)
+{
+    char *place = place_of(name);
+    if (is_input(place))
+        die_user("%s is an input, which would be overwritten: give the output another name", name);
+    for (int i = 0; i < taken.n_outputs; i++)
+        if (strcmp(taken.outputs[i], place) == 0)
+            die_user("two outputs are called %s: give each a name of its own", name);
+    look_for_others(place, name);
+    taken.outputs = memory_grow(taken.outputs, taken.n_outputs, sizeof *taken.outputs);
+    taken.outputs[taken.n_outputs++] = place;
+}

@@ -1,0 +1,198 @@
+#include "targets.h"
+
+#include "cores.h"
+#include "cracks.h"
+#include "deck.h"
+#include "die.h"
+#include "domain_input.h"
+#include "domain_order.h"
+#include "domain_text.h"
+#include "exodus.h"
+#include "expression.h"
+#include "lattice.h"
+#include "material_read.h"
+#include "memory.h"
+#include "recipe.h"
+#include "restart.h"
+#include "scene.h"
+
+#include <fcntl.h>
+#include <math.h>
+#include <netcdf.h>
+#include <setjmp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+/* Where a dying program goes; of this process alone. */
+static struct {
+    jmp_buf back;
+    long accepted;
+    const struct target *target;
+    char path[64]; /* of the bytes as a file */
+} fuzz;
+
+static void come_back(int code)
+{
+    (void)code;
+    longjmp(fuzz.back, 1);
+}
+
+/* --- the targets: each may die anywhere -------------------------------------------------------- */
+
+static void read_deck(const char *text, size_t size)
+{
+    static char *phases[] = {"CG", "UFG"};
+    struct deck *deck = deck_parse(text, size, "deck");
+    const struct deck_node root = deck_root(deck);
+    struct recipe recipe = recipe_read(deck);
+    (void)recipe;
+    struct cracks cracks = cracks_read(deck_find(root, "cracks"), 25e-6, 3);
+    cracks_free(&cracks);
+    struct materials materials = materials_read(deck_get(root, "materials"), 2, phases, SPACE);
+    materials_free(&materials);
+    struct scene scene = scene_read(deck);
+    scene_free(&scene);
+    deck_free(deck);
+}
+
+/* In single quotes, which are doubled. */
+static void read_expression(const char *text, size_t size)
+{
+    static const char *const names[] = {"x", "y", "z", "t"};
+    static const double at[][4] = {
+        {0, 0, 0, 0}, {1e300, -1e300, 1e-300, 1e5}, {0.5, 0.25, -0.125, 3}};
+    char *quoted = memory_new(2 * size + 8, 1), *to = stpcpy(quoted, "e: '");
+    for (size_t i = 0; i < size && i < 1000; i++) {
+        if (text[i] == '\'') *to++ = '\'';
+        *to++ = text[i];
+    }
+    strcpy(to, "'\n");
+    struct deck *deck = deck_parse(quoted, strlen(quoted), "deck");
+    struct expression *e = expression_new(deck_get(deck_root(deck), "e"), names, 4);
+    for (int k = 0; k < 3; k++) {
+        const double one = expression_value(e, at[k]), two = expression_value(e, at[k]);
+        if (memcmp(&one, &two, sizeof one) != 0 && !(isnan(one) && isnan(two))) abort();
+    }
+    expression_free(e);
+    deck_free(deck);
+    free(quoted);
+}
+
+static void look_at(struct domain *domain, bool text)
+{
+    static const char deck_of[] = "domain: {grips: {length: 3 spacings}, gauge: {length: 0.2 mm}}\n"
+                                  "materials:\n  CG: {}\n  UFG: {}\n";
+    struct lattice lattice;
+    const bool regular = domain_sort(domain);
+    struct deck *deck = deck_parse(deck_of, strlen(deck_of), "deck");
+    if (text) domain_text_sets(domain, regular, deck);
+    if (!lattice_recognise(domain, &lattice)) lattice = lattice_scattered(domain, 0);
+    lattice_free(&lattice);
+    deck_free(deck);
+    domain_free(domain);
+}
+
+static void read_text(const char *text, size_t size)
+{
+    static const char deck_of[] = "materials:\n  CG: {}\n  UFG: {}\n";
+    (void)text, (void)size;
+    struct spool input = spool_input(fuzz.path);
+    struct deck *deck = deck_parse(deck_of, strlen(deck_of), "deck");
+    struct domain domain = domain_text_read(&input, "particles", deck);
+    deck_free(deck);
+    look_at(&domain, true);
+    spool_close(&input);
+}
+
+static void read_genesis(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    struct spool input = spool_input(fuzz.path);
+    struct domain domain = exodus_read_domain(&input);
+    look_at(&domain, false);
+    spool_close(&input);
+}
+
+static void read_cores(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    struct cores cores = cores_read(fuzz.path, "harmonic");
+    cores_nearest_pair(&cores, 1e-4);
+    cores_free(&cores);
+}
+
+static void read_table(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    target_table(fuzz.path);
+}
+
+static void read_frames(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    target_frames(fuzz.path);
+}
+
+static void read_checkpoint(const char *text, size_t size)
+{
+    struct run_texts texts = {0};
+    (void)text, (void)size;
+    struct checkpoint_file *file = checkpoint_file_open(fuzz.path);
+    run_texts_visit(&texts, file);
+    checkpoint_file_close(file);
+    run_texts_free(&texts);
+}
+
+static const struct target {
+    const char *name;
+    void (*read)(const char *text, size_t size);
+} targets[] = {
+    {"deck", read_deck},       {"expression", read_expression}, {"text", read_text},
+    {"genesis", read_genesis}, {"cores", read_cores},           {"table", read_table},
+    {"history", read_table},   {"frames", read_frames},         {"checkpoint", read_checkpoint}};
+
+/* --- as libFuzzer calls them -------------------------------------------------------------------- */
+
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+    const char *name = getenv("HS_FUZZ");
+    (void)argc, (void)argv;
+    for (size_t k = 0; name && k < sizeof targets / sizeof *targets; k++)
+        if (strcmp(targets[k].name, name) == 0) fuzz.target = &targets[k];
+    if (!fuzz.target) {
+        fputs("HS_FUZZ names no target\n", stderr);
+        exit(2);
+    }
+    die_set_program("fuzz");
+    die_set_exit(come_back);
+    note_set_quiet(1);
+    return 0;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    enum { OPEN_FILES = 4, NETCDF_FILE = 1 << 16 };
+    char *text = memory_new(size + 1, 1);
+    const int file = memfd_create("fuzz", MFD_CLOEXEC);
+    memcpy(text, bytes, size);
+    if (file < 0 || write(file, bytes, size) != (ssize_t)size || lseek(file, 0, SEEK_SET) != 0)
+        abort();
+    snprintf(fuzz.path, sizeof fuzz.path, "/proc/self/fd/%d", file);
+    if (setjmp(fuzz.back) == 0) {
+        fuzz.target->read(text, size);
+        fuzz.accepted++;
+    }
+    /* What a reader that died has left open. */
+    for (int k = 1; k < OPEN_FILES; k++) nc_close(k * NETCDF_FILE);
+    close_range(3, ~0u, 0);
+    free(text);
+    return 0;
+}
+
+long targets_accepted(void)
+{
+    return fuzz.accepted;
+}
