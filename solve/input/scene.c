@@ -37,6 +37,7 @@ const char *const equilibrium_methods[] = {EQUILIBRIUM_METHODS(IN_DECK), NULL};
 
 static const char *const volumes[] = {"whole", "partial", NULL};
 static const char *const planes[] = {"stress", "strain", NULL};
+static const char *const coincidents[] = {"join", "part", NULL};
 static const char *const starts[] = {"affine", "ramp", NULL};
 static const char *const events[] = {"damage", "maximum_load", NULL};
 
@@ -78,6 +79,11 @@ static const struct key solver_keys[] = {
      .help = "of correspondence"},
     {"residual", KEY_NODE, AT(elsewhere), .section = &section_residual,
      .otherwise = "flowing with its defaults", .help = "of corner"},
+    {"coincident_nodes", KEY_CHOICE, AT(coincident), .usual = -1, .names = coincidents,
+     .otherwise = "required where nodes of a mesh lie on each other",
+     .help =
+         "of corner in meshes: join makes one of nodes at one place, as between blocks that were "
+         "meshed apart; part leaves them apart, as along a crack"},
     {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",
      .help = "of the gauge, at which the run ends; needs grips with velocities that are numbers"},
     {"end_time", KEY_NUMBER, AT(end_time), "s", 1e-15, 1e12, .otherwise = "none",

@@ -149,7 +149,9 @@ static double largest_eigenvalue(struct lanczos *l)
     combine(l->body, 0, &l->current, 1 / norm, &l->current);
     /* Unit vectors have a root mean square of about 1/sqrt(3 nodes density). */
     const double amplitude = 1e-7 * l->body->lattice->spacing * sqrt(3 * nodes * heaviest);
-    const double speed = materials_wave_speed(l->materials), spacing = l->body->lattice->spacing;
+    const struct lattice *lattice = l->body->lattice;
+    const double speed = materials_wave_speed(l->materials),
+                 spacing = lattice->finest > 0 ? lattice->finest : lattice->spacing;
     const double scale = 1e4 * speed * speed / (spacing * spacing); /* far above any eigenvalue */
     double value = 0, residual = 0;
     for (int n = 1; n <= MOST; n++) {

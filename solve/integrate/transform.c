@@ -33,7 +33,7 @@ struct transform {
 static void find_position(const struct lattice *lattice, int64_t site, int at[3])
 {
     lattice_position(lattice, site, at);
-    if (!lattice_is_scattered(lattice)) return;
+    if (!lattice_is_row(lattice)) return;
     for (int b = 0; b < 3; b++)
         at[b] = (int)floor((lattice->point[b][site] - lattice->origin[b]) / lattice->spacing + 0.5);
 }
