@@ -27,13 +27,19 @@ int64_t mesh_coincident(struct domain *domain, bool joins)
     struct domain *nodes = domain->corners;
     double *const x[3] = {nodes->x, nodes->y, nodes->z};
     int64_t *first = memory_new((size_t)nodes->n_nodes, sizeof *first), found = 0;
+    bool *used = memory_new((size_t)nodes->n_nodes, sizeof *used);
+    for (int64_t i = 0; i < CORNERS * domain->n_nodes; i++) used[domain->hexahedra[i]] = true;
     struct neighbours close = neighbours_new(x, nodes->n_nodes, 1e-5 * domain_spacing(domain));
     for (int64_t i = 0; i < nodes->n_nodes; i++) {
-        const bool alone = neighbours_find(&close, x, i) == 0 || close.found[0] > i;
-        first[i] = alone ? i : first[close.found[0]];
-        found += !alone;
+        const int64_t count = neighbours_find(&close, x, i);
+        first[i] = i;
+        for (int64_t k = count - 1; k >= 0 && used[i]; k--)
+            if (used[close.found[k]] && close.found[k] < i) first[i] = close.found[k];
+        found += first[i] < i;
+        first[i] = first[first[i]];
     }
     neighbours_free(&close);
+    free(used);
     if (joins) join(domain->hexahedra, CORNERS * domain->n_nodes, first);
     for (int k = 0; joins && k < nodes->n_sets; k++) {
         struct node_set *set = &nodes->sets[k];
@@ -122,6 +128,20 @@ static double find_edge(const struct lattice *lattice, int64_t site)
         steepest = fmax(steepest, sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
     }
     return sqrt(3) / 4 / steepest;
+}
+
+double *mesh_edges(const struct lattice *lattice)
+{
+    double *edges = memory_new((size_t)lattice->n_sites, sizeof *edges);
+    for (int64_t i = 0; i < lattice->n_sites; i++) edges[i] = INFINITY;
+    for (int64_t p = 0; p < lattice->n_particles; p++) {
+        const double edge = find_edge(lattice, p);
+        for (int k = 0; k < CORNERS; k++) {
+            double *own = &edges[lattice->hexahedron[CORNERS * p + k]];
+            *own = fmin(*own, edge);
+        }
+    }
+    return edges;
 }
 
 static void place_particles(const struct lattice *lattice, struct domain *domain)

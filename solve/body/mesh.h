@@ -12,7 +12,7 @@
 /* What is made of nodes that lie on each other: one node, or a cut between the elements. */
 enum mesh_coincident { MESH_JOIN, MESH_PART };
 
-/* How many nodes of a domain's mesh lie on others (within 1e-5 of the mean edge); where they are to be joined, the
+/* How many nodes of elements of a domain's mesh lie on others (within 1e-5 of the mean edge); where they are to be joined, the
  * elements and sets of all have the first of them from here on. */
 int64_t mesh_coincident(struct domain *domain, bool join);
 
@@ -20,6 +20,9 @@ int64_t mesh_coincident(struct domain *domain, bool join);
  * corners' displacements belong.  *corners: the nodes in their new order with their sets, those that no element has
  * left out.  Dies where an element is inside out, or there are more elements than nodes. */
 struct lattice mesh_lattice(struct domain *domain, struct domain *corners);
+
+/* Of each node the smallest edge of the cubes that are as stiff as its elements, [n_sites], a new list [m]. */
+double *mesh_edges(const struct lattice *lattice);
 
 /* Places of a particle's corners. */
 struct hexahedron;
