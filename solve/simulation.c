@@ -368,11 +368,14 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     open_outputs(s);
     build(s);
     profile_enter(s->profile, PART_REST);
+    const bool frames = arguments->fields && !arguments->check;
+    /* The stable step takes room; the particles' places have no reader any more. */
+    if (s->lattice.corner && !frames) domain_forget_nodes(&s->domain);
     plan_time(s);
     s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
                                (boundary_has_grips(&s->boundary) ? NEEDS_GRIPS : 0) |
                                    (s->gauge ? NEEDS_GAUGE : 0));
-    if (arguments->fields && !arguments->check) {
+    if (frames) {
         if (ranks.rank == 0) {
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());
             attributes_set_text(&s->domain.attributes, "deck", deck_text(s->deck));
