@@ -34,7 +34,7 @@ rest='type: quasi_static, end_time: 1, step: 1, tolerance: 1e-7, most_evaluation
 solve() {
     local fields=()
     if grep -q 'fields:' deck.yaml; then fields=(-o fields.e); fi
-    hssolve -q --deck deck.yaml -i mesh.g -H history.e "${fields[@]}" "$@" 2>log || { cat log && false; }
+    hssolve -q --deck deck.yaml -i mesh.g -H history.e "${fields[@]}" 2>log || { cat log && false; }
 }
 
 last() { columns history.e "$@" | tail -n 1; }
@@ -146,10 +146,8 @@ ring() {
 # torn RANKS: a distorted mesh of two blocks torn at 50 m/s, flowing, degrading and losing particles; in a directory RANKS
 torn() {
     mkdir "$1"
-    cd "$1"
-    hssolve -q -j "$1" --deck ../deck.yaml -i ../mesh.g -o fields.e -H history.e
-    LC_ALL=C sed -i "s/ -j $1 / -j N /g" fields.e history.e
-    cd ..
+    (cd "$1" && hssolve -q -j "$1" --deck ../deck.yaml -i ../mesh.g -o fields.e -H history.e)
+    LC_ALL=C sed -i "s/ -j $1 / -j N /g" "$1/fields.e" "$1/history.e"
 }
 
 # torn_deck RESIDUAL

@@ -127,6 +127,13 @@ $cracks"
     goes_on 1 2 3
 }
 
+@test "corner, a sheet in plane stress: from 2 ranks to 3" {
+    FLAT=yes study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+        'type: explicit, plane: stress, end_time: 0.6 us' "$ductile"
+    goes_on 2 4 3
+    holds "$(last removed_nodes) > 1"
+}
+
 @test "ordinary, plastic and ductile, bonds that break: from 1 rank to 2 and 8" {
     study "model: ordinary_plastic, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
         "model: ordinary_plastic, $elastic, $hard" 'type: explicit, horizon: 2.2, end_time: 0.5 us' "damage:
