@@ -184,6 +184,7 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
         small->lattice =
             wanted->mesh ? mesh_of(&particles, wanted->jitter) : corners_lattice(&particles);
         free(particles.phase);
+        family_free(&small->family);
         small->family = family_new(small->materials.formulation->horizon, 0, false);
     }
     small->model = model_new(root, &small->family, &small->materials);
