@@ -19,7 +19,9 @@ struct box {
     int each;       /* places of a node: 1, of a mesh 8 */
     int64_t *place; /* [each n_nodes] in the box, or -1 */
     float *weight;  /* [each n_nodes] of a mesh; NULL: 1 */
-    double *all;    /* [n_nodes] */
+    double *all;    /* [n_nodes] as the ranks have them, one rank behind the other */
+    int64_t *
+        order; /* [n_nodes] of a row, where places are shared: which of them is at a site; else NULL */
 };
 
 struct transform {
@@ -166,6 +168,13 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
     free(stiffness);
 }
 
+static int64_t *order_of(const int64_t *sites, int64_t n)
+{
+    int64_t *order = memory_new((size_t)n, sizeof *order);
+    for (int64_t i = 0; i < n; i++) order[sites[i]] = i;
+    return order;
+}
+
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
 {
     struct transform *transform = memory_new(1, sizeof *transform);
@@ -189,6 +198,7 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
             else
                 crowded |= find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
             box->all = memory_new(nodes, sizeof *box->all);
+            if (lattice_is_row(body->lattice)) box->order = order_of(sites, body->n_nodes);
             if (box->count > 0) find_inverse(box, symbol, a);
         }
         free(free_nodes);
@@ -209,6 +219,7 @@ void transform_free(struct transform *transform)
         free(box->inverse);
         free(box->place);
         free(box->weight);
+        free(box->order);
         free(box->all);
     }
     collection_free(transform->collection);
@@ -227,14 +238,16 @@ static int64_t outer_of(const struct box *box, int axis)
     return outer;
 }
 
-/* Values of the nodes to the box, and back. */
+/* Values of the nodes to the box, and back.  Those that share a place are summed in the order of their sites. */
 static void put_in(const struct box *box, int64_t n, float *values)
 {
     memset(values, 0, (size_t)box->count * sizeof *values);
-    for (int64_t i = 0; i < n; i++)
+    for (int64_t site = 0; site < n; site++) {
+        const int64_t i = box->order ? box->order[site] : site;
         for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
             if (box->place[k] >= 0)
                 values[box->place[k]] += (box->weight ? box->weight[k] : 1) * (float)box->all[i];
+    }
 }
 
 static void take_out(const struct box *box, int64_t n, const float *values)

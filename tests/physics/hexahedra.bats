@@ -185,6 +185,21 @@ output:
     cmp 1/fields.e 3/fields.e
 }
 
+@test "a graded mesh by load steps into plastic flow: 2, 3 and 8 ranks give the bits of one" {
+    mesh dogbone 32 6 3 40e-3 4e-3 2e-3 2
+    deck "$voce" 'type: quasi_static, end_time: 1, step: 0.5, coincident_nodes: join' \
+        '  - {set: low_x, direction: x, velocity: -5e-5 m/s}
+  - {set: high_x, direction: x, velocity: 5e-5 m/s}'
+    sed -i "s/^solver/  B: {model: corner, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3, $voce}\\n&/" deck.yaml
+    for ranks in 1 2 3 8; do
+        mkdir $ranks
+        (cd $ranks && hssolve -q -j $ranks --deck ../deck.yaml -i ../mesh.g -H history.e)
+        LC_ALL=C sed -i "s/ -j $ranks / -j N /g" $ranks/history.e
+        cmp 1/history.e $ranks/history.e
+    done
+    columns 1/history.e plastic_energy_J | awk '{ last = $1 } END { exit !(last > 0) }'
+}
+
 refused() {
     run ! hssolve --deck deck.yaml -i mesh.g -H history.e
     [[ $output == *"$1"* ]] || { echo "$output" && false; }
