@@ -88,6 +88,16 @@ void domain_forget_nodes(struct domain *domain)
     free(domain->phase);
     domain->x = domain->y = domain->z = domain->volume = NULL;
     domain->phase = NULL;
+    domain_forget_mesh(domain);
+}
+
+void domain_forget_mesh(struct domain *domain)
+{
+    if (domain->corners) domain_free(domain->corners);
+    free(domain->corners);
+    free(domain->hexahedra);
+    domain->corners = NULL;
+    domain->hexahedra = NULL;
 }
 
 void domain_free(struct domain *domain)

@@ -42,6 +42,10 @@ struct domain {
     int n_sets;
     struct node_set *sets;
     struct attributes attributes; /* spacing_m, deck, deck_name, program, command, ... */
+    /* Of particles that are hexahedra of a mesh: the mesh's nodes, as a domain of positions and sets alone, and
+     * [8 n_nodes] which of them are a particle's corners, in the order of Exodus; else NULL. */
+    struct domain *corners;
+    int64_t *hexahedra;
 };
 
 /* NULL where there is no set of that name. */
@@ -49,6 +53,8 @@ const struct node_set *domain_set(const struct domain *domain, const char *name)
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes);
 /* Frees what is known of each node; names, sets and attributes stay. */
 void domain_forget_nodes(struct domain *domain);
+/* Frees the mesh that its particles are of, where there is one. */
+void domain_forget_mesh(struct domain *domain);
 void domain_free(struct domain *domain);
 
 /* Distance of the particles (m): the attribute spacing_m, of scattered ones mean_spacing_m, else the

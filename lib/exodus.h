@@ -27,7 +27,7 @@ const char *exodus_phase_fault(const char *name);
  * hs_file_bytes may be missing): SPHERE elements, one a node, with an element attribute VOLUME, or
  * hexahedra of eight nodes, or both.  A hexahedron becomes a particle at its centroid with its exact
  * volume, and belongs to a node set when at least half of its corners do; particles are then numbered
- * as the elements. */
+ * as the elements.  Where all are hexahedra, the domain keeps the mesh's nodes and their sets. */
 struct domain exodus_read_domain(const struct spool *input);
 
 /* Histories: an Exodus file without nodes, one global variable a column, one time step a record.

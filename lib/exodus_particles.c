@@ -25,6 +25,7 @@ struct mesh {
     bool on_nodes;            /* spheres only, one a node: particles keep the nodes' numbers */
     struct element *elements; /* [n_elements] of the particles; NULL where on_nodes */
     int64_t read;             /* elements so far */
+    int64_t n_hexahedra;
 };
 
 static ex_init_params read_sizes(const struct exodus_file *file)
@@ -165,6 +166,7 @@ static void add_hexahedra(struct mesh *mesh, const ex_block *block, uint8_t phas
         domain->y[particle] = x[1];
         domain->z[particle] = x[2];
         mesh->elements[particle].corners = CORNERS;
+        mesh->n_hexahedra++;
         for (int c = 0; c < CORNERS; c++) mesh->elements[particle].nodes[c] = own[c] - 1;
     }
     free(nodes);
@@ -264,6 +266,7 @@ static void read_set(const struct mesh *mesh, int64_t id, struct domain *domain)
         domain_add_set(domain, own, count, nodes);
     else
         add_particles(mesh, own, nodes, count, domain);
+    if (domain->corners) domain_add_set(domain->corners, own, count, nodes);
     free(own);
     free(nodes);
 }
@@ -275,6 +278,19 @@ static void read_sets(const struct mesh *mesh, int64_t count, struct domain *dom
         exodus_read(mesh->file, ex_get_ids(mesh->file->id, EX_NODE_SET, ids), "the node sets");
     for (int64_t i = 0; i < count; i++) read_set(mesh, ids[i], domain);
     free(ids);
+}
+
+/* Where all particles are hexahedra, the domain keeps their corners; it takes over the positions. */
+static void keep_corners(struct mesh *mesh, struct domain *domain)
+{
+    if (mesh->n_hexahedra < mesh->n_elements) return;
+    domain->hexahedra = memory_new(CORNERS * (size_t)domain->n_nodes, sizeof(int64_t));
+    for (int64_t p = 0; p < domain->n_nodes; p++)
+        memcpy(domain->hexahedra + CORNERS * p, mesh->elements[p].nodes, CORNERS * sizeof(int64_t));
+    domain->corners = memory_new(1, sizeof *domain->corners);
+    *domain->corners =
+        (struct domain){.n_nodes = mesh->n_nodes, .x = mesh->x, .y = mesh->y, .z = mesh->z};
+    mesh->x = mesh->y = mesh->z = NULL;
 }
 
 /* --- the domain ------------------------------------------------------------------------------- */
@@ -315,6 +331,7 @@ struct domain exodus_read_domain(const struct spool *input)
     memset(domain.phase, UNSEEN, particles);
     read_blocks(&mesh, &domain);
     check_particles(&mesh, &domain);
+    keep_corners(&mesh, &domain);
     read_sets(&mesh, sizes.num_node_sets, &domain);
     mesh_free(&mesh);
     domain.attributes = exodus_read_attributes(&file);

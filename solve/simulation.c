@@ -11,6 +11,7 @@
 #include "material_plausible.h"
 #include "material_read.h"
 #include "memory.h"
+#include "mesh.h"
 #include "options.h"
 #include "simulation_parts.h"
 #include "stable_step.h"
@@ -33,7 +34,6 @@ static void read_particles(struct simulation *s)
     if (lattice_recognise(&s->domain, &s->lattice)) return;
     double thickness = attributes_number(&s->domain.attributes, "thickness_m", 0);
     s->lattice = lattice_scattered(&s->domain, thickness);
-    note("the particles lie on no lattice: a list of neighbours serves them");
 }
 
 static void check_plane(const struct simulation *s)
@@ -66,7 +66,7 @@ static void read_model(struct simulation *s)
     for (int p = 0; p < s->materials.count; p++)
         s->materials.items[p].density *= scene->mass_scaling;
     const struct formulation *formulation = s->materials.formulation;
-    const bool scattered = lattice_is_scattered(&s->lattice);
+    const bool scattered = lattice_is_scattered(&s->lattice) && !formulation->corners;
     if (scene->horizon == 0)
         s->scene.horizon = scattered ? formulation->scattered : formulation->horizon;
     if (scene->horizon == 0) deck_get(scene->solver, "horizon"); /* dies */
@@ -81,7 +81,10 @@ static void read_model(struct simulation *s)
 static void refuse_cells(const struct simulation *s)
 {
     const char *name = s->materials.formulation->name;
-    if (lattice_is_scattered(&s->lattice)) return;
+    if (lattice_is_scattered(&s->lattice)) {
+        note("the particles lie on no lattice: a list of neighbours serves them");
+        return;
+    }
     if (lattice_is_oblong(&s->lattice))
         die_user("the lattice is spaced %g, %g, %g m along x, y, z: %s materials need cubes; take "
                  "corner, or one spacing",
@@ -92,6 +95,18 @@ static void refuse_cells(const struct simulation *s)
                  name);
 }
 
+static void take_mesh(struct simulation *s)
+{
+    const int64_t coincident = mesh_coincident(&s->domain, s->scene.coincident == MESH_JOIN);
+    if (coincident > 0 && s->scene.coincident < 0)
+        deck_error(s->scene.solver,
+                   "%lld nodes of the mesh lie on others: 'coincident_nodes: join' makes one of "
+                   "those at one place, 'coincident_nodes: part' leaves the elements apart there",
+                   (long long)coincident);
+    lattice_free(&s->lattice);
+    s->lattice = mesh_lattice(&s->domain, &s->corners);
+}
+
 /* Where the formulation has corners of particles for its nodes. */
 static void take_corners(struct simulation *s)
 {
@@ -99,19 +114,31 @@ static void take_corners(struct simulation *s)
         refuse_cells(s);
         return;
     }
+    if (s->domain.corners) {
+        take_mesh(s);
+        return;
+    }
     if (lattice_is_scattered(&s->lattice))
-        die_user("the particles lie on no lattice, and have no cells with corners: take "
-                 "correspondence or another formulation than corner");
-    const struct lattice particles = s->lattice;
+        die_user("the particles lie on no lattice and are no hexahedra of a mesh, so that they "
+                 "have no cells with corners: take correspondence or another formulation than "
+                 "corner");
+    struct lattice particles = s->lattice;
     s->lattice = corners_lattice(&particles);
     s->corners = corners_domain(&s->lattice);
-    free(particles.phase);
+    lattice_free(&particles);
 }
 
 /* The nodes as rank 0 has read or made them. */
 static const struct domain *nodes_of(const struct simulation *s)
 {
     return s->lattice.corner ? &s->corners : &s->domain;
+}
+
+/* The domain whose sets members are of (members.h); NULL on other ranks than 0. */
+static const struct domain *sets_of(const struct simulation *s)
+{
+    if (s->ranks.rank != 0) return NULL;
+    return s->lattice.hexahedron ? &s->corners : &s->domain;
 }
 
 /* Rank 0 reads and checks everything a user can get wrong; the others follow what is known to be good,
@@ -127,9 +154,9 @@ static void read_inputs(struct simulation *s)
         s->scene = scene_read(s->deck);
         read_particles(s);
         n_phases = s->domain.n_phases;
-        check_plane(s);
         read_model(s);
         take_corners(s);
+        check_plane(s);
         scene_resolve(&s->scene, &s->domain, nodes_of(s), &s->lattice);
         text = memory_text(deck_text(s->deck));
         length = (long)strlen(text);
@@ -274,7 +301,7 @@ static void build(struct simulation *s)
     model_start(s->model, &s->body, s->bonds);
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     check_grips(s);
-    s->gauge = gauge_new(&s->body, own_domain(s), s->domain.n_phases);
+    s->gauge = gauge_new(&s->body, sets_of(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
     refuse_lost(s);
 }
@@ -384,11 +411,14 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     open_outputs(s);
     build(s);
     profile_enter(s->profile, PART_REST);
+    const bool frames = arguments->fields && !arguments->check;
+    /* The stable step takes room; the particles' places have no reader any more. */
+    if (s->lattice.corner && !frames) domain_forget_nodes(&s->domain);
     plan_time(s);
     s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
                                (boundary_has_grips(&s->boundary) ? NEEDS_GRIPS : 0) |
                                    (s->gauge ? NEEDS_GAUGE : 0));
-    if (arguments->fields && !arguments->check) {
+    if (frames) {
         if (ranks.rank == 0) {
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());
             attributes_set_text(&s->domain.attributes, "deck", deck_text(s->deck));

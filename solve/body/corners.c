@@ -79,12 +79,8 @@ int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *part
     int64_t particle = 0, next = 0, node = 0, found = 0;
     for (int64_t site = 0; site < lattice->n_sites && next < *count; site++) {
         if (lattice->phase[site] == ABSENT || particle++ != particles[next]) continue;
-        int at[3], step[3];
-        lattice_position(lattice, site, at);
-        for (int k = 0; k < lattice_corners(lattice); k++) {
-            lattice_corner_step(k, step);
-            chosen[lattice_site(lattice, at[0] + step[0], at[1] + step[1], at[2] + step[2])] = 1;
-        }
+        for (int k = 0; k < lattice_corners(lattice); k++)
+            chosen[lattice_corner_site(lattice, site, k)] = 1;
         next++;
     }
     int64_t *nodes = memory_new((size_t)lattice->n_nodes, sizeof *nodes);
@@ -121,6 +117,24 @@ static void fill_corner(struct body *body, const double density[], int64_t site)
     body->densities[site] = volume > 0 ? mass / volume : 0;
 }
 
+/* The same of a mesh, of which a rank has the whole row. */
+static void fill_mesh(struct body *body, const double density[])
+{
+    const struct lattice *lattice = body->lattice;
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        const double share = lattice->volume[site] / 8;
+        if (lattice->phase[site] == ABSENT) continue;
+        for (int k = 0; k < 8; k++) {
+            const int64_t corner = lattice->hexahedron[8 * site + k];
+            body->volumes[corner] += share;
+            body->densities[corner] += density[lattice->phase[site]] * share;
+        }
+        body->particle_volumes[site] = lattice->volume[site];
+    }
+    for (int64_t site = 0; site < lattice->n_sites; site++)
+        body->densities[site] /= body->volumes[site];
+}
+
 void corners_fill(struct body *body, const double density[])
 {
     const struct lattice *lattice = body->lattice;
@@ -128,6 +142,10 @@ void corners_fill(struct body *body, const double density[])
     body->volumes = memory_new(n, sizeof *body->volumes);
     body->densities = memory_new(n, sizeof *body->densities);
     if (lattice->volume) body->particle_volumes = memory_new(n, sizeof *body->particle_volumes);
+    if (lattice->hexahedron) {
+        fill_mesh(body, density);
+        return;
+    }
     for (int64_t site = 0; site < body->grid.n_sites; site++) {
         fill_corner(body, density, site);
         if (body->particle_volumes && body->grid.phase[site] != ABSENT)
@@ -138,6 +156,7 @@ void corners_fill(struct body *body, const double density[])
 const double *corners_mean(const struct body *body, double *field, double *out)
 {
     const struct grid *grid = &body->grid;
+    const struct lattice *lattice = body->lattice;
     const int each = lattice_corners(body->lattice);
     if (!body->lattice->corner) return field;
     halo_exchange(body->displacement_halo, &field, 1);
@@ -148,7 +167,8 @@ const double *corners_mean(const struct body *body, double *field, double *out)
             for (int k = 0; k < each; k++) {
                 int step[3];
                 lattice_corner_step(k, step);
-                sum += field[site + grid_shift(grid, step)];
+                sum += field[lattice->hexahedron ? lattice->hexahedron[8 * site + k]
+                                                 : site + grid_shift(grid, step)];
             }
             out[site] = sum / each;
         }

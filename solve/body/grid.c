@@ -84,6 +84,23 @@ static void mark_corners(struct grid *grid, const struct lattice *lattice)
     }
 }
 
+/* The same of a mesh, where a particle may be owned none of whose corners is. */
+static void mark_hexahedra(struct grid *grid, const struct lattice *lattice)
+{
+    for (int64_t site = 0; site < lattice->n_sites; site++) {
+        const int32_t *corner = lattice->hexahedron + 8 * site;
+        int flags = grid->flags[site];
+        if (grid->phase[site] == ABSENT) continue;
+        for (int k = 0; k < 8; k++) flags |= grid->flags[corner[k]];
+        if (!(flags & SITE_OWNED)) continue;
+        grid->flags[site] |= SITE_NEAR;
+        for (int k = -1; k < 8; k++) {
+            const int64_t moves = k < 0 ? site : corner[k];
+            if (!(grid->flags[moves] & SITE_OWNED)) grid->flags[moves] |= SITE_MOVES;
+        }
+    }
+}
+
 /* Marks the neighbours of owned particles among scattered ones. */
 static void mark_neighbours(struct grid *grid, const struct lattice *lattice,
                             const struct neighbours *neighbours, int around, uint8_t mark)
@@ -125,13 +142,14 @@ static void allocate(struct grid *grid)
 }
 
 /* Each rank has room for all of the row. */
-static struct grid grid_scattered(const struct lattice *lattice, const struct partition *partition,
-                                  const struct family *family, int n_bonds, int rank)
+static struct grid grid_of_row(const struct lattice *lattice, const struct partition *partition,
+                               const struct family *family, int n_bonds, int rank)
 {
     struct grid grid = {.rank = rank, .size = {lattice->size[0], 1, 1}};
     allocate(&grid);
     fill(&grid, lattice, partition);
-    if (grid.n_owned == lattice->n_nodes) return grid;
+    if (lattice->hexahedron) mark_hexahedra(&grid, lattice);
+    if (lattice->hexahedron || grid.n_owned == lattice->n_nodes) return grid;
     struct neighbours neighbours =
         neighbours_new(lattice->point, lattice->n_sites, family->horizon * lattice->spacing);
     if (n_bonds > 0) mark_neighbours(&grid, lattice, &neighbours, SITE_OWNED, SITE_NEAR);
@@ -146,8 +164,7 @@ static struct grid grid_scattered(const struct lattice *lattice, const struct pa
 struct grid grid_new(const struct lattice *lattice, const struct partition *partition,
                      const struct family *family, const struct offset *bonds, int n_bonds, int rank)
 {
-    if (lattice_is_scattered(lattice))
-        return grid_scattered(lattice, partition, family, n_bonds, rank);
+    if (lattice_is_row(lattice)) return grid_of_row(lattice, partition, family, n_bonds, rank);
     struct grid grid = {.rank = rank};
     int low[3], high[3];
     owned_box(lattice, partition, rank, low, high);

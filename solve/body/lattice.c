@@ -190,6 +190,7 @@ void lattice_share(struct lattice *lattice, int rank)
     lattice->volume = share_array(lattice->volume, n, sizeof(double), rank);
     for (int a = 0; a < 3; a++)
         lattice->point[a] = share_array(lattice->point[a], n, sizeof(double), rank);
+    lattice->hexahedron = share_array(lattice->hexahedron, 8 * n, sizeof(int32_t), rank);
 }
 
 void lattice_free(struct lattice *lattice)
@@ -198,5 +199,6 @@ void lattice_free(struct lattice *lattice)
     free(lattice->corner);
     free(lattice->volume);
     for (int a = 0; a < 3; a++) free(lattice->point[a]);
+    free(lattice->hexahedron);
     *lattice = (struct lattice){0};
 }

@@ -6,7 +6,8 @@
  * Scattered particles are kept as a row of sites, each with a position and a volume of its own.
  *
  * Where the unknowns are those of the corners of the particles' cells (corners.h), sites are corners: the nodes are
- * those that a particle has, and a particle is kept at the site of its lowest corner. */
+ * those that a particle has, and a particle is kept at the site of its lowest corner.  A mesh of hexahedra is a row of
+ * such sites (mesh.h). */
 #ifndef HS_LATTICE_H
 #define HS_LATTICE_H
 
@@ -33,9 +34,13 @@ struct lattice {
     uint8_t *phase; /* [n_sites] of the particle, or ABSENT */
     uint8_t
         *corner; /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
-    double *point[3]; /* [n_sites] m, of scattered particles; else NULL */
+    double *point[3]; /* [n_sites] m, of scattered particles and nodes of a mesh; else NULL */
     double *volume;   /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
     double extent[3]; /* m, between the outermost positions, likewise */
+    int32_t *
+        hexahedron; /* [8 n_sites] of a mesh: sites of the corners of the particle at a site, in the order of
+                          * Exodus; else NULL */
+    double finest; /* m, of a mesh: edge of the cube that is as stiff as its stiffest element */
 };
 
 /* Finds out whether the particles of a domain, in whatever order, lie on a lattice: positions
@@ -129,17 +134,32 @@ static inline double lattice_largest_face(const struct lattice *lattice)
     return largest;
 }
 
+/* Site of corner k of the particle at a site. */
+static inline int64_t lattice_corner_site(const struct lattice *lattice, int64_t site, int k)
+{
+    int step[3];
+    if (lattice->hexahedron) return lattice->hexahedron[8 * site + k];
+    lattice_corner_step(k, step);
+    return site + lattice_site(lattice, step[0], step[1], step[2]);
+}
+
+/* Whether its sites are a row, each with a position of its own. */
+static inline bool lattice_is_row(const struct lattice *lattice)
+{
+    return lattice->point[0] != NULL;
+}
+
 /* Whether its particles lie on no lattice: a row of sites with a list of neighbours. */
 static inline bool lattice_is_scattered(const struct lattice *lattice)
 {
-    return lattice->point[0] != NULL;
+    return lattice_is_row(lattice) && !lattice->hexahedron;
 }
 
 /* Distance of the outermost positions along an axis, and the middle between them [m]. */
 static inline double lattice_extent(const struct lattice *lattice, int axis)
 {
-    return lattice_is_scattered(lattice) ? lattice->extent[axis]
-                                         : (lattice->size[axis] - 1) * lattice->edge[axis];
+    return lattice_is_row(lattice) ? lattice->extent[axis]
+                                   : (lattice->size[axis] - 1) * lattice->edge[axis];
 }
 static inline double lattice_middle(const struct lattice *lattice, int axis)
 {
@@ -154,9 +174,17 @@ static inline void lattice_coordinates(const struct lattice *lattice, const int 
                                  : lattice->origin[a] + at[a] * lattice->edge[a];
 }
 
-/* Reference position of the particle kept at a site [m]. */
+/* Reference position of the particle kept at a site [m]: of one between corners the mean of theirs. */
 static inline void lattice_particle(const struct lattice *lattice, const int at[3], double x[3])
 {
+    if (lattice->hexahedron) {
+        for (int a = 0; a < 3; a++) {
+            x[a] = 0;
+            for (int k = 0; k < 8; k++)
+                x[a] += 0.125 * lattice->point[a][lattice->hexahedron[8 * at[0] + k]];
+        }
+        return;
+    }
     lattice_coordinates(lattice, at, x);
     for (int a = 0; lattice->corner && a < lattice->dimensions; a++) x[a] += 0.5 * lattice->edge[a];
 }

@@ -41,7 +41,7 @@ struct members members_new(const struct body *body, const struct domain *domain,
         if (set->count == 0) die_user("node set '%s' is empty", name);
     }
     int64_t count = set ? set->count : 0;
-    int64_t *corners = set && body->lattice->corner
+    int64_t *corners = set && body->lattice->corner && !body->lattice->hexahedron
                            ? corners_of_particles(body->lattice, set->nodes, &count)
                            : NULL;
     struct members members = members_of_nodes(body,

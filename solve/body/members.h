@@ -12,8 +12,8 @@ struct members {
     double mean_x, low_x, high_x; /* of the whole set, m */
 };
 
-/* The nodes of a set of the domain, whose particles' corners they are where corners are the nodes; domain: rank 0's
- * (NULL elsewhere).  Dies, listing the sets there are, where it has none of that name or
+/* The nodes of a set of the domain, whose particles' corners they are where corners are the nodes, or, of a mesh, of
+ * its corners' domain; rank 0's (NULL elsewhere).  Dies, listing the sets there are, where it has none of that name or
  * an empty one.  Collective. */
 struct members members_new(const struct body *body, const struct domain *domain, const char *name);
 /* Members from ascending node numbers, given on rank 0 (elsewhere NULL and 0); at least one.  Collective. */

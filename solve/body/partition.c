@@ -171,7 +171,7 @@ static struct partition partition_scattered(const struct lattice *lattice, int r
 
 struct partition partition_new(const struct lattice *lattice, int reach, int rank, int size)
 {
-    if (lattice_is_scattered(lattice)) return partition_scattered(lattice, reach, rank, size);
+    if (lattice_is_row(lattice)) return partition_scattered(lattice, reach, rank, size);
     struct partition p = {.edge = reach > 2 ? reach : 2};
     for (int a = 0; a < 3; a++) p.cells[a] = (lattice->size[a] + p.edge - 1) / p.edge;
     p.owner = memory_new((size_t)cell_count(&p), sizeof *p.owner);

@@ -89,6 +89,17 @@ static void permute(double *values, const struct place *order, int64_t count)
     free(copy);
 }
 
+static void permute_hexahedra(struct domain *domain, const struct place *order)
+{
+    enum { CORNERS = 8 };
+    const size_t row = CORNERS * sizeof *domain->hexahedra;
+    int64_t *hexahedra = memory_new((size_t)domain->n_nodes, row);
+    for (int64_t i = 0; i < domain->n_nodes; i++)
+        memcpy(hexahedra + CORNERS * i, domain->hexahedra + CORNERS * order[i].node, row);
+    free(domain->hexahedra);
+    domain->hexahedra = hexahedra;
+}
+
 static void reorder(struct domain *domain, const struct place *order)
 {
     const int64_t n = domain->n_nodes;
@@ -104,6 +115,7 @@ static void reorder(struct domain *domain, const struct place *order)
     }
     free(domain->phase);
     domain->phase = phase;
+    if (domain->hexahedra) permute_hexahedra(domain, order);
     for (int k = 0; k < domain->n_sets; k++) {
         struct node_set *set = &domain->sets[k];
         for (int64_t i = 0; i < set->count; i++) set->nodes[i] = new_number[set->nodes[i]];

@@ -37,6 +37,7 @@ const char *const equilibrium_methods[] = {EQUILIBRIUM_METHODS(IN_DECK), NULL};
 
 static const char *const volumes[] = {"whole", "partial", NULL};
 static const char *const planes[] = {"stress", "strain", NULL};
+static const char *const coincidents[] = {"join", "part", NULL};
 static const char *const starts[] = {"affine", "ramp", NULL};
 static const char *const events[] = {"damage", "maximum_load", NULL};
 
@@ -78,6 +79,11 @@ static const struct key solver_keys[] = {
      .help = "of correspondence"},
     {"residual", KEY_NODE, AT(elsewhere), .section = &section_residual,
      .otherwise = "flowing with its defaults", .help = "of corner"},
+    {"coincident_nodes", KEY_CHOICE, AT(coincident), .usual = -1, .names = coincidents,
+     .otherwise = "required where nodes of a mesh lie on each other",
+     .help =
+         "of corner in meshes: join makes one of nodes at one place, as between blocks that were "
+         "meshed apart; part leaves them apart, as along a crack"},
     {"accept", KEY_FLAG, AT(accept),
      .help = "true: also moduli, densities, yield and hardening that no metal has, as a forgotten "
              "GPa makes of it, and tests that are over in one step"},

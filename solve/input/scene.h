@@ -107,6 +107,7 @@ struct scene {
     struct deck_node solver;    /* for what belongs to the formulation */
     struct deck_node elsewhere; /* of keys that it looks up there */
     int partial_volumes;
+    int coincident; /* nodes of a mesh: enum mesh_coincident (mesh.h), -1: not said */
     enum plane plane;
     int n_boundary, n_initial;
     struct scene_entry *boundary, *initial;

@@ -161,7 +161,9 @@ static void resolve_moving(struct scene_entry *entry, const struct domain *domai
                            const struct domain *places, const struct lattice *lattice)
 {
     struct scene_nodes *nodes = &entry->nodes;
-    const bool named = nodes->selection.kind == SELECT_SET || nodes->selection.kind == SELECT_BLOCK;
+    /* The sets of a mesh are of its nodes. */
+    const bool named = (nodes->selection.kind == SELECT_SET && !lattice->hexahedron) ||
+                       nodes->selection.kind == SELECT_BLOCK;
     resolve(nodes, named ? domain : places, lattice->spacing);
     if (!lattice->corner || !named) return;
     int64_t *particles = nodes->numbers;

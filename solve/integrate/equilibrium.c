@@ -2,6 +2,7 @@
 
 #include "checkpoint.h"
 #include "memory.h"
+#include "mesh.h"
 #include "profile.h"
 #include "stable_step.h"
 
@@ -32,22 +33,26 @@ static struct members held_nodes(const struct body *body, const struct boundary 
     return held;
 }
 
-/* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only softens. */
+/* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only softens; in a mesh that of its
+ * stiffest element, others have it in the ratio of the squares of their edges. */
 static double *bound_new(const struct equilibrium *e, const struct materials *materials)
 {
     const struct unknowns *unknowns = &e->unknowns;
     const struct body *body = e->body;
     const double dt = stable_step(e->model, e->body, materials), scale = 1.2 / (dt * dt);
     double *bound = vector_new(unknowns);
+    double *edge = body->lattice->hexahedron ? mesh_edges(body->lattice) : NULL;
     int64_t node = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++, node++) {
             const int64_t site = body->owned.items[s].site + i;
-            const double density = materials_density(materials, body, site);
+            const double density = materials_density(materials, body, site),
+                         stiff = edge ? body->lattice->finest / edge[site] : 1;
             for (int a = 0; a < 3; a++)
                 bound[a * unknowns->n_nodes + node] =
-                    scale * density * (body_volume(body, site) / body->volume);
+                    scale * density * (body_volume(body, site) / body->volume) * stiff * stiff;
         }
+    free(edge);
     return bound;
 }
 

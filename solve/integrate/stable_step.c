@@ -27,9 +27,16 @@ struct lanczos {
     struct model *model;
     struct body *body;
     const struct materials *materials;
-    struct vector rest, force; /* displacement of the body as it is, and the force at it */
-    struct vector current, before, image;
+    struct vector rest,
+        force; /* displacement of the body as it is, and the force at it; NULL where they are zero */
+    struct vector current, before;
 };
+
+/* The image of the current vector takes the place of the body's force. */
+static struct vector image_of(const struct lanczos *l)
+{
+    return (struct vector){{l->body->f[0], l->body->f[1], l->body->f[2]}};
+}
 
 static struct vector vector_new(const struct body *body)
 {
@@ -37,6 +44,30 @@ static struct vector vector_new(const struct body *body)
     for (int a = 0; a < 3; a++)
         vector.component[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
     return vector;
+}
+
+/* A copy of box fields, none of fields that are zero: a body is set up at rest, and has to have room for this beside all
+ * else. */
+static struct vector copy_new(const struct body *body, double *const fields[3])
+{
+    const int64_t n = body->grid.n_sites;
+    bool zero = true;
+    for (int a = 0; a < 3; a++)
+        for (int64_t i = 0; i < n && zero; i++) zero = fields[a][i] == 0;
+    if (zero) return (struct vector){{NULL}};
+    const struct vector vector = vector_new(body);
+    for (int a = 0; a < 3; a++) memcpy(vector.component[a], fields[a], (size_t)n * sizeof(double));
+    return vector;
+}
+
+static void put_back(const struct body *body, const struct vector *copy, double *const fields[3])
+{
+    const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
+    for (int a = 0; a < 3; a++)
+        if (copy->component[a])
+            memcpy(fields[a], copy->component[a], bytes);
+        else
+            memset(fields[a], 0, bytes);
 }
 
 static void vector_free(struct vector *vector)
@@ -95,22 +126,23 @@ static void start_vector(const struct lanczos *l)
         }
 }
 
-/* image = -M^-1 df/du current, by differences from rest.  Their error is of the order of the displacement over the
+/* image_of(l) = -M^-1 df/du current, by differences from rest.  Their error is of the order of the displacement over the
  * spacing, 1e-7. */
 static void apply(const struct lanczos *l, double amplitude)
 {
     struct body *body = l->body;
     struct vector u = {{body->u[0], body->u[1], body->u[2]}};
-    for (int a = 0; a < 3; a++)
-        memcpy(u.component[a], l->rest.component[a], (size_t)body->grid.n_sites * sizeof(double));
+    put_back(body, &l->rest, body->u);
     combine(body, amplitude, &l->current, 1, &u);
     model_force(l->model, body, (struct force_mode){.frozen = true}, NULL);
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int64_t i = body->owned.items[s].site, end = i + body->owned.items[s].count; i < end;
              i++)
-            for (int a = 0; a < 3; a++)
-                l->image.component[a][i] = (l->force.component[a][i] - body->f[a][i]) / amplitude /
-                                           materials_density(l->materials, body, i);
+            for (int a = 0; a < 3; a++) {
+                const double rest = l->force.component[a] ? l->force.component[a][i] : 0;
+                body->f[a][i] =
+                    (rest - body->f[a][i]) / amplitude / materials_density(l->materials, body, i);
+            }
 }
 
 /* Largest Ritz value of the tridiagonal matrix, and the norm of its residual. */
@@ -149,23 +181,26 @@ static double largest_eigenvalue(struct lanczos *l)
     combine(l->body, 0, &l->current, 1 / norm, &l->current);
     /* Unit vectors have a root mean square of about 1/sqrt(3 nodes density). */
     const double amplitude = 1e-7 * l->body->lattice->spacing * sqrt(3 * nodes * heaviest);
-    const double speed = materials_wave_speed(l->materials), spacing = l->body->lattice->spacing;
+    const struct lattice *lattice = l->body->lattice;
+    const double speed = materials_wave_speed(l->materials),
+                 spacing = lattice->finest > 0 ? lattice->finest : lattice->spacing;
     const double scale = 1e4 * speed * speed / (spacing * spacing); /* far above any eigenvalue */
+    struct vector image = image_of(l);
     double value = 0, residual = 0;
     for (int n = 1; n <= MOST; n++) {
         apply(l, amplitude);
-        diagonal[n - 1] = product(l, &l->current, &l->image, scale);
-        combine(l->body, -diagonal[n - 1], &l->current, 1, &l->image);
-        if (n > 1) combine(l->body, -off[n - 2], &l->before, 1, &l->image);
-        off[n - 1] = sqrt(product(l, &l->image, &l->image, scale * scale));
+        diagonal[n - 1] = product(l, &l->current, &image, scale);
+        combine(l->body, -diagonal[n - 1], &l->current, 1, &image);
+        if (n > 1) combine(l->body, -off[n - 2], &l->before, 1, &image);
+        off[n - 1] = sqrt(product(l, &image, &image, scale * scale));
         value = largest_value(diagonal, off, n, &residual);
         if (n >= FEWEST && residual < 1e-2 * value) break;
         if (off[n - 1] <= 1e-6 * fabs(diagonal[n - 1]))
             break; /* an invariant space: small bodies */
-        struct vector spare = l->before;
+        const struct vector spare = l->before;
         l->before = l->current;
-        l->current = l->image;
-        l->image = spare;
+        l->current = spare;
+        put_back(l->body, &image, l->current.component);
         combine(l->body, 0, &l->before, 1 / off[n - 1], &l->current);
     }
     return value + residual;
@@ -174,34 +209,24 @@ static double largest_eigenvalue(struct lanczos *l)
 double stable_step(struct model *model, struct body *body, const struct materials *materials)
 {
     const enum profile_part before = profile_enter(body->profile, PART_STABLE_STEP);
-    struct lanczos l = {.model = model,
-                        .body = body,
-                        .materials = materials,
-                        .rest = vector_new(body),
-                        .force = vector_new(body),
-                        .current = vector_new(body),
-                        .before = vector_new(body),
-                        .image = vector_new(body)};
-    struct vector force = vector_new(body);
-    const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
-    for (int a = 0; a < 3; a++) {
-        memcpy(l.rest.component[a], body->u[a], bytes);
-        memcpy(force.component[a], body->f[a], bytes);
-    }
+    struct lanczos l = {
+        .model = model, .body = body, .materials = materials, .rest = copy_new(body, body->u)};
+    struct vector force = copy_new(body, body->f);
     const struct force_mode frozen = {.frozen = true};
     model_force(model, body, frozen, NULL);
-    for (int a = 0; a < 3; a++) memcpy(l.force.component[a], body->f[a], bytes);
+    l.force = copy_new(body, body->f);
+    l.current = vector_new(body);
+    l.before = vector_new(body);
     double eigenvalue = largest_eigenvalue(&l);
-    for (int a = 0; a < 3; a++) memcpy(body->u[a], l.rest.component[a], bytes);
+    put_back(body, &l.rest, body->u);
     /* The gradients go back with the displacement, the force to its own bits. */
     model_force(model, body, frozen, NULL);
-    for (int a = 0; a < 3; a++) memcpy(body->f[a], force.component[a], bytes);
+    put_back(body, &force, body->f);
     vector_free(&force);
     vector_free(&l.rest);
     vector_free(&l.force);
     vector_free(&l.current);
     vector_free(&l.before);
-    vector_free(&l.image);
     profile_enter(body->profile, before);
     return 2 / sqrt(eigenvalue);
 }

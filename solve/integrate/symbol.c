@@ -14,6 +14,7 @@ static struct lattice block_new(const struct lattice *like, int reach, int phase
     struct lattice block = *like;
     block.volume = NULL;
     block.corner = NULL;
+    block.hexahedron = NULL;
     for (int a = 0; a < 3; a++) block.point[a] = NULL;
     block.n_sites = 1;
     for (int a = 0; a < 3; a++) {

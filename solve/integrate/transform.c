@@ -4,7 +4,6 @@
 #include "memory.h"
 #include "waves.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,8 +16,12 @@ struct box {
     int64_t count;
     float *values, *room, *inverse; /* [count] */
     struct waves *waves[3];
-    int64_t *place; /* [n_nodes] in the box, or -1 */
-    double *all;    /* [n_nodes] */
+    int each;       /* places of a node: 1, of a mesh 8 */
+    int64_t *place; /* [each n_nodes] in the box, or -1 */
+    float *weight;  /* [each n_nodes] of a mesh; NULL: 1 */
+    double *all;    /* [n_nodes] as the ranks have them, one rank behind the other */
+    int64_t *
+        order; /* [n_nodes] of a row, where places are shared: which of them is at a site; else NULL */
 };
 
 struct transform {
@@ -29,39 +32,91 @@ struct transform {
     struct box box[3];
 };
 
-/* Place of a site in the lattice, of scattered particles in one of their mean distance. */
-static void find_position(const struct lattice *lattice, int64_t site, int at[3])
+/* Place of a site in the lattice; of scattered particles the nearest in one of their mean distance, of a mesh's node where
+ * it lies in such a one. */
+static void find_position(const struct lattice *lattice, int64_t site, double at[3])
 {
-    lattice_position(lattice, site, at);
-    if (!lattice_is_scattered(lattice)) return;
-    for (int b = 0; b < 3; b++)
-        at[b] = (int)floor((lattice->point[b][site] - lattice->origin[b]) / lattice->spacing + 0.5);
+    int place[3];
+    lattice_position(lattice, site, place);
+    for (int b = 0; b < 3; b++) {
+        at[b] = place[b];
+        if (!lattice_is_row(lattice)) continue;
+        at[b] = (lattice->point[b][site] - lattice->origin[b]) / lattice->spacing;
+        if (!lattice->hexahedron) at[b] = floor(at[b] + 0.5);
+    }
 }
 
+/* Free nodes between places count for those on either side, but for what lies where the body is held. */
 static void find_box(struct box *box, const struct lattice *lattice, const int64_t *sites,
                      int64_t n, const double *free)
 {
-    int high[3] = {-1, -1, -1}, body_low[3], body_high[3] = {-1, -1, -1};
-    for (int b = 0; b < 3; b++) box->low[b] = body_low[b] = INT_MAX;
+    static const double slack = 1e-6; /* spacings, of places of a mesh */
+    double low[3], high[3], body_low[3], body_high[3];
+    for (int b = 0; b < 3; b++) {
+        low[b] = body_low[b] = INFINITY;
+        high[b] = body_high[b] = -INFINITY;
+    }
     for (int64_t i = 0; i < n; i++) {
-        int at[3];
+        double at[3];
         find_position(lattice, sites[i], at);
         for (int b = 0; b < 3; b++) {
-            body_low[b] = at[b] < body_low[b] ? at[b] : body_low[b];
-            body_high[b] = at[b] > body_high[b] ? at[b] : body_high[b];
+            body_low[b] = fmin(body_low[b], at[b]);
+            body_high[b] = fmax(body_high[b], at[b]);
             if (!(free[i] > 0)) continue;
-            box->low[b] = at[b] < box->low[b] ? at[b] : box->low[b];
-            high[b] = at[b] > high[b] ? at[b] : high[b];
+            low[b] = fmin(low[b], at[b]);
+            high[b] = fmax(high[b], at[b]);
         }
     }
     box->count = 1;
     box->corners = lattice->corner != NULL;
     box->dimensions = lattice->dimensions;
     for (int b = 0; b < 3; b++) {
-        box->size[b] = high[b] >= box->low[b] ? high[b] - box->low[b] + 1 : 0;
-        box->held[b][0] = body_low[b] < box->low[b];
-        box->held[b][1] = body_high[b] > high[b];
+        box->held[b][0] = body_low[b] < low[b] - slack;
+        box->held[b][1] = body_high[b] > high[b] + slack;
+        box->size[b] = 0;
+        if (low[b] <= high[b]) {
+            box->low[b] = (int)(box->held[b][0] ? ceil(low[b] - slack) : floor(low[b] + slack));
+            const int last =
+                (int)(box->held[b][1] ? floor(high[b] + slack) : ceil(high[b] - slack));
+            box->size[b] = last >= box->low[b] ? last - box->low[b] + 1 : 0;
+        }
         box->count *= box->size[b];
+    }
+}
+
+/* Place in the box; -1 outside of it. */
+static int64_t place_in(const struct box *box, const int at[3])
+{
+    int64_t place = 0;
+    for (int b = 2; b >= 0; b--) {
+        const int step = at[b] - box->low[b];
+        if (step < 0 || step >= box->size[b]) return -1;
+        place = place * box->size[b] + step;
+    }
+    return place;
+}
+
+/* The places around each free node of a mesh, with the weights of linear interpolation. */
+static void find_places_around(struct box *box, const struct lattice *lattice, const int64_t *sites,
+                               int64_t n, const double *free_nodes)
+{
+    box->each = 8;
+    box->place = memory_new(8 * (size_t)n, sizeof *box->place);
+    box->weight = memory_new(8 * (size_t)n, sizeof *box->weight);
+    for (int64_t i = 0; i < n; i++) {
+        double at[3];
+        find_position(lattice, sites[i], at);
+        for (int k = 0; k < 8; k++) {
+            int place[3];
+            double weight = 1;
+            for (int b = 0; b < 3; b++) {
+                const double below = floor(at[b]), share = at[b] - below;
+                place[b] = (int)below + (k >> b & 1);
+                weight *= k >> b & 1 ? share : 1 - share;
+            }
+            box->place[8 * i + k] = free_nodes[i] > 0 ? place_in(box, place) : -1;
+            box->weight[8 * i + k] = (float)weight;
+        }
     }
 }
 
@@ -70,14 +125,14 @@ static bool find_places(struct box *box, const struct lattice *lattice, const in
                         int64_t n, const double *free_nodes)
 {
     bool *taken = memory_new((size_t)box->count + 1, sizeof *taken), crowded = false;
+    box->each = 1;
     box->place = memory_new((size_t)n, sizeof *box->place);
     for (int64_t i = 0; i < n; i++) {
-        int at[3];
+        double at[3];
         find_position(lattice, sites[i], at);
-        for (int b = 0; b < 3; b++) at[b] -= box->low[b];
         box->place[i] = -1;
         if (!(free_nodes[i] > 0)) continue;
-        const int64_t place = ((int64_t)at[2] * box->size[1] + at[1]) * box->size[0] + at[0];
+        const int64_t place = place_in(box, (const int[]){(int)at[0], (int)at[1], (int)at[2]});
         crowded |= taken[place];
         taken[place] = true;
         box->place[i] = place;
@@ -92,8 +147,10 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
     int64_t inner = 1;
     for (int b = 0; b < 3; b++) {
         const int n = box->size[b];
-        /* Across the one layer of a plane there are no corners. */
-        const bool corners = box->corners && b < box->dimensions;
+        /* Across the one layer of a plane there are no corners, and those of a mesh that is flatter than the lattice
+         * they are put on fall into one. */
+        const bool corners =
+            box->corners && b < box->dimensions && (n > 1 || box->held[b][0] || box->held[b][1]);
         box->waves[b] = waves_new(n, inner, corners, box->held[b][0], box->held[b][1]);
         inner *= n;
         k[b] = memory_new((size_t)n, sizeof *k[b]);
@@ -109,6 +166,13 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
         box->inverse[i] = (float)(1 / (fmax(stiffness[i], 0) + least));
     for (int b = 0; b < 3; b++) free(k[b]);
     free(stiffness);
+}
+
+static int64_t *order_of(const int64_t *sites, int64_t n)
+{
+    int64_t *order = memory_new((size_t)n, sizeof *order);
+    for (int64_t i = 0; i < n; i++) order[sites[i]] = i;
+    return order;
 }
 
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
@@ -128,8 +192,13 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
                           unknowns->free + a * unknowns->n_nodes, free_nodes);
         if (body->ranks.rank == transform->root[a]) {
             find_box(box, body->lattice, sites, body->n_nodes, free_nodes);
-            crowded |= find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
+            crowded |= body->lattice->hexahedron != NULL;
+            if (body->lattice->hexahedron)
+                find_places_around(box, body->lattice, sites, body->n_nodes, free_nodes);
+            else
+                crowded |= find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
             box->all = memory_new(nodes, sizeof *box->all);
+            if (lattice_is_row(body->lattice)) box->order = order_of(sites, body->n_nodes);
             if (box->count > 0) find_inverse(box, symbol, a);
         }
         free(free_nodes);
@@ -149,6 +218,8 @@ void transform_free(struct transform *transform)
         free(box->room);
         free(box->inverse);
         free(box->place);
+        free(box->weight);
+        free(box->order);
         free(box->all);
     }
     collection_free(transform->collection);
@@ -167,13 +238,36 @@ static int64_t outer_of(const struct box *box, int axis)
     return outer;
 }
 
+/* Values of the nodes to the box, and back.  Those that share a place are summed in the order of their sites. */
+static void put_in(const struct box *box, int64_t n, float *values)
+{
+    memset(values, 0, (size_t)box->count * sizeof *values);
+    for (int64_t site = 0; site < n; site++) {
+        const int64_t i = box->order ? box->order[site] : site;
+        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
+            if (box->place[k] >= 0)
+                values[box->place[k]] += (box->weight ? box->weight[k] : 1) * (float)box->all[i];
+    }
+}
+
+static void take_out(const struct box *box, int64_t n, const float *values)
+{
+    for (int64_t i = 0; i < n; i++) {
+        box->all[i] = 0;
+        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
+            if (box->place[k] >= 0)
+                box->all[i] += (box->weight ? box->weight[k] : 1) * values[box->place[k]];
+    }
+}
+
 static void invert(struct box *box, int64_t n)
 {
     float *values = box->values, *room = box->room;
-    if (box->count == 0) return;
-    memset(values, 0, (size_t)box->count * sizeof *values);
-    for (int64_t i = 0; i < n; i++)
-        if (box->place[i] >= 0) values[box->place[i]] += (float)box->all[i];
+    if (box->count == 0) {
+        memset(box->all, 0, (size_t)n * sizeof *box->all);
+        return;
+    }
+    put_in(box, n, values);
     for (int step = 0; step < 6; step++) {
         const int b = step < 3 ? step : 5 - step;
         float *result = waves_transform(box->waves[b], step >= 3, outer_of(box, b), values, room);
@@ -181,7 +275,7 @@ static void invert(struct box *box, int64_t n)
         values = result;
         for (int64_t i = 0; step == 2 && i < box->count; i++) values[i] *= box->inverse[i];
     }
-    for (int64_t i = 0; i < n; i++) box->all[i] = box->place[i] >= 0 ? values[box->place[i]] : 0;
+    take_out(box, n, values);
 }
 
 void transform_apply(struct transform *transform, const double *r, double *z)

@@ -30,7 +30,7 @@ static const struct kind {
     bool spatial;          /* not in a plane */
     bool strained;         /* not in plane stress: its strain across the plane is zero */
 } kinds[MODELS] = {
-    [CORNER] = {&formulation_corner, NULL, .strained = true},
+    [CORNER] = {.formulation = &formulation_corner},
     [CORRESPONDENCE] = {&formulation_correspondence, NULL, .strained = true},
     [CORRESPONDENCE_ELASTIC] = {&formulation_correspondence, &law_elastic, .strained = true},
     [BOND_BASED] = {&formulation_bond_based, &law_elastic, .central = true},
@@ -169,7 +169,7 @@ static struct material read_material(struct deck_node map, const char *name, enu
     if (kind->strained && plane == PLANE_STRESS)
         deck_error(deck_get(map, "model"),
                    "%s has no plane stress, since nothing moves across its plane: take 'plane: "
-                   "strain', or an ordinary material",
+                   "strain', corner, or an ordinary material",
                    models[model]);
     m.density = given.density;
     find_moduli(map, kind, plane, given.elastic, &m);

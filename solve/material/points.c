@@ -1,5 +1,6 @@
 #include "points.h"
 
+#include "across.h"
 #include "checkpoint.h"
 #include "degradation.h"
 #include "laws.h"
@@ -21,6 +22,7 @@ struct point_store {
      * obey one law. */
     int64_t **place;
     double *records; /* of degradation, strip by strip; NULL: none degrades */
+    double *stretch; /* across a sheet in plane stress, strip by strip (across.h); else NULL */
 };
 
 /* The points of a strip that obey one law. */
@@ -149,6 +151,10 @@ struct point_store *points_new(const struct body *body, const struct materials *
     free(points);
     start(store, strips);
     if (body->integrity) store->records = degradation_new(strips);
+    if (materials->plane == PLANE_STRESS) {
+        store->stretch = memory_new((size_t)strips->points, sizeof *store->stretch);
+        for (int64_t i = 0; i < strips->points; i++) store->stretch[i] = 1;
+    }
     return store;
 }
 
@@ -162,6 +168,7 @@ void points_free(struct point_store *store)
     free(store->state);
     free(store->place);
     free(store->records);
+    free(store->stretch);
     free(store);
 }
 
@@ -199,11 +206,9 @@ static void update_part(const struct law_in_use *use, const struct part *part,
     scatter_outputs(&gathered, part, step.energy, points);
 }
 
-void points_update(struct point_store *store, const struct strip *strip, struct points *points,
-                   struct force_mode mode, const double *integrity)
+static void ask_laws(struct point_store *store, const struct strip *strip, struct points *points,
+                     struct step step)
 {
-    const struct step step = {mode.dt, mode.time, mode.commit, mode.frozen,
-                              mode.energy || integrity};
     points->flows = false;
     for (int law = 0; law < store->materials->n_laws; law++) {
         const struct law_in_use *use = &store->materials->laws[law];
@@ -215,6 +220,28 @@ void points_update(struct point_store *store, const struct strip *strip, struct 
         else
             use->law->update(use->pairs, points, part.state, part.stride, step);
     }
+}
+
+static void ask_in_plane_stress(struct point_store *store, const struct strip *strip,
+                                struct points *points, struct step step)
+{
+    const struct step trial = {
+        .dt = step.dt, .time = step.time, .frozen = step.frozen, .energy = false};
+    double *kept = store->stretch + strip->store;
+    struct across across;
+    across_begin(&across, kept, points);
+    do ask_laws(store, strip, points, trial);
+    while (across_improve(&across, points));
+    if (step.commit || step.energy) ask_laws(store, strip, points, step);
+    if (step.commit) memcpy(kept, across.stretch, (size_t)strip->count * sizeof *kept);
+}
+
+void points_update(struct point_store *store, const struct strip *strip, struct points *points,
+                   struct force_mode mode, const double *integrity)
+{
+    const struct step step = {mode.dt, mode.time, mode.commit, mode.frozen,
+                              mode.energy || integrity};
+    (store->stretch ? ask_in_plane_stress : ask_laws)(store, strip, points, step);
     if (integrity)
         degradation_apply(points, mode.commit, integrity,
                           store->records + DEGRADATION * strip->store, strip->stride);
@@ -291,5 +318,8 @@ void points_visit(struct point_store *store, struct checkpoint *checkpoint, cons
     }
     char *name = memory_print("%s: degradation", what);
     checkpoint_strips(checkpoint, name, strips, DEGRADATION, store->records);
+    free(name);
+    name = memory_print("%s: stretch across", what);
+    checkpoint_strips(checkpoint, name, strips, 1, store->stretch);
     free(name);
 }

@@ -22,7 +22,8 @@ void points_free(struct point_store *store);
 /* Moduli, pair and shift of the points of a strip. */
 void points_load(const struct point_store *store, const struct strip *strip, struct points *points);
 
-/* The law's answer to points->H; integrity: those of the points, NULL: all are sound. */
+/* The law's answer to points->H; integrity: those of the points, NULL: all are sound.  In plane stress H_zz becomes that
+ * at which the law's P_zz is zero. */
 void points_update(struct point_store *store, const struct strip *strip, struct points *points,
                    struct force_mode mode, const double *integrity);
 

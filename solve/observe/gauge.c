@@ -40,8 +40,7 @@ static int layers(const struct lattice *lattice)
 /* x, at: of a particle and of its site. */
 static int layer(const struct lattice *lattice, double x, int at)
 {
-    return lattice_is_scattered(lattice) ? (int)lround((x - lattice->origin[0]) / lattice->spacing)
-                                         : at;
+    return lattice_is_row(lattice) ? (int)lround((x - lattice->origin[0]) / lattice->spacing) : at;
 }
 
 /* Volume of a node over the mean one. */
@@ -159,7 +158,8 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
 {
     const struct lattice *lattice = body->lattice;
     struct gauge_section smallest = {INFINITY, 0};
-    const double first = lattice->origin[0] + (lattice->corner ? 0.5 * lattice->spacing : 0);
+    const double first = lattice->origin[0] +
+                         (lattice->corner && !lattice_is_row(lattice) ? 0.5 * lattice->spacing : 0);
     for (int x = 0; x < layers(lattice); x++) {
         const double volume = gauge->layer[x];
         if (!(volume > 0) || sections[x] / volume >= smallest.ratio) continue;

@@ -170,16 +170,25 @@ corner() {
     compare 3
 }
 
-@test "sheet, corner, plane strain: 3 ranks give the bits of one" {
+# corner_sheet PLANE RANKS...
+corner_sheet() {
     corner '  specimen: plate
   dimensions: 2
   size: [0.6 mm, 0.3 mm, 25 um]
   gauge: {length: 0.3 mm}'
-    sed -i 's/  type: explicit/&\n  plane: strain/' study.yaml
+    sed -i "s/  type: explicit/&\n  plane: $1/" study.yaml
     hsgen -q study.yaml -o domain.g
     solve 1
     [ "$(plastic 1/history.e CG)" -ge 1 ]
-    compare_with_one 3
+    compare_with_one "${@:2}"
+}
+
+@test "sheet, corner, plane strain: 3 ranks give the bits of one" {
+    corner_sheet strain 3
+}
+
+@test "sheet, corner, plane stress: 2, 3 and 8 ranks give the bits of one" {
+    corner_sheet stress 2 3 8
 }
 
 @test "dog-bone, corner, at rest: 2, 3 and 8 ranks give the bits of one" {

@@ -127,6 +127,38 @@ $cracks"
     goes_on 1 2 3
 }
 
+@test "corner in a distorted mesh: from 2 ranks to 1 and 3" {
+    awk -v form=distorted -v nx=16 -v ny=5 -v nz=4 -v lx=16e-4 -v ly=5e-4 -v lz=4e-4 -v parts=2 \
+        -f "$BATS_TEST_DIRNAME/../mesh.awk" >mesh.cdl
+    ncgen -k 64-bit-offset -o mesh.g mesh.cdl
+    cat >deck.yaml <<END
+title: Goes on
+materials:
+  A: {model: corner, density: 8900, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}}
+  B: {model: corner, density: 8800, $elastic, $plastic}
+boundary:
+  - {set: low_x, direction: x, velocity: -20 m/s}
+  - {set: high_x, direction: x, velocity: 20 m/s}
+solver: {type: explicit, end_time: 8 us, coincident_nodes: join}
+damage:
+  - {phase: A, law: ductile, onset: 0.04, full: 0.12}
+  - {phase: B, law: ductile, onset: 0.02, full: 0.05}
+output:
+  history: 60
+  fields: {frames: 6, variables: [displacement, velocity, force, stress, equivalent_plastic_strain, damage]}
+  checkpoint: {every: 40 steps, keep: 100}
+END
+    options='-i ../mesh.g --deck ../deck.yaml' goes_on 2 4 1 3
+    holds "$(last removed_nodes) > 2"
+}
+
+@test "corner, a sheet in plane stress: from 2 ranks to 3" {
+    FLAT=yes study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+        'type: explicit, plane: stress, end_time: 0.6 us' "$ductile"
+    goes_on 2 4 3
+    holds "$(last removed_nodes) > 1"
+}
+
 @test "ordinary, plastic and ductile, bonds that break: from 1 rank to 2 and 8" {
     study "model: ordinary_plastic, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
         "model: ordinary_plastic, $elastic, $hard" 'type: explicit, horizon: 2.2, end_time: 0.5 us' "damage:

@@ -2,6 +2,8 @@
 
 #include "bond_search.h"
 #include "corners.h"
+#include "hexahedron.h"
+#include "mesh.h"
 #include "yield.h"
 
 #include "check.h"
@@ -104,6 +106,56 @@ static struct lattice scattered(struct lattice *lattice, double jitter)
     return result;
 }
 
+/* The cells of particles on a lattice as a mesh; takes the lattice over. */
+static struct lattice mesh_of(const struct lattice *particles, double jitter)
+{
+    static const int of_exodus[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+    struct lattice cells = corners_lattice(particles);
+    const int64_t n = cells.n_particles;
+    struct domain nodes = corners_domain(&cells),
+                  domain = {.n_nodes = n,
+                            .x = memory_new((size_t)n, sizeof(double)),
+                            .y = memory_new((size_t)n, sizeof(double)),
+                            .z = memory_new((size_t)n, sizeof(double)),
+                            .volume = memory_new((size_t)n, sizeof(double)),
+                            .phase = memory_new((size_t)n, 1),
+                            .hexahedra = memory_new(8 * (size_t)n, sizeof(int64_t)),
+                            .corners = memory_new(1, sizeof(struct domain))};
+    double *const x[3] = {nodes.x, nodes.y, nodes.z};
+    int64_t *number = memory_new((size_t)cells.n_sites, sizeof *number), next = 0;
+    struct random_stream *stream = random_new(1, "jitter");
+    for (int64_t site = 0; site < cells.n_sites; site++) {
+        number[site] = next;
+        next += cells.corner[site];
+    }
+    for (int64_t i = 0; i < nodes.n_nodes; i++)
+        for (int a = 0; a < 3; a++)
+            x[a][i] += jitter * SMALL_SPACING * (2 * random_uniform(stream) - 1);
+    next = n;
+    for (int64_t site = 0; site < cells.n_sites; site++) {
+        struct hexahedron hexahedron;
+        double centroid[3];
+        if (cells.phase[site] == ABSENT) continue;
+        domain.phase[--next] = cells.phase[site];
+        for (int k = 0; k < 8; k++) {
+            const int64_t node = number[lattice_corner_site(&cells, site, of_exodus[k])];
+            domain.hexahedra[8 * next + k] = node;
+            for (int a = 0; a < 3; a++) hexahedron.corner[k][a] = x[a][node];
+        }
+        domain.volume[next] = hexahedron_volume(&hexahedron, centroid);
+    }
+    random_free(stream);
+    free(number);
+    *domain.corners = nodes;
+    attributes_set_number(&domain.attributes, "mean_spacing_m", particles->spacing);
+    struct domain corners;
+    const struct lattice mesh = mesh_lattice(&domain, &corners);
+    domain_free(&domain);
+    domain_free(&corners);
+    lattice_free(&cells);
+    return mesh;
+}
+
 void small_body_new(struct small_body *small, const struct small_case *wanted)
 {
     char *names[] = {"A", "B"};
@@ -129,8 +181,10 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
     if (small->materials.formulation->corners) {
         const struct lattice particles = small->lattice;
-        small->lattice = corners_lattice(&particles);
+        small->lattice =
+            wanted->mesh ? mesh_of(&particles, wanted->jitter) : corners_lattice(&particles);
         free(particles.phase);
+        family_free(&small->family);
         small->family = family_new(small->materials.formulation->horizon, 0, false);
     }
     small->model = model_new(root, &small->family, &small->materials);

@@ -23,7 +23,10 @@ struct small_case {
     enum plane plane; /* not SPACE: one layer as thick as the spacing */
     bool partial;     /* volumes */
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
-    double jitter;    /* scattered: each moved by up to this many spacings along each axis */
+    bool mesh;        /* of corner: as hexahedra of a mesh, in the opposite order */
+    double
+        jitter; /* each moved by up to this many spacings along each axis: of scattered ones, and of the corners
+                       * of a mesh, which are then no boxes */
     const struct domain *points;    /* scattered particles of space, in place of size and phase */
     const char *surface_correction; /* NULL: none */
     const char *breaking;           /* further sections, "damage: ..., cracks: ...", or NULL */

@@ -70,16 +70,23 @@ static void test_uniaxial_stress_in_a_staircase(void **state)
     }
 }
 
-/* A body that has flowed at random, strains of 3 %. */
+enum kind { IN_SPACE, IN_PLANE, IN_STRESS, IN_MESH, KINDS };
+
+/* A body that has flowed at random, strains of 3 %; of a mesh, whose hexahedra are no boxes. */
 static void shaken(struct small_body *small, const char *residual, const char *materials,
-                   enum plane plane)
+                   enum kind kind)
 {
+    const bool plane = kind == IN_PLANE || kind == IN_STRESS;
     const double H[9] = {0.02, 0.01, 0, 0, -0.01, plane ? 0 : 0.005, 0, 0, plane ? 0 : 0.01};
     small_body_new(small, &(struct small_case){.size = {4, 3, plane ? 1 : 3},
                                                .residual = residual,
                                                .materials = materials,
                                                .phase = staircase,
-                                               .plane = plane});
+                                               .mesh = kind == IN_MESH,
+                                               .jitter = 0.2,
+                                               .plane = kind == IN_PLANE    ? PLANE_STRAIN
+                                                        : kind == IN_STRESS ? PLANE_STRESS
+                                                                            : SPACE});
     small_body_deform(small, H);
     small_body_force(small, true, false);
     small_body_shake(small, 0.03, 7);
@@ -93,10 +100,9 @@ static void shaken(struct small_body *small, const char *residual, const char *m
 static void test_momentum(void **state)
 {
     (void)state;
-    for (int k = 0; k < 2 * RESIDUALS_TESTED; k++) {
+    for (int k = 0; k < KINDS * RESIDUALS_TESTED; k++) {
         struct small_body small;
-        const enum plane plane = k % 2 ? PLANE_STRAIN : SPACE;
-        shaken(&small, residuals[k / 2], NICKEL, plane);
+        shaken(&small, residuals[k / KINDS], NICKEL, (enum kind)(k % KINDS));
         small_body_force(&small, false, false);
         const struct body *body = &small.body;
         double sum[3] = {0}, moment[3] = {0}, largest = 0;
@@ -128,9 +134,9 @@ static void test_momentum(void **state)
 static void test_force_is_the_gradient(void **state)
 {
     (void)state;
-    for (int k = 0; k < 2 * RESIDUALS_TESTED; k++) {
+    for (int k = 0; k < KINDS * RESIDUALS_TESTED; k++) {
         struct small_body small;
-        shaken(&small, residuals[k / 2], NICKEL, k % 2 ? PLANE_STRAIN : SPACE);
+        shaken(&small, residuals[k / KINDS], NICKEL, (enum kind)(k % KINDS));
         const struct body *body = &small.body;
         const double step = 1e-4 * spacing;
         double energy[2], work = 0, size = 0;
@@ -157,9 +163,9 @@ static void test_objectivity(void **state)
 {
     const double angle = 0.7, c = cos(angle), s = sin(angle), R[9] = {c, -s, 0, s, c, 0, 0, 0, 1};
     (void)state;
-    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+    for (int k = 0; k < KINDS * RESIDUALS_TESTED; k++) {
         struct small_body small;
-        shaken(&small, residuals[k], NICKEL, SPACE);
+        shaken(&small, residuals[k / KINDS], NICKEL, (enum kind)(k % KINDS));
         const struct body *body = &small.body;
         small_body_force(&small, false, false);
         double *before = memory_new(3 * (size_t)body->grid.n_sites, sizeof *before), largest = 0;
@@ -185,6 +191,139 @@ static void test_objectivity(void **state)
                 assert_near(body->f[a][site], turned, 1e-10 * largest);
             }
         free(before);
+        small_body_free(&small);
+    }
+}
+
+/* A uniform gradient of 20 %, with flow, in a mesh of hexahedra that are no boxes and have warped faces: each particle has
+ * that gradient, nodes inside are at rest and the others in balance.  Rounding: 1e-13, and 1e-11 of the largest force. */
+static void test_patch_of_a_mesh(void **state)
+{
+    const double H[9] = {0.2, 0.05, -0.02, 0.03, -0.08, 0.04, 0.01, -0.06, -0.05};
+    (void)state;
+    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+        struct small_body small;
+        small_body_new(&small, &(struct small_case){.size = {4, 3, 3},
+                                                    .residual = residuals[k],
+                                                    .materials = NICKEL,
+                                                    .mesh = true,
+                                                    .jitter = 0.25});
+        const struct body *body = &small.body;
+        small_body_deform(&small, H);
+        small_body_force(&small, true, false);
+        struct node_state seen;
+        model_observe(small.model, body, &body->near.items[0], &seen);
+        for (int c = 0; c < 9; c++)
+            for (int i = 0; i < seen.count; i++) assert_near(seen.H[c][i], H[c], 1e-13);
+        double largest = 0, load[3] = {0};
+        int inside = 0;
+        for (int64_t site = 0; site < body->grid.n_sites; site++)
+            for (int a = 0; a < 3 && small_body_has(&small, site); a++)
+                largest = fmax(largest, fabs(force_on(body, a, site)));
+        for (int64_t site = 0; site < body->grid.n_sites; site++) {
+            int elements = 0;
+            for (int64_t n = 0; n < 8 * small.lattice.n_particles; n++)
+                elements += small.lattice.hexahedron[n] == site;
+            for (int a = 0; a < 3 && small_body_has(&small, site); a++) {
+                load[a] += force_on(body, a, site);
+                if (elements == 8) assert_near(force_on(body, a, site), 0, 1e-11 * largest);
+            }
+            inside += elements == 8;
+        }
+        assert_int_equal(inside, 3 * 2 * 2);
+        for (int a = 0; a < 3; a++) assert_near(load[a], 0, 1e-11 * largest);
+        small_body_free(&small);
+    }
+}
+
+/* Cubes as a mesh are the lattice: the same forces in a state that has flowed, to rounding, 1e-12 of the largest. */
+static void test_cubes_as_a_mesh(void **state)
+{
+    (void)state;
+    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+        struct small_body small[2];
+        double largest = 0;
+        int found = 0;
+        for (int m = 0; m < 2; m++) {
+            small_body_new(&small[m], &(struct small_case){.size = {4, 3, 3},
+                                                           .edge = {1, 0.7, 2},
+                                                           .residual = residuals[k],
+                                                           .materials = NICKEL,
+                                                           .phase = staircase,
+                                                           .mesh = m == 1});
+            struct body *body = &small[m].body;
+            for (int step = 1; step <= 4; step++) {
+                for (int64_t site = 0; site < body->grid.n_sites; site++) {
+                    double x[3];
+                    if (!small_body_has(&small[m], site)) continue;
+                    body_position(body, site, x);
+                    for (int a = 0; a < 3; a++)
+                        body->u[a][site] =
+                            0.02 * step * spacing *
+                            sin((2 + a) * x[a] / spacing + 3 * x[(a + 1) % 3] / spacing);
+                }
+                small_body_force(&small[m], true, false);
+            }
+            largest = fmax(largest, small_body_largest(&small[m], body->f));
+        }
+        for (int64_t i = 0; i < small[1].body.grid.n_sites; i++) {
+            double x[3];
+            if (!small_body_has(&small[1], i)) continue;
+            body_position(&small[1].body, i, x);
+            int at[3];
+            for (int a = 0; a < 3; a++)
+                at[a] = (int)lround((x[a] - small[0].lattice.origin[a]) / small[0].lattice.edge[a]);
+            const int64_t j = grid_site(&small[0].body.grid, at);
+            for (int a = 0; a < 3; a++)
+                assert_near(small[1].body.f[a][i], small[0].body.f[a][j], 1e-12 * largest);
+            assert_relative(small[1].body.volumes[i], small[0].body.volumes[j], 1e-12);
+            found++;
+        }
+        assert_int_equal(found, small[0].lattice.n_nodes);
+        for (int m = 0; m < 2; m++) small_body_free(&small[m]);
+    }
+}
+
+/* A sheet in plane stress under equal stretches of both axes to 20 %, flowing: the stress across vanishes, that in the
+ * plane is the one of the law at the stretch across which bisection of that law's answer gives; 1e-10 of it, 1e-12 of the
+ * moduli being taken for no stress. */
+static void test_sheet_in_plane_stress(void **state)
+{
+    (void)state;
+    for (int k = 0; k < RESIDUALS_TESTED; k++) {
+        struct small_body small;
+        small_body_new(&small, &(struct small_case){.size = {4, 3, 1},
+                                                    .residual = residuals[k],
+                                                    .materials = NICKEL,
+                                                    .plane = PLANE_STRESS});
+        const struct body *body = &small.body;
+        const struct law_in_use *use = &small.materials.laws[0];
+        struct small_point point = small_point_new(&small.materials);
+        struct node_state seen;
+        double across = 0;
+        for (int step = 1; step <= 20; step++) {
+            const double stretch = 0.01 * step, H[9] = {stretch, 0, 0, 0, stretch, 0, 0, 0, 0};
+            struct points strip = {.count = 1};
+            double low = across - 0.05, high = across + 0.05;
+            small_body_deform(&small, H);
+            small_body_force(&small, true, false);
+            strip.H[0][0] = strip.H[4][0] = stretch;
+            strip.mu[0] = small.materials.shear[0];
+            strip.bulk[0] = small.materials.bulk[0];
+            for (int halving = 0; halving < 100; halving++) {
+                strip.H[8][0] = across = 0.5 * (low + high);
+                use->law->update(use->pairs, &strip, point.state, 1,
+                                 (struct step){.commit = false});
+                *(strip.P[8][0] < 0 ? &low : &high) = across;
+            }
+            use->law->update(use->pairs, &strip, point.state, 1, (struct step){.commit = true});
+            model_observe(small.model, body, &body->near.items[0], &seen);
+            assert_near(seen.H[8][0], across, 1e-12);
+            assert_near(seen.cauchy[2][0], 0, 1e-11 * strip.bulk[0]);
+            const double cauchy = strip.P[0][0] / ((1 + stretch) * (1 + across));
+            assert_relative(seen.cauchy[0][0], cauchy, 1e-8);
+        }
+        assert_true(small_point_plastic(&point) > 0.3);
         small_body_free(&small);
     }
 }
@@ -290,6 +429,9 @@ int main(void)
         cmocka_unit_test(test_momentum),
         cmocka_unit_test(test_force_is_the_gradient),
         cmocka_unit_test(test_objectivity),
+        cmocka_unit_test(test_patch_of_a_mesh),
+        cmocka_unit_test(test_cubes_as_a_mesh),
+        cmocka_unit_test(test_sheet_in_plane_stress),
         cmocka_unit_test(test_layers_in_series),
         cmocka_unit_test(test_flow_of_the_residual),
     };

@@ -15,6 +15,7 @@
  * family never reaches over one, and one pressure a particle against three unknowns a corner does not lock.  On a cube
  * it is the hexahedron of one point with the mean strain of Flanagan, Belytschko (1981): what of peridynamics is left,
  * and what not, says docs/theory.md. */
+#include "hexahedra.h"
 #include "integrity.h"
 #include "memory.h"
 #include "model.h"
@@ -32,6 +33,7 @@ struct corner {
     double *nominal; /* box field: stress xx of particles, as of the last force to be recorded */
     int64_t row[4];  /* shifts to the corners' rows (0, 0), (1, 0), (0, 1), (1, 1) along y and z */
     double slope[3]; /* 1/(4 dx) */
+    struct hexahedra *hexahedra; /* of a mesh, in place of rows and slopes; else NULL */
 };
 
 static void *corner_read(struct deck_node solver, const struct family *family,
@@ -60,7 +62,8 @@ static void corner_start(void *self, const struct body *body, struct bonds *bond
     for (int a = 0; a < 3; a++) model->slope[a] = 0.25 / body->lattice->edge[a];
     model->points = points_new(body, model->materials, &body->near, 0);
     model->nominal = memory_new((size_t)body->grid.n_sites, sizeof *model->nominal);
-    model->residual->start(model->self, body, model->materials, &body->near);
+    if (body->lattice->hexahedron) model->hexahedra = hexahedra_new(body);
+    model->residual->start(model->self, body, model->materials, model->hexahedra);
 }
 
 static void corner_visit(void *self, const struct body *body, struct checkpoint *checkpoint)
@@ -75,6 +78,7 @@ static void corner_free(void *self)
     struct corner *model = self;
     if (model->residual) model->residual->free(model->self);
     points_free(model->points);
+    hexahedra_free(model->hexahedra);
     free(model->nominal);
     free(model);
 }
@@ -123,13 +127,9 @@ HS_SIMD static void amplitudes(int count, const struct rows *restrict r, double 
     }
 }
 
-/* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry nothing are switched
- * off. */
-static void load(const struct corner *model, const struct body *body, const struct strip *strip,
-                 struct points *points, struct cells *cells)
+static void load_rows(const struct corner *model, const struct body *body,
+                      const struct strip *strip, struct points *points, struct cells *cells)
 {
-    const struct integrity *integrity = body->integrity;
-    points_load(model->points, strip, points);
     for (int a = 0; a < 3; a++) {
         struct rows rows;
         const double *u = body->u[a] + strip->site;
@@ -141,6 +141,19 @@ static void load(const struct corner *model, const struct body *body, const stru
             amplitudes(strip->count, &rows, cells->h[0][a], cells->h[1][a], cells->h[2][a],
                        cells->h[MODE_XYZ][a]);
     }
+}
+
+/* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry nothing are switched
+ * off. */
+static void load(const struct corner *model, const struct body *body, const struct strip *strip,
+                 struct points *points, struct cells *cells)
+{
+    const struct integrity *integrity = body->integrity;
+    points_load(model->points, strip, points);
+    if (model->hexahedra)
+        hexahedra_load(model->hexahedra, strip, points, cells);
+    else
+        load_rows(model, body, strip, points, cells);
     if (!integrity || integrity->whole) return;
     for (int i = 0; i < strip->count; i++)
         if (!(integrity->node[strip->site + i] > 0)) points_switch_off(points, i);
@@ -236,7 +249,10 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     if (mode.record)
         for (int i = 0; i < strip->count; i++)
             model->nominal[strip->site + i] = cells.A[0][PAD + i] / cells.volume[i];
-    scatter(model, body, &cells);
+    if (model->hexahedra)
+        hexahedra_scatter(model->hexahedra, &cells, body->f);
+    else
+        scatter(model, body, &cells);
 }
 
 HS_SIMD static void divide(int count, const double *restrict volume, double *restrict f)
@@ -300,7 +316,7 @@ const struct formulation formulation_corner = {
     .influence = "constant",
     .horizon = 0.8660254037844386,
     .corners = true,
-    .keys = (const char *const[]){"residual", NULL},
+    .keys = (const char *const[]){"residual", "coincident_nodes", NULL},
     .read = corner_read,
     .start = corner_start,
     .force = corner_force,

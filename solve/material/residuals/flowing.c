@@ -13,6 +13,7 @@
  * stands still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as plastic. */
 #include "checkpoint.h"
 #include "degradation.h"
+#include "hexahedra.h"
 #include "logarithmic.h"
 #include "memory.h"
 #include "residual.h"
@@ -42,9 +43,10 @@ static const struct key keys[] = {
 };
 
 static void start(void *self, const struct body *body, const struct materials *materials,
-                  const struct strips *strips)
+                  struct hexahedra *hexahedra)
 {
     struct flowing *flowing = self;
+    const struct strips *strips = &body->near;
     const double *dx = body->lattice->edge;
     bool flows = false;
     for (int m = 0; m < MODES; m++) {
@@ -53,8 +55,9 @@ static void start(void *self, const struct body *body, const struct materials *m
         for (int a = 0; a < 3; a++)
             square += pow(
                 residual_slope(m, a, (double[]){sqrt(1. / 3), sqrt(1. / 3), sqrt(1. / 3)}, dx), 2);
-        flowing->weight[m] = sqrt(square);
+        flowing->weight[m] = hexahedra ? 1 : sqrt(square);
     }
+    if (hexahedra) hexahedra_normalise(hexahedra);
     for (int k = 0; k < materials->n_laws; k++) flows |= materials->laws[k].law->flow_stress >= 0;
     if (flows) flowing->state = memory_new((size_t)strips->points * STATE, sizeof(double));
     if (body->integrity) flowing->records = degradation_new(strips);

@@ -27,17 +27,19 @@ struct cells {
     double m[MODES][3][PADDED]; /* out: conjugate to h [N] */
 };
 
+struct hexahedra;
+
 struct residual {
     struct variant words; /* name, help, and the keys that fill its parameters */
     size_t size;          /* of its parameters and state */
-    /* strips: of near particles, body and materials live on. */
+    /* body and materials live on; hexahedra: of a mesh, else NULL. */
     void (*start)(void *self, const struct body *body, const struct materials *materials,
-                  const struct strips *strips);
+                  struct hexahedra *hexahedra);
     double (*share)(const void *self); /* of the particle's own stress */
     /* flow: current flow stress of the particles [Pa], INFINITY: it never flows. */
     void (*add)(void *self, const struct body *body, struct cells *cells, const double *flow,
                 struct force_mode mode, struct force_energy *energy);
-    /* What it remembers (checkpoint.h), of the strips of start. */
+    /* What it remembers (checkpoint.h), of the body's near strips. */
     void (*visit)(void *self, const struct strips *strips, struct checkpoint *checkpoint);
     void (*free)(void *self);
 };
