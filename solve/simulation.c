@@ -87,10 +87,10 @@ static void take_corners(struct simulation *s)
     if (lattice_is_scattered(&s->lattice))
         die_user("the particles lie on no lattice, and have no cells with corners: take "
                  "correspondence or another formulation than corner");
-    const struct lattice particles = s->lattice;
+    struct lattice particles = s->lattice;
     s->lattice = corners_lattice(&particles);
     s->corners = corners_domain(&s->lattice);
-    free(particles.phase);
+    lattice_free(&particles);
 }
 
 /* The nodes as rank 0 has read or made them. */

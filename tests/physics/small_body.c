@@ -128,9 +128,9 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     small->materials = materials_read(
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
     if (small->materials.formulation->corners) {
-        const struct lattice particles = small->lattice;
+        struct lattice particles = small->lattice;
         small->lattice = corners_lattice(&particles);
-        free(particles.phase);
+        lattice_free(&particles);
         small->family = family_new(small->materials.formulation->horizon, 0, false);
     }
     small->model = model_new(root, &small->family, &small->materials);
