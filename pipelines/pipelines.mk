@@ -163,7 +163,7 @@ $(RESULTS)/errors/plates:
 
 # Where stress varies: each case runs through formulations and spacings and writes rows.  What CalculiX gives comes from the folder;
 # CALCULIX=yes makes it anew.  The table goes into docs/errors.md, between its marks.
-TRUTHS := bending torsion laminate bar flow circles inclined block cell
+TRUTHS := bending torsion laminate bar flow circles inclined limit block cell
 TRUTHS_CALCULIX := $(if $(CALCULIX),$(RESULTS)/truths,pipelines/truths)/calculix.csv
 truths: $(RESULTS)/truths/table.md
 	$(if $(SMALL),,awk -f pipelines/truths/insert.awk $< docs/errors.md > $(<D)/errors.md && cp $(<D)/errors.md docs/errors.md)
