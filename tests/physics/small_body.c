@@ -131,6 +131,7 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
         struct lattice particles = small->lattice;
         small->lattice = corners_lattice(&particles);
         lattice_free(&particles);
+        family_free(&small->family);
         small->family = family_new(small->materials.formulation->horizon, 0, false);
     }
     small->model = model_new(root, &small->family, &small->materials);
