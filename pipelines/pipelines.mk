@@ -22,6 +22,9 @@
 #   make loops                 unloading and reloading of CG, UFG, HS40 and R40: back stress
 #   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
+#   make necking-bar           Simo and Hughes' bar against axisymmetric elements, to 7 mm of half elongation
+#   make taylor-bar            a copper bar strikes a wall at 227 m/s: its length and its foot
+#
 #   make decks                 the decks of all studies, as the targets above would run them; nothing is run
 #   make studies               every study in its small form and through its check (some twenty minutes of two cores), a line each
 #
@@ -40,7 +43,7 @@ RANKS ?= $(shell n=$$(nproc); echo $$((n < 2 ? n : 2)))
 SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
-STUDIES := first plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking fracture \
+STUDIES := first plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking necking-bar taylor-bar fracture \
            solver-switch solvers rates spacings finite-elements loops thesis-calibration strip
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
@@ -168,7 +171,7 @@ $(RESULTS)/errors/plates:
 
 # Where stress varies: each case runs through formulations and spacings and writes rows.  What CalculiX gives comes from the folder;
 # CALCULIX=yes makes it anew.  The table goes into docs/errors.md, between its marks.
-TRUTHS := bending torsion laminate bar flow circles inclined block cell
+TRUTHS := bending torsion laminate bar flow circles inclined limit block cell
 TRUTHS_CALCULIX := $(if $(CALCULIX),$(RESULTS)/truths,pipelines/truths)/calculix.csv
 truths: $(RESULTS)/truths/table.md
 	$(if $(SMALL),,awk -f pipelines/truths/insert.awk $< docs/errors.md > $(<D)/errors.md && cp $(<D)/errors.md docs/errors.md)
@@ -376,6 +379,53 @@ $(RESULTS)/necking/table.csv: $(NECKS:%=$(RESULTS)/necking/%/row.csv) pipelines/
 	{ echo bar,largest_stress_MPa,strain_there,considere_MPa,considere_strain,stress_error_percent,strain_error_percent,end_strain,load_left,section_ratio,largest_plastic_strain,force_evaluations; \
 	cat $(filter %.csv,$^); } > $@
 	$(call must,necking,-v rows=$(words $(NECKS))) $@
+
+# The necking bar of Simo and Hughes: an eighth of a round bar between its planes of symmetry.  A name says how many particles make the radius,
+# how many the half length; soft: a residual that flows at a third of the usual stress and hardens by a fifth.  CalculiX' half comes from the folder; CALCULIX=yes makes it anew.
+BARS := 3-150 6-150 6-150-soft $(if $(SMALL),,6-25 6-50 6-150-four_points 12-150 12-150-soft 12-300 12-300-soft)
+BAR_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/necking-bar/calculix.csv
+DECKS += $(BARS:%=$(RESULTS)/necking-bar/%/study.yaml)
+necking-bar: $(RESULTS)/necking-bar/table.csv
+bar_soft = -e 's/form: flowing/&$(comma) limit: 0.01$(comma) hardening: 0.001/'
+bar_four_points = -e 's/form: flowing/form: four_points/'
+bar_edge = $(shell awk 'BEGIN {printf "%.17g", $(1)/$(2)}')
+$(BARS:%=$(RESULTS)/necking-bar/%/study.yaml): $(RESULTS)/necking-bar/%/study.yaml: pipelines/necking-bar/study.yaml
+	$(call VARY,-e 's/^title: .*/title: Necking bar $*/' $(bar_$(word 3,$(subst -, ,$*))) \
+	-e 's/spacing: .*/spacing: [$(call bar_edge,26.667,$(word 2,$(subst -, ,$*))) mm$(comma) $(call bar_edge,6.413,$(firstword $(subst -, ,$*))) mm$(comma) $(call bar_edge,6.413,$(firstword $(subst -, ,$*))) mm]/')
+$(BARS:%=$(RESULTS)/necking-bar/%/history.e): %/history.e: %/study.yaml | all
+	hsgen -q $< -o $(@D)/whole.g --peridigm $(@D)/whole
+	awk '/^#/ || $$1 > 0 && $$2 > 0 && $$3 > 0' $(@D)/whole.txt > $(@D)/eighth.txt
+	TIMEFORMAT=%U; { time hssolve -q -j 1 -d $< -i $(@D)/eighth.txt -H $@; } 2> $(@D)/seconds
+$(BARS:%=$(RESULTS)/necking-bar/%/row.csv): $(RESULTS)/necking-bar/%/row.csv: $(RESULTS)/necking-bar/%/history.e $(BAR_STORED) pipelines/necking-bar/measure.awk
+	hspost -q --columns $< | $(columns) -F, -v name=$* -v particles=$$(grep -vc '^#' $(@D)/eighth.txt) -v cpu=$$(tail -n 1 $(@D)/seconds) \
+	-f pipelines/necking-bar/measure.awk $(BAR_STORED) - > $@
+$(RESULTS)/necking-bar/calculix.csv: $(addprefix pipelines/necking-bar/,calculix mesh.awk curve.awk)
+	@mkdir -p $(@D)
+	pipelines/necking-bar/calculix $(@D)/calculix > $@
+$(RESULTS)/necking-bar/table.csv: $(BARS:%=$(RESULTS)/necking-bar/%/row.csv) $(BAR_STORED) pipelines/necking-bar/check.awk
+	{ echo bar,particles,largest_kN,at_mm,error_1_mm,error_2_mm,error_3_mm,error_4_mm,error_5_mm,error_6_mm,error_6.5_mm,error_7_mm,radius_5_mm,radius_6_mm,radius_6.5_mm,radius_7_mm,largest_plastic_strain,forces,cpu_s; \
+	cat $(filter %/row.csv,$^); \
+	for mesh in $$(cut -d, -f1 $(BAR_STORED) | grep / | uniq); do $(columns) -F, -v mesh=$$mesh -f pipelines/necking-bar/measure.awk $(BAR_STORED); done; } > $@
+	$(call must,necking-bar,-v blank="particles forces" $(if $(SMALL),-v small=yes)) $@
+
+# Taylor's bar: a quarter of a round bar that strikes a plane of symmetry.  A name says how many particles make the radius, how many the length.
+TAYLORS := 3-30 6-60 $(if $(SMALL),,6-120 12-120)
+DECKS += $(TAYLORS:%=$(RESULTS)/taylor-bar/%/study.yaml)
+taylor-bar: $(RESULTS)/taylor-bar/table.csv
+$(TAYLORS:%=$(RESULTS)/taylor-bar/%/study.yaml): $(RESULTS)/taylor-bar/%/study.yaml: pipelines/taylor-bar/study.yaml
+	$(call VARY,-e "s/^title: .*/title: Taylor's bar $*/" \
+	-e 's/spacing: .*/spacing: [$(call bar_edge,32.4,$(word 2,$(subst -, ,$*))) mm$(comma) $(call bar_edge,3.2,$(firstword $(subst -, ,$*))) mm$(comma) $(call bar_edge,3.2,$(firstword $(subst -, ,$*))) mm]/')
+$(TAYLORS:%=$(RESULTS)/taylor-bar/%/history.e): %/history.e: %/study.yaml | all
+	hsgen -q $< -o $(@D)/whole.g --peridigm $(@D)/whole
+	awk '/^#/ || $$2 > 0 && $$3 > 0' $(@D)/whole.txt > $(@D)/quarter.txt
+	TIMEFORMAT=%U; { time hssolve -q -j 1 -d $< -i $(@D)/quarter.txt -H $@ -o $(@D)/fields.e; } 2> $(@D)/seconds
+$(TAYLORS:%=$(RESULTS)/taylor-bar/%/row.csv): $(RESULTS)/taylor-bar/%/row.csv: $(RESULTS)/taylor-bar/%/history.e pipelines/taylor-bar/measure.awk
+	hspost -q --columns $< > $(@D)/history.csv
+	hspost --frames $(@D)/fields.e --csv > $(@D)/nodes.csv
+	$(columns) -F, -v name=$* -v cpu=$$(tail -n 1 $(@D)/seconds) -f pipelines/taylor-bar/measure.awk $(@D)/history.csv $(@D)/nodes.csv > $@
+$(RESULTS)/taylor-bar/table.csv: $(TAYLORS:%=$(RESULTS)/taylor-bar/%/row.csv) pipelines/taylor-bar/check.awk
+	{ echo bar,particles,length_mm,foot_mm,largest_plastic_strain,least_push_kN,kinetic_percent,drift_percent,forces,cpu_s; cat $(filter %.csv,$^); } > $@
+	$(call must,taylor-bar,-v rows=$(words $(TAYLORS))) $@
 
 # CG, UFG, HS40 and R40 pulled apart.
 BREAKS := cg ufg hs40 r40

@@ -56,32 +56,39 @@ layers() {
 # 1 where the nodes are the corners of the particles, half a spacing farther out.
 corners() { case $1 in corner*) echo 1 ;; *) echo 0 ;; esac; }
 
-# particles NX NY NZ EXPRESSION [FUNCTIONS]: phases by an expression of awk in i, j, k from 0 and x, y, z in particles from the
-# centre; 0: no particle.
+# particles NX NY NZ EXPRESSION [FUNCTIONS [CUT]]: phases by an expression of awk in i, j, k from 0 and x, y, z in particles from the
+# centre; 0: no particle.  CUT: the expression is asked at 32 x 32 places of a cell in the plane, and a particle has the share of the
+# volume where it holds, if that is a twentieth.
 particles() {
-    awk -v nx="$1" -v ny="$2" -v nz="$3" -v dx=$SPACING '
+    awk -v nx="$1" -v ny="$2" -v nz="$3" -v dx=$SPACING -v cut="${6:-}" '
     function phase(i, j, k, x, y, z) { return '"$4"' }
+    function part(i, j, k, x, y, z,    a, b, n) {
+        for (a = -31; a < 32; a += 2) for (b = -31; b < 32; b += 2) n += phase(i, j, k, x + a / 64, y + b / 64, z) != 0
+        return n / 1024
+    }
     '"${5:-}"'
     function abs(v) { return v < 0 ? -v : v }
     BEGIN {
         for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++) {
             x = i - (nx - 1) / 2; y = j - (ny - 1) / 2; z = k - (nz - 1) / 2
-            p = phase(i, j, k, x, y, z)
-            if (p) printf "%.10g %.10g %.10g %d %.10g\n", x * dx, y * dx, z * dx, p, dx ^ 3
+            p = cut ? 1 : phase(i, j, k, x, y, z)
+            share = cut ? part(i, j, k, x, y, z) : 1
+            if (p && share >= 0.05) printf "%.10g %.10g %.10g %d %.10g\n", x * dx, y * dx, z * dx, p, share * dx ^ 3
         }
     }'
 }
 
-# deck FORMULATION NAME NX NY NZ PHASES SOLVER: the deck of a run, its materials, boundary and output from standard input.
+# deck FORMULATION NAME NX NY NZ PHASES SOLVER [DOMAIN]: the deck of a run, its materials, boundary and output from standard input.
 # Load steps are those of SOLVER, with a residual that tables do not show.
-# The domain is the box around the body, so that --check of hsgen reads it, too.
+# The domain is the box around the body, so that --check of hsgen reads it, too; with DOMAIN, further keys of it, such as a hole, it may
+# be the body itself.
 deck() {
     local plane='' sheet='' residual='tolerance: 1e-6, '
     case $7 in *tolerance:*) residual='' ;; esac
     if [ "$5" = 1 ]; then plane='plane: strain, ' sheet='dimensions: 2, '; fi
     {
         echo "title: $case_name $2 $1"
-        echo "domain: {specimen: plate, ${sheet}size: [$3 spacings, $4 spacings, $([ "$5" = 1 ] && echo $SPACING || echo "$5 spacings")], spacing: $SPACING, topology: homogeneous, phase: $6}"
+        echo "domain: {specimen: plate, ${sheet}size: [$3 spacings, $4 spacings, $([ "$5" = 1 ] && echo $SPACING || echo "$5 spacings")], spacing: $SPACING, topology: homogeneous, phase: $6${8:+, $8}}"
         cat
         echo "solver: {type: quasi_static, accuracy: 1, $residual$plane$7, $(keys "$1")}"
     } >"$folder/$2-$1.yaml"

@@ -99,6 +99,7 @@ END {
     table("flow", "Shear to 3 and turning: load steps (of turning, particles)")
     table("circles", "Hole, inclusion, cylinder: particles of diameter (cylinder: of its wall)")
     table("inclined", "Bars inclined to the lattice: particles of width")
+    table("limit", "Limit loads: particles of ligament, of the hole's diameter, of the wall")
     table("block", "Block of two phases near incompressibility: particles to an edge")
     table("cell", "Cells of two phases in plastic flow: particles to an edge")
 }

@@ -36,6 +36,16 @@ static struct deck_node said_of_domain(const struct deck *deck, const char *key)
     return section.index == 0 ? section : deck_find(section, key);
 }
 
+/* domain.spacing, a number or a list of three. */
+static void edges(struct deck_node spacing, double edge[3])
+{
+    static const struct key row = {"spacing", KEY_LENGTH, .low = 1e-12, .high = 1e3, .size = 3};
+    if (deck_is_list(spacing))
+        keys_list(&row, spacing, 0, edge);
+    else
+        edge[0] = edge[1] = edge[2] = deck_number(spacing, "m", row.low, row.high);
+}
+
 /* What a file from elsewhere does not say and the deck's domain section does: that the particles are a
  * sheet, and its thickness. */
 static void take_dimensions(struct domain *domain, const struct deck *deck)
@@ -49,11 +59,30 @@ static void take_dimensions(struct domain *domain, const struct deck *deck)
     static const struct key row = {"size", KEY_LENGTH, .low = 1e-12, .high = 1e3, .size = 3};
     const struct deck_node spacing = said_of_domain(deck, "spacing"),
                            given = said_of_domain(deck, "size");
-    double size[3];
+    double size[3], edge[3] = {0};
     if (given.index == 0)
         deck_error(dimensions, "a sheet needs its size here, whose third length is the thickness");
-    keys_list(&row, given, spacing.index ? deck_number(spacing, "m", 1e-12, 1e3) : 0, size);
+    if (spacing.index) edges(spacing, edge);
+    keys_list(&row, given, edge[0], size);
     attributes_set_number(facts, "thickness_m", size[2]);
+}
+
+/* Cells that are no cubes, or cut, cannot be seen in the particles of a text: the deck says so. */
+static bool take_cells(struct domain *domain, const struct deck *deck)
+{
+    struct attributes *facts = &domain->attributes;
+    const struct deck_node spacing = said_of_domain(deck, "spacing"),
+                           volumes = said_of_domain(deck, "volumes");
+    const bool cut = volumes.index != 0 && strcmp(deck_string(volumes), "cut") == 0;
+    if (spacing.index == 0 || !(cut || deck_is_list(spacing))) return false;
+    double edge[3];
+    edges(spacing, edge);
+    attributes_set_number(facts, "spacing_m", edge[0]);
+    attributes_set_number(facts, "spacing_y_m", edge[1]);
+    if (attributes_number(facts, "dimensions", 3) == 3)
+        attributes_set_number(facts, "spacing_z_m", edge[2]);
+    if (cut) attributes_set_text(facts, "volumes", "cut");
+    return true;
 }
 
 /* Of scattered particles the deck may say what a spacing is to mean. */
@@ -100,7 +129,13 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     spool_close(&input);
     if (!*deck) *deck = deck_inside(domain, shown);
     take_dimensions(domain, *deck);
-    const bool lattice = domain_sort(domain);
+    const bool cells = text && take_cells(domain, *deck), lattice = domain_sort(domain);
+    if (cells && !lattice)
+        deck_error(said_of_domain(*deck, "spacing"),
+                   "the particles of %s lie on no lattice of such cells, each in one of its own: "
+                   "say which "
+                   "spacing they have, or leave 'volumes: cut' and the list of edges out",
+                   shown);
     if (!lattice) take_spacing(domain, *deck);
     if (text) domain_text_sets(domain, lattice, *deck);
 }

@@ -273,6 +273,34 @@ wrong() {
     diff <(variable genesis.e vals_glo_var) <(variable swapped.e vals_glo_var)
 }
 
+@test "text of cells that are oblong and cut gives the numbers of the Genesis, where the deck says so" {
+    variable() { ncdump -p 9,17 -v "$2" "$1" | sed '1,/^data:/d'; }
+    cat >rod.yaml <<'END'
+domain:
+  specimen: rod
+  size: 3 mm
+  diameter: 2.1 mm
+  spacing: [0.25 mm, 0.5 mm, 0.4 mm]
+  volumes: cut
+  topology: homogeneous
+  phase: A
+  grips: {length: 1 spacings, phase: A}
+  gauge: {length: 2 mm}
+materials:
+  A: {model: corner, density: 8000, youngs_modulus: 210 GPa, poissons_ratio: 0.3, hardening: {law: linear, yield: 200 MPa, modulus: 1 GPa}}
+boundary:
+  - {set: grip_left, direction: x, velocity: -1 mm/s}
+  - {set: grip_right, direction: x, velocity: 1 mm/s}
+solver: {end_strain: 0.01}
+END
+    hsgen -q rod.yaml -o rod.g --peridigm rod
+    hssolve -q -i rod.g -H genesis.e
+    hssolve -q -i rod.txt -d rod.yaml -H text.e
+    diff <(variable genesis.e vals_glo_var) <(variable text.e vals_glo_var)
+    sed 's/, 0.4 mm\]/, 0.5 mm]/' rod.yaml >wrong.yaml
+    refused 2 "lie on no lattice of such cells" -i rod.txt -d wrong.yaml
+}
+
 @test "faults of Peridigm text are told with the line" {
     refused 2 "need the deck beside them" -i domain.txt
     text() {

@@ -180,10 +180,10 @@ void small_body_new(struct small_body *small, const struct small_case *wanted)
     small->materials = materials_read(
         deck_get(root, "materials"), wanted->n_phases ? wanted->n_phases : 1, names, wanted->plane);
     if (small->materials.formulation->corners) {
-        const struct lattice particles = small->lattice;
+        struct lattice particles = small->lattice;
         small->lattice =
             wanted->mesh ? mesh_of(&particles, wanted->jitter) : corners_lattice(&particles);
-        free(particles.phase);
+        lattice_free(&particles);
         family_free(&small->family);
         small->family = family_new(small->materials.formulation->horizon, 0, false);
     }

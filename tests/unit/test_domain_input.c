@@ -55,6 +55,27 @@ static void the_deck_makes_a_sheet(void **state)
     domain_free(&body);
 }
 
+/* Two layers of 4 x 3 cells of 1 x 0.5 x 0.25, some of them cut: only the deck can say so. */
+static void the_deck_makes_cells(void **state)
+{
+    (void)state;
+    FILE *out = fopen("particles.txt", "w");
+    for (int i = 23; i >= 0; i--)
+        fprintf(out, "%d %g %g 1 %g\n", i % 4, 0.5 * (i / 4 % 3), 0.25 * (i / 12),
+                0.125 - 0.004 * i);
+    assert_int_equal(fclose(out), 0);
+    write_deck("domain: {volumes: cut, spacing: [1, 0.5, 0.25], gauge: {length: 4}}");
+    struct domain body = read_text();
+    assert_true(attributes_number(&body.attributes, "spacing_m", 0) == 1);
+    assert_true(attributes_number(&body.attributes, "spacing_y_m", 0) == 0.5);
+    assert_true(attributes_number(&body.attributes, "spacing_z_m", 0) == 0.25);
+    assert_string_equal(attributes_text(&body.attributes, "volumes"), "cut");
+    assert_true(body.x[1] == 1 && body.y[4] == 0.5 && body.z[23] == 0.25);
+    assert_near(body.volume[23], 0.125 - 0.004 * 23, 1e-15);
+    assert_int_equal(domain_set(&body, "gauge_left")->count, 6);
+    domain_free(&body);
+}
+
 /* A thousand points in a bar of 4 x 1 x 1, each with its own volume. */
 static void write_cloud(void)
 {
@@ -133,6 +154,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_deck_makes_a_sheet),
+        cmocka_unit_test(the_deck_makes_cells),
         cmocka_unit_test(scattered_points_are_taken),
         cmocka_unit_test(what_is_wrong_is_named),
     };
