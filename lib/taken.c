@@ -3,10 +3,12 @@
 #include "die.h"
 #include "memory.h"
 
+#include <fcntl.h>
 #include <glob.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -16,18 +18,38 @@
 static struct {
     int n_inputs, n_outputs;
     struct file {
-        dev_t device;
-        ino_t number;
+        uint64_t device, number;      /* which a later file can have again */
+        int64_t seconds, nanoseconds; /* of its birth; 0 where a file system does not know */
     } * inputs;
     char **outputs; /* absolute names */
 } taken;
 
+/* Of a name, or with an empty one of a descriptor; false where that is no file of a disk. */
+static bool find_file(int descriptor, const char *name, struct file *file)
+{
+    struct statx status = {.stx_mask = 0};
+    const int flags = name[0] ? 0 : AT_EMPTY_PATH;
+    if (statx(descriptor, name, flags, STATX_BASIC_STATS | STATX_BTIME, &status) != 0) return false;
+    const bool born = status.stx_mask & STATX_BTIME;
+    *file = (struct file){.device = (uint64_t)status.stx_dev_major << 32 | status.stx_dev_minor,
+                          .number = status.stx_ino,
+                          .seconds = born ? status.stx_btime.tv_sec : 0,
+                          .nanoseconds = born ? status.stx_btime.tv_nsec : 0};
+    return S_ISREG(status.stx_mode);
+}
+
+static bool is_same(const struct file *a, const struct file *b)
+{
+    return a->device == b->device && a->number == b->number && a->seconds == b->seconds &&
+           a->nanoseconds == b->nanoseconds;
+}
+
 void taken_as_input(int descriptor)
 {
-    struct stat status;
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return;
+    struct file file;
+    if (!find_file(descriptor, "", &file)) return;
     taken.inputs = memory_grow(taken.inputs, taken.n_inputs, sizeof *taken.inputs);
-    taken.inputs[taken.n_inputs++] = (struct file){status.st_dev, status.st_ino};
+    taken.inputs[taken.n_inputs++] = file;
 }
 
 /* Where a file is, or is going to be; a folder that is not there is told by who opens it. */
@@ -46,11 +68,10 @@ static char *place_of(const char *name)
 
 static bool is_input(const char *name)
 {
-    struct stat status;
-    if (stat(name, &status) != 0) return false;
+    struct file file;
+    if (!find_file(AT_FDCWD, name, &file)) return false;
     for (int i = 0; i < taken.n_inputs; i++)
-        if (taken.inputs[i].device == status.st_dev && taken.inputs[i].number == status.st_ino)
-            return true;
+        if (is_same(&taken.inputs[i], &file)) return true;
     return false;
 }
 
@@ -91,4 +112,14 @@ void taken_as_output(const char *name)
     look_for_others(place, name);
     taken.outputs = memory_grow(taken.outputs, taken.n_outputs, sizeof *taken.outputs);
     taken.outputs[taken.n_outputs++] = place;
+}
+
+void taken_forget(void)
+{
+    for (int i = 0; i < taken.n_outputs; i++) free(taken.outputs[i]);
+    free(taken.outputs);
+    free(taken.inputs);
+    taken.n_inputs = taken.n_outputs = 0;
+    taken.inputs = NULL;
+    taken.outputs = NULL;
 }

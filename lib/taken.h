@@ -9,4 +9,7 @@ void taken_as_input(int descriptor);
  * process is about to write it, too. */
 void taken_as_output(const char *name);
 
+/* Nothing is taken, as when a program begins: for who is several of them, such as a test. */
+void taken_forget(void);
+
 #endif

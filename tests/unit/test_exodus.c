@@ -1,5 +1,6 @@
 #include "dies.h"
 #include "directory.h"
+#include "taken.h"
 
 #include "exodus.h"
 #include "memory.h"
@@ -49,6 +50,7 @@ static struct domain small_domain(void)
 static void write_domain(const char *name)
 {
     struct domain domain = small_domain();
+    taken_forget();
     struct spool output = spool_output(name);
     exodus_write_domain(&output, &domain);
     spool_finish(&output);
@@ -157,6 +159,7 @@ static struct history small_history(void)
 static void write_history(const char *name)
 {
     struct history history = small_history();
+    taken_forget();
     struct spool output = spool_output(name);
     exodus_write_history(&output, &history);
     spool_finish(&output);
@@ -221,6 +224,7 @@ static void test_fields_carry_the_domain_and_frames(void **state)
 {
     (void)state;
     struct domain domain = small_domain();
+    taken_forget();
     struct spool output = spool_output("run.e");
     struct exodus_fields *fields = open_fields(&output, &domain);
     write_frames(fields, 1, 2);
@@ -240,6 +244,7 @@ static void test_frames_are_on_disk_at_once(void **state)
     struct stat before, after;
     (void)state;
     struct domain domain = small_domain();
+    taken_forget();
     struct spool output = spool_output("run.e");
     struct exodus_fields *fields = open_fields(&output, &domain);
     write_frames(fields, 1, 1);
@@ -256,6 +261,7 @@ static void test_frames_are_on_disk_at_once(void **state)
 static void write_fields(const char *name, int frames)
 {
     struct domain domain = small_domain();
+    taken_forget();
     struct spool output = spool_output(name);
     struct exodus_fields *fields = open_fields(&output, &domain);
     write_frames(fields, 1, frames);
@@ -363,6 +369,7 @@ static void test_unfinished_is_refused(void **state)
 {
     (void)state;
     struct domain domain = small_domain();
+    taken_forget();
     struct spool output = spool_output("run.e");
     struct exodus_fields *fields = open_fields(&output, &domain);
     write_frames(fields, 1, 1);

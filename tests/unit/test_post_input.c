@@ -1,6 +1,7 @@
 /* From files to curves: histories and tables. */
 #include "check.h"
 #include "sections.h"
+#include "taken.h"
 
 #include "analysis.h"
 #include "choices.h"
@@ -75,6 +76,7 @@ static struct history make_history(void)
 
 static struct input write_and_read(struct history *history)
 {
+    taken_forget();
     struct spool output = spool_output(path);
     exodus_write_history(&output, history);
     spool_finish(&output);

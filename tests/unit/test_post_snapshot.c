@@ -1,6 +1,7 @@
 /* What is drawn of particle fields: sizes and layers, of lattices, scattered particles and sheets. */
 #include "dies.h"
 #include "directory.h"
+#include "taken.h"
 
 #include "exodus.h"
 #include "snapshot.h"
@@ -27,6 +28,7 @@ static void write_body(const char *name, double height, double spacing, double t
     domain.phase_names = phases;
     if (spacing > 0) attributes_set_number(&domain.attributes, "spacing_m", spacing);
     if (thickness > 0) attributes_set_number(&domain.attributes, "thickness_m", thickness);
+    taken_forget();
     struct spool output = spool_output(name);
     struct exodus_fields *fields = exodus_fields_open(&output, &domain, 3, names);
     exodus_fields_write(fields, 1, (const double *const[]){x, y, damage});

@@ -3,6 +3,7 @@
 
 #include "memory.h"
 #include "spool.h"
+#include "taken.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -130,6 +131,7 @@ static void test_output_appears_when_finished(void **state)
 {
     (void)state;
     write_text("out", "old");
+    taken_forget();
     struct spool spool = spool_output("out");
     write_text(spool.path, "new");
     expect_text("out", "old");
@@ -145,6 +147,7 @@ static void test_link_stays_a_link(void **state)
     (void)state;
     write_text("target", "old");
     assert_int_equal(symlink("target", "link"), 0);
+    taken_forget();
     struct spool spool = spool_output("link");
     write_text(spool.path, "new");
     spool_finish(&spool);
@@ -158,6 +161,7 @@ static void test_link_stays_a_link(void **state)
 static void test_several_outputs_dropped(void **state)
 {
     (void)state;
+    taken_forget();
     struct spool first = spool_output("first"), second = spool_output("second");
     assert_int_equal(count_files(), 2);
     spool_close(&first);
@@ -167,6 +171,7 @@ static void test_several_outputs_dropped(void **state)
 
 static void write_output(const void *name)
 {
+    taken_forget();
     struct spool spool = spool_output(name);
     write_text(spool.path, "some data");
     spool_finish(&spool);
@@ -174,6 +179,7 @@ static void write_output(const void *name)
 
 static void die_with_output(const void *name)
 {
+    taken_forget();
     struct spool spool = spool_output(name);
     write_text(spool.path, "half");
     die_run("lost energy balance");
@@ -245,6 +251,7 @@ static void test_pipe_outputs(void **state)
 static void interrupt(const void *unused)
 {
     (void)unused;
+    taken_forget();
     spool_output("out");
     raise(SIGTERM);
 }
