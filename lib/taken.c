@@ -114,6 +114,17 @@ void taken_as_output(const char *name)
     taken.outputs[taken.n_outputs++] = place;
 }
 
+void taken_again(const char *name)
+{
+    char *place = place_of(name);
+    for (int i = 0; i < taken.n_outputs; i++) {
+        if (strcmp(taken.outputs[i], place) != 0) continue;
+        free(taken.outputs[i]);
+        taken.outputs[i] = taken.outputs[--taken.n_outputs];
+    }
+    free(place);
+}
+
 void taken_forget(void)
 {
     for (int i = 0; i < taken.n_outputs; i++) free(taken.outputs[i]);

@@ -9,6 +9,9 @@ void taken_as_input(int descriptor);
  * process is about to write it, too. */
 void taken_as_output(const char *name);
 
+/* An output of that name is there, and may be replaced by the next one, as in trials. */
+void taken_again(const char *name);
+
 /* Nothing is taken, as when a program begins: for who is several of them, such as a test. */
 void taken_forget(void);
 

@@ -3,6 +3,7 @@
 #include "csv.h"
 #include "die.h"
 #include "memory.h"
+#include "taken.h"
 #include "text_output.h"
 
 #include <errno.h>
@@ -80,6 +81,7 @@ static struct text_output begin_deck(const char *directory, const char *name,
                                      long gauge)
 {
     char *path = memory_print("%s/%s.yaml", directory, name);
+    taken_again(path); /* each trial has the deck of the one before */
     struct text_output deck = text_output_open(path);
     const long grip = 4, shoulder = 8;
     fprintf(deck.file,

@@ -126,7 +126,7 @@ static const struct key solver_keys[] = {
     {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
      .otherwise =
          "a tenth of the strain at which the first phase yields, so that the elastic slope "
-         "has its records; else the largest",
+         "has its records, at most 1/100 of end_strain; where the run ends at none, the largest",
      .help = "first load step, in the same unit"},
     {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,
      .otherwise = "1e-4 of the largest", .help = "in the same unit; below it the run stops"},

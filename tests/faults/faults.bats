@@ -5,7 +5,8 @@ bats_require_minimum_version 1.5.0
 
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
-    "${CC:-cc}" -D_GNU_SOURCE -shared -fPIC -O1 -o faults.so "$BATS_TEST_DIRNAME/faults.c" -ldl
+    read -ra compiler <<<"${CC:-cc}"
+    "${compiler[@]}" -D_GNU_SOURCE -shared -fPIC -O1 -o faults.so "$BATS_TEST_DIRNAME/faults.c" -ldl
     cat >s.yaml <<'END'
 title: Faults
 domain:

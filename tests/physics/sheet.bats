@@ -32,7 +32,7 @@ END
 
 @test "tension into plastic flow: the stress of the law under uniaxial stress and its thinning, within 1e-5" {
     for residual in flowing four_points; do
-        sheet 1 0.4 0.1 "$voce" "type: quasi_static, end_time: 1, step: 0.1, residual: {form: $residual}" \
+        sheet 1 0.4 0.1 "$voce" "type: quasi_static, tolerance: 1e-6, end_time: 1, step: 0.1, residual: {form: $residual}" \
             '  - {where: "x < -0.499e-3", direction: x, displacement: "-1e-4*t"}
   - {where: "x > 0.499e-3", direction: x, displacement: "1e-4*t"}
   - {where: "y < -0.199e-3", direction: y, displacement: 0}' 'output:
@@ -58,7 +58,7 @@ END
 
 # bent WIDTH SPACING RESIDUAL: energy of pure bending over E I kappa^2 L/2, less 1 [%]
 bent() {
-    sheet 2 1 "$1" 'law: elastic' "type: quasi_static, end_time: 1, step: 1, most_evaluations: 20000, residual: {form: $2}" \
+    sheet 2 1 "$1" 'law: elastic' "type: quasi_static, tolerance: 1e-6, end_time: 1, step: 1, most_evaluations: 20000, residual: {form: $2}" \
         '  - {where: "x < -0.999e-3", direction: x, displacement: "0.1*y"}
   - {where: "x > 0.999e-3", direction: x, displacement: "-0.1*y"}
   - {where: "abs(y) < 1e-9 && abs(x) > 0.999e-3", direction: y, displacement: 0}'
@@ -90,7 +90,7 @@ bent() {
     ux="1e-7*(R/0.001*($k + 1)*x/R + 0.002/R*((1 + $k)*x/R + $c) - 2*(0.001/R)^3*$c)"
     uy="1e-7*(R/0.001*($k - 3)*y/R + 0.002/R*((1 - $k)*y/R + $s) - 2*(0.001/R)^3*$s)"
     edge='abs(x) > 3.99e-3 || abs(y) > 3.99e-3'
-    sheet 8 8 0.1 'law: elastic' 'type: quasi_static, end_time: 1, step: 1' \
+    sheet 8 8 0.1 'law: elastic' 'type: quasi_static, tolerance: 1e-6, end_time: 1, step: 1' \
         "  - {where: \"$edge\", direction: x, displacement: \"${ux//R/($r)}\"}
   - {where: \"$edge\", direction: y, displacement: \"${uy//R/($r)}\"}" 'output:
   quantities:

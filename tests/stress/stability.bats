@@ -47,7 +47,7 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
     for nu in 0 0.2 0.4 0.49; do
         for law in mix capped; do
             GRIP=3 body bar "model: correspondence_elastic, youngs_modulus: 210 GPa, poissons_ratio: $nu" \
-                "type: quasi_static, end_steps: 2, horizon: 1, stabilisation: {law: $law}" "$hold" '[0.3 mm, 0.15 mm, 0.125 mm]'
+                "type: quasi_static, tolerance: 1e-6, end_steps: 2, horizon: 1, stabilisation: {law: $law}" "$hold" '[0.3 mm, 0.15 mm, 0.125 mm]'
             hssolve -q -i bar.g -H bar.e
             # E to rounding and the square of a strain of 2e-5.
             columns bar.e pull | tail -n 1 | awk -v what="$nu $law" '{ E = -$1 / 0.01875e-6 / 2e-5; print what, E; exit !((E / 210e9 - 1) ^ 2 < 1e-8) }'
@@ -57,16 +57,16 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
   - {set: grip_left, direction: x, displacement: "0.002*t*x"}
   - {set: grip_right, direction: x, displacement: "0.002*t*x"}'
     GRIP=3 body flat "model: correspondence, $elastic, hardening: {law: linear, yield: 200 MPa, modulus: 0 MPa}" \
-        "type: quasi_static, end_steps: 10, horizon: 1, stabilisation: {law: mix}" "$pull" '[0.3 mm, 0.15 mm, 0.125 mm]'
+        "type: quasi_static, tolerance: 1e-6, end_steps: 10, horizon: 1, stabilisation: {law: mix}" "$pull" '[0.3 mm, 0.15 mm, 0.125 mm]'
     hssolve -q -i flat.g -H flat.e
     # True stress of 200 MPa: the load falls as the section does, by 1/(1 + 2 %) at the end.
     columns flat.e pull | tail -n 1 | awk '{ s = -$1 / 0.01875e-6 * 1.02; print s; exit !((s / 200e6 - 1) ^ 2 < 1e-5) }'
 }
 
 @test "phases whose yields differ a hundredfold" {
-    contrast 0.4 correspondence 'type: quasi_static, horizon: 1, stabilisation: {law: mix}'
+    contrast 0.4 correspondence 'type: quasi_static, tolerance: 1e-6, horizon: 1, stabilisation: {law: mix}'
     hssolve -q -i contrast.g -H rest.e
-    sed 's/type: quasi_static/type: explicit/; s/1 m.s/2 m\/s/' contrast.yaml >moving.yaml
+    sed 's/type: quasi_static, tolerance: 1e-6/type: explicit/; s/1 m.s/2 m\/s/' contrast.yaml >moving.yaml
     hssolve -q -d moving.yaml -i contrast.g -H motion.e
     for run in rest motion; do columns $run.e force_right_N residual energy_drift | tail -n 1; done |
         awk '{ f[NR] = $1; bad += $2 > 1e-6 || $3 * $3 > 1e-4 } END { d = f[2] / f[1] - 1; print d, f[1]; exit !(!bad && d * d < 0.05 ^ 2 && f[1] > 0) }'
@@ -74,7 +74,7 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
 
 @test "layers one and two nodes thick, single particles and pairs" {
     for size in '[0.3 mm, 0.1 mm, 0.05 mm]' '[0.3 mm, 0.05 mm, 0.05 mm]'; do
-        GRIP=3 body thin "model: correspondence_elastic, $elastic" "type: quasi_static, end_steps: 1, horizon: 1, stabilisation: {law: mix}" \
+        GRIP=3 body thin "model: correspondence_elastic, $elastic" "type: quasi_static, tolerance: 1e-6, end_steps: 1, horizon: 1, stabilisation: {law: mix}" \
             'boundary:
   - {set: grip_left, direction: x, displacement: "1e-5*x"}
   - {set: grip_right, direction: x, displacement: "1e-5*x"}' "$size"
@@ -145,7 +145,7 @@ materials: {M: {density: 8900, model: ${model%|*}}
 boundary:
   - {box: [[-5 um, -1, -1], [5 um, 1, 1]], direction: x, displacement: 0}
   - {box: [[270 um, -1, -1], [280 um, 1, 1]], direction: x, displacement: 0.1 nm}
-solver: {type: quasi_static, end_steps: 1, ${model#*|}}
+solver: {type: quasi_static, tolerance: 1e-6, end_steps: 1, ${model#*|}}
 END
             hssolve -q -d jitter.yaml -i jitter.txt -H jitter.e 2>/dev/null
             echo "$jitter $(columns jitter.e force_right_N | tail -n 1)"
