@@ -134,15 +134,15 @@ void step_error_visit(struct step_error *e, struct checkpoint *checkpoint)
 {
     double numbers[] = {e->largest, e->steepest, e->error};
     checkpoint_numbers(checkpoint, "error of load steps", numbers,
-                       sizeof numbers / sizeof *numbers);
+                       (int)(sizeof numbers / sizeof *numbers));
     e->largest = numbers[0];
     e->steepest = numbers[1];
     e->error = numbers[2];
-    checkpoint_numbers(checkpoint, "forces of the last load step", e->force, (size_t)e->count);
-    checkpoint_numbers(checkpoint, "their change", e->change, (size_t)e->count);
-    checkpoint_numbers(checkpoint, "ways of the last load step", e->way, (size_t)e->count);
-    checkpoint_numbers(checkpoint, "the largest change", e->stiffest, (size_t)e->count);
-    checkpoint_numbers(checkpoint, "ways in which it was", e->stiffest_way, (size_t)e->count);
+    checkpoint_numbers(checkpoint, "forces of the last load step", e->force, e->count);
+    checkpoint_numbers(checkpoint, "their change", e->change, e->count);
+    checkpoint_numbers(checkpoint, "ways of the last load step", e->way, e->count);
+    checkpoint_numbers(checkpoint, "the largest change", e->stiffest, e->count);
+    checkpoint_numbers(checkpoint, "ways in which it was", e->stiffest_way, e->count);
     checkpoint_flag(checkpoint, "load steps have begun", &e->started);
     checkpoint_flag(checkpoint, "load steps are predicted", &e->predicts);
 }
