@@ -198,10 +198,12 @@ numbers() { ncdump "$1" | sed -n '/^data:/,$p'; }
 }
 
 @test "too little memory is told, whatever there is of it" {
+    # The sanitizers' own maps take terabytes of addresses.
+    if grep -q __asan_init "$(command -v hssolve)"; then skip "of a build with sanitizers no limit can be set"; fi
     for kilobytes in 75000 76000 77000 78000 79000 80000 90000 100000; do
         for command in 'hsgen -q s.yaml -o l.g' 'hssolve -q -i s.g -H l.e' 'hspost -q s.e -o l.csv'; do
             rm -f l.*
-            run bash -c "ulimit -v $kilobytes; exec $command" 2>&1
+            run bash -c "ulimit -v $kilobytes; $command; exit"
             # 127: what loads programs has not got to ours.
             [ "$status" -le 2 ] || [ "$status" -eq 127 ]
             [ "$status" -eq 0 ] || [ -n "$output" ]
