@@ -4,8 +4,8 @@
  *
  * A body of NX x NY x NZ particles (default 200 x 40 x 8); a bond counts twice, once from either end.  Of ROUNDS alternating
  * rounds over all models the median.  Bounds, measured in the same run: a square root and a division, in cache, for each
- * pair and pass of bonds, or the bandwidth of a triad beyond the caches for e^p of bonds that yield; four updates
- * of the constitutive law, in cache, for each node of correspondence with mix. */
+ * pair and pass of bonds, or the bandwidth of a triad beyond the caches for e^p of bonds that yield; the updates
+ * of the constitutive law, in cache: four a node of correspondence with mix, one or five a particle of corner. */
 #include "check.h"
 
 #include "balance.h"
@@ -27,10 +27,18 @@ enum { ROUNDS = 7 };
     "{A: {model: ordinary_plastic, " ELASTIC ", hardening: {law: linear, yield: " yield            \
     ", modulus: 898 MPa}}}"
 
+#define CORNER(form, points, yield, state, stretch, flows)                                         \
+    {                                                                                              \
+        .name = "corner, " form state, .residual = "{form: " form "}", .laws = points,             \
+        .materials = "{A: {model: corner, " ELASTIC ", hardening: {law: voce, yield: " yield       \
+                     ", saturation: 513 MPa, rate: 5.32}}}",                                       \
+        .strain = stretch, .yields = flows                                                         \
+    }
+
 #define CORRESPONDENCE(spacings, yield, state, stretch, flows)                                     \
     {                                                                                              \
         .name = "correspondence, mix, horizon " spacings state, .horizon = spacings[0] - '0',      \
-        .stabilisation = small_mix,                                                                \
+        .stabilisation = small_mix, .laws = 4,                                                     \
         .materials =                                                                               \
             "{A: {model: correspondence, " ELASTIC ", hardening: {law: voce, yield: " yield        \
             ", saturation: 513 MPa, rate: 5.32}}}",                                                \
@@ -38,7 +46,8 @@ enum { ROUNDS = 7 };
     }
 
 static struct kernel {
-    const char *name, *materials, *stabilisation;
+    const char *name, *materials, *stabilisation, *residual;
+    int laws; /* updates a particle, where there are no passes over bonds */
     double horizon;
     int passes;
     double traffic; /* bytes of e^p an ordered bond: read twice, written once */
@@ -73,6 +82,9 @@ static struct kernel {
     CORRESPONDENCE("1", "185 MPa", ", yielding", 5e-3, true),
     CORRESPONDENCE("2", "185 MPa", ", yielding", 5e-3, true),
     CORRESPONDENCE("3", "185 MPa", ", yielding", 5e-3, true),
+    CORNER("flowing", 1, "10 GPa", ", not yielding", 1e-3, false),
+    CORNER("flowing", 1, "185 MPa", ", yielding", 5e-3, true),
+    CORNER("four_points", 5, "185 MPa", ", yielding", 5e-3, true),
 };
 enum { KERNELS = sizeof kernels / sizeof *kernels };
 
@@ -108,18 +120,26 @@ static void deform(struct kernel *k, double factor)
     small_body_deform(&k->small, (const double[]){e, 0, 0, 0, -0.3 * e, 0, 0, 0, -0.3 * e});
 }
 
+/* Of corner the nodes are the particles' corners, some more than these. */
+static double particles(const struct kernel *k)
+{
+    return (double)k->small.lattice.n_particles;
+}
+
 static void start(struct kernel *k, const int size[3])
 {
     const double before = held();
-    struct small_case wanted = {
-        .horizon = k->horizon, .materials = k->materials, .stabilisation = k->stabilisation};
+    struct small_case wanted = {.horizon = k->horizon,
+                                .materials = k->materials,
+                                .stabilisation = k->stabilisation,
+                                .residual = k->residual};
     for (int a = 0; a < 3; a++) wanted.size[a] = size[a];
     small_body_new(&k->small, &wanted);
     deform(k, 1);
     small_body_force(&k->small, true, false);
-    k->bytes = (held() - before - (double)k->small.lattice.n_sites) / (double)k->small.body.n_nodes;
+    k->bytes = (held() - before - (double)k->small.lattice.n_sites) / particles(k);
     k->bonds = 2 * (double)bonds_total(k->small.bonds);
-    k->calls = k->passes ? ceil(4e7 / k->bonds) : ceil(4e5 / (double)k->small.body.n_nodes);
+    k->calls = k->passes ? ceil(4e7 / k->bonds) : ceil(4e5 / particles(k));
 }
 
 static double time_force(struct kernel *k, int round)
@@ -241,15 +261,15 @@ int main(int argc, char **argv)
     for (int k = 0; k < KERNELS; k++) {
         struct kernel *kernel = &kernels[k];
         const double force = median(kernel->force), step = median(kernel->step),
-                     nodes = (double)kernel->small.body.n_nodes,
+                     nodes = particles(kernel),
                      bound = kernel->passes ? fmax(0.5 * kernel->passes * per_root,
                                                    kernel->traffic * per_byte) *
                                                   kernel->bonds
-                                            : 4 * median(law[k]) * nodes;
+                                            : kernel->laws * median(law[k]) * nodes;
         printf("\"%s\",%s,%.0f,%.3f,%.1f,%.3g,%.0f,%s,%.1f,%.2f,%.3f\n", kernel->name,
                instruction_set(), nodes, kernel->passes ? 1e9 * force / kernel->bonds : NAN,
                1e9 * force / nodes, nodes / step, kernel->bytes,
-               !kernel->passes                                                ? "four laws"
+               !kernel->passes                                                ? "the law"
                : kernel->traffic * per_byte > 0.5 * kernel->passes * per_root ? "memory"
                                                                               : "root and division",
                1e9 * bound / nodes, bound / force, step / force);
