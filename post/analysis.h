@@ -31,8 +31,9 @@ void analysis_free(struct analysis *analysis);
  * 20 GPa), with the likely cause; only warns of a history. */
 void analysis_check_plausible(const struct curve *curve, const struct analysis *analysis);
 
-/* The properties of docs/tensile.md, in its order. */
+/* The properties of docs/tensile.md, in its order; without those of fitted laws, which take as long as all else of a long
+ * record, where nobody asks for them. */
 struct properties analysis_report(const struct curve *curve, const struct analysis *analysis,
-                                  const struct choices *choices);
+                                  const struct choices *choices, bool fits);
 
 #endif

@@ -291,7 +291,7 @@ static void add_hardening(struct properties *list, const struct analysis *analys
 }
 
 struct properties analysis_report(const struct curve *curve, const struct analysis *analysis,
-                                  const struct choices *choices)
+                                  const struct choices *choices, bool fits)
 {
     struct properties list = {0};
     add_elastic(&list, analysis);
@@ -303,7 +303,7 @@ struct properties analysis_report(const struct curve *curve, const struct analys
     add_neck(&list, analysis);
     add_energies(&list, analysis);
     add_hardening(&list, analysis);
-    report_fits(&list, analysis);
+    if (fits) report_fits(&list, analysis);
     report_phases(&list, analysis);
     report_quality(&list, analysis);
     report_record(&list, curve, analysis);

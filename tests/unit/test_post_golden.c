@@ -22,7 +22,7 @@ static void run(struct case_of *c)
     c->curve = curve_make(&input, &c->choices);
     input_free(&input);
     c->analysis = analysis_make(&c->curve, &c->choices);
-    c->properties = analysis_report(&c->curve, &c->analysis, &c->choices);
+    c->properties = analysis_report(&c->curve, &c->analysis, &c->choices, true);
 }
 
 static void drop(struct case_of *c)

@@ -107,7 +107,7 @@ static void history_to_curve(void **state)
     /* q = (320 - 164) MPa / (0.0048 - 0.0032) */
     assert_relative(shared.factor, 156e6 / 0.0016, 1e-12);
     struct analysis found = analysis_make(&curve, &choices);
-    struct properties list = analysis_report(&curve, &found, &choices);
+    struct properties list = analysis_report(&curve, &found, &choices, true);
     assert_near(property_value(&list, "reduction_of_area"), 4, 1e-9);
     assert_relative(property_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
     assert_near(property_value(&list, "CG_fraction"), 0.6, 0);

@@ -88,7 +88,7 @@ static struct made report_of(double kinetic)
     struct made made = {.input = history(kinetic), .choices = choices_read(NULL)};
     made.curve = curve_make(&made.input, &made.choices);
     made.analysis = analysis_make(&made.curve, &made.choices);
-    made.list = analysis_report(&made.curve, &made.analysis, &made.choices);
+    made.list = analysis_report(&made.curve, &made.analysis, &made.choices, true);
     return made;
 }
 
@@ -246,7 +246,7 @@ static void parameters_below_their_errors_are_flagged(void **state)
     curve.youngs_modulus = young;
     struct choices choices = choices_read(NULL);
     struct analysis analysis = analysis_make(&curve, &choices);
-    struct properties list = analysis_report(&curve, &analysis, &choices);
+    struct properties list = analysis_report(&curve, &analysis, &choices, true);
     for (int i = 0; i < list.count; i++) {
         const struct property *row = &list.items[i];
         if (strncmp(row->definition, "sigma = ", 8) != 0 || !(row->uncertainty > fabs(row->value)))
