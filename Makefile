@@ -147,6 +147,7 @@ ifndef QUICK
 	    awk -f tests/bench/join.awk $(BENCH)/measured-avx2.csv $(BENCH)/lammps.txt | sed 1d; } > docs/bench/kernels.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/runs $(BENCH)/runs > docs/bench/runs.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
+	PATH=$(abspath $(BUILD)/bin):$$PATH pipelines/truths/cell $(BENCH)/cells cost > docs/bench/cells.csv
 	$(MAKE) bench-tables
 endif
 

@@ -83,21 +83,22 @@ particles() {
 # The domain is the box around the body, so that --check of hsgen reads it, too; with DOMAIN, further keys of it, such as a hole, it may
 # be the body itself.
 deck() {
-    local plane='' sheet='' residual='tolerance: 1e-6, '
-    case $7 in *tolerance:*) residual='' ;; esac
+    local plane='' sheet='' residual='accuracy: 1, tolerance: 1e-6, '
+    case $7 in *tolerance:*) residual='accuracy: 1, ' ;; *accuracy:*) residual='' ;; esac
     if [ "$5" = 1 ]; then plane='plane: strain, ' sheet='dimensions: 2, '; fi
     {
         echo "title: $case_name $2 $1"
         echo "domain: {specimen: plate, ${sheet}size: [$3 spacings, $4 spacings, $([ "$5" = 1 ] && echo $SPACING || echo "$5 spacings")], spacing: $SPACING, topology: homogeneous, phase: $6${8:+, $8}}"
         cat
-        echo "solver: {type: quasi_static, accuracy: 1, $residual$plane$7, $(keys "$1")}"
+        echo "solver: {type: quasi_static, $residual$plane$7, $(keys "$1")}"
     } >"$folder/$2-$1.yaml"
 }
 
-# solve FORMULATION NAME PARTICLES: leaves NAME-FORMULATION.csv of the history and .nodes.csv of the last frame.
+# solve FORMULATION NAME PARTICLES: leaves NAME-FORMULATION.csv of the history, .nodes.csv of the last frame and .seconds of the processor.
 solve() {
     local run="$folder/$2-$1"
-    hssolve -q -j 1 -d "$run.yaml" -i "$3" -H "$run.h" -o "$run.e"
+    local TIMEFORMAT=%U
+    { time hssolve -q -j 1 -d "$run.yaml" -i "$3" -H "$run.h" -o "$run.e" 2>&3; } 3>&2 2>"$run.seconds"
     hspost -q --columns "$run.h" >"$run.csv"
     hspost --frames "$run.e" --csv >"$run.nodes.csv"
     rm "$run.h" "$run.e"
