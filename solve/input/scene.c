@@ -125,7 +125,7 @@ static const struct key solver_keys[] = {
          "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where none is found"},
     {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
      .otherwise =
-         "a tenth of the strain at which the first phase yields, so that the elastic slope "
+         "1/80 of the strain at which the first phase yields, so that the elastic slope "
          "has its records, at most 1/100 of end_strain; where the run ends at none, the largest",
      .help = "first load step, in the same unit"},
     {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,

@@ -228,6 +228,7 @@ double quasi_static_settle(struct quasi_static *q)
     struct force_energy energy = commit(e);
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
     balance_step(e->integration, e->body, e->boundary, &energy, &none);
+    step_error_forget(&q->error);
     return before - energy_internal(&e->integration->balance);
 }
 
@@ -246,7 +247,6 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
         }
         const double lost = quasi_static_settle(q);
         if (!isfinite(lost)) return false;
-        step_error_forget(&q->error);
         if (breaking) integration->balance.fracture += lost;
     }
 }

@@ -7,8 +7,9 @@
  *   D = |F' - F - (w'.w/w.w) dF|,  local error = (D - r |F'|/5)/24                                     (step_error.1)
  *   e' = e exp(-|w'|/L) + local,  L = 6 |F|/max |dF|/|w|                                  (step_error.2)
  *
- * r: tolerance of the residual; F: reactions of the sets, dF and w: their change and the ways of the sets in the last step.  Flow forgets where
- * it came from in some elastic strains: L.  Where the motion turns back, w and dF are those of the stiffest step.  Both numbers are measured, not derived (docs/errors.md, load steps). */
+ * r: tolerance of the residual; F: reactions of the sets, dF and w: their change and the ways of the sets in the last
+ * step, or, where the motion turns back, in the stiffest one.  Flow forgets where it came from in some elastic strains,
+ * L.  The 24, the 6 and the 5 are measured, not derived (docs/errors.md, load steps). */
 #ifndef HS_STEP_ERROR_H
 #define HS_STEP_ERROR_H
 
@@ -32,8 +33,8 @@ void step_error_free(struct step_error *error);
 /* The forces at the start of a step, where they are not those at the end of the last one.  Collective. */
 void step_error_start(struct step_error *error, const struct boundary *boundary,
                       const struct body *body);
-/* Measures the step that has come to rest with this residual, and the sets' ways; largest share of its length that would have been
- * allowed: below 1 it is too long; INFINITY where nothing is known.  Collective. */
+/* Measures the step that has come to rest to this tolerance of the residual, with the sets' ways; largest share of its
+ * length that would have been allowed: below 1 it is too long; INFINITY where nothing is known.  Collective. */
 double step_error_room(struct step_error *error, const struct boundary *boundary,
                        const struct body *body, double tolerance);
 /* The step counts; room for one after it of the same length, as above. */
