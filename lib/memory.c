@@ -46,6 +46,12 @@ char *memory_text(const char *text)
     return memcpy(memory_new(bytes, 1), text, bytes);
 }
 
+char *memory_folder(const char *name)
+{
+    const char *end = strrchr(name, '/');
+    return end ? memory_print("%.*s", (int)(end - name) + 1, name) : memory_text(".");
+}
+
 char *memory_print(const char *format, ...)
 {
     char *text = NULL;

@@ -17,6 +17,9 @@ void *memory_grow(void *items, int64_t count, size_t size);
 /* A copy of a string; text = NULL gives NULL. */
 char *memory_text(const char *text);
 
+/* The folder that a file of this name is in: all to its last '/', or "." where it has none. */
+char *memory_folder(const char *name);
+
 /* A printed string of whatever length it needs. */
 char *memory_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

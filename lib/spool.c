@@ -264,8 +264,7 @@ static void outlive_limits(void)
 void spool_check_output(const char *name)
 {
     if (is_standard(name) || is_stream(name)) return;
-    const char *end = strrchr(name, '/');
-    char *folder = end ? memory_print("%.*s", (int)(end - name) + 1, name) : memory_text(".");
+    char *folder = memory_folder(name);
     if (access(folder, W_OK | X_OK) != 0) die_user("cannot write %s: %s", name, strerror(errno));
     free(folder);
 }
@@ -323,8 +322,7 @@ void spool_sync(const char *path, const char *shown)
 /* The folder's list of names, too; some file systems cannot, and lose no name by it. */
 static void sync_folder(const char *path)
 {
-    const char *end = strrchr(path, '/');
-    char *folder = end ? memory_print("%.*s", (int)(end - path) + 1, path) : memory_text(".");
+    char *folder = memory_folder(path);
     int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {
         fsync(descriptor);

@@ -58,8 +58,7 @@ static char *place_of(const char *name)
     char *there = realpath(name, NULL);
     if (there) return there;
     const char *end = strrchr(name, '/');
-    char *folder = end ? memory_print("%.*s", (int)(end - name) + 1, name) : memory_text(".");
-    char *real = realpath(folder, NULL),
+    char *folder = memory_folder(name), *real = realpath(folder, NULL),
          *place = memory_print("%s/%s", real ? real : folder, end ? end + 1 : name);
     free(real);
     free(folder);
