@@ -9,10 +9,10 @@
 
 struct gauge {
     int n_phases;
-    struct members left, right;
-    double from, to;  /* x of the planes, m */
-    double *fraction; /* [n_phases] */
-    double *volume;   /* [n_phases] of the nodes between the planes, in mean volumes */
+    struct members left, right; /* of a periodic body empty */
+    double from, to;            /* x of the planes, m */
+    double *fraction;           /* [n_phases] */
+    double *volume;             /* [n_phases] of the nodes between the planes, in mean volumes */
     double *layer; /* [layers] volume of the particles of the body in each layer, in mean volumes */
 };
 
@@ -68,17 +68,29 @@ static void count_phases(struct gauge *gauge, const struct body *body)
     for (int p = 0; p < gauge->n_phases; p++) gauge->fraction[p] = gauge->volume[p] / all;
 }
 
-struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
+/* A body that is periodic along x is a gauge as a whole. */
+static void find_planes(struct gauge *gauge, const struct body *body, const struct domain *domain)
 {
-    bool wanted = domain && (domain_set(domain, "gauge_left") || domain_set(domain, "gauge_right"));
-    ranks_share(&wanted, sizeof wanted);
-    if (!wanted) return NULL;
-    struct gauge *gauge = memory_new(1, sizeof *gauge);
-    gauge->n_phases = n_phases;
+    const struct lattice *lattice = body->lattice;
+    if (lattice->periodic[0]) {
+        gauge->from = lattice->origin[0];
+        gauge->to = lattice->origin[0] + lattice_period(lattice, 0);
+        return;
+    }
     gauge->left = members_new(body, domain, "gauge_left");
     gauge->right = members_new(body, domain, "gauge_right");
     gauge->from = gauge->left.mean_x;
     gauge->to = gauge->right.mean_x;
+}
+
+struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
+{
+    bool wanted = domain && (domain_set(domain, "gauge_left") || domain_set(domain, "gauge_right"));
+    ranks_share(&wanted, sizeof wanted);
+    if (!wanted && !body->lattice->periodic[0]) return NULL;
+    struct gauge *gauge = memory_new(1, sizeof *gauge);
+    gauge->n_phases = n_phases;
+    find_planes(gauge, body, domain);
     if (!(gauge->to > gauge->from))
         die_user("the gauge planes are not apart: gauge_left at x = %g m, gauge_right at %g m",
                  gauge->from, gauge->to);
@@ -113,6 +125,8 @@ double gauge_fraction(const struct gauge *gauge, int phase)
 struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body)
 {
     const struct members *sets[2] = {&gauge->left, &gauge->right};
+    if (body->lattice->periodic[0])
+        return (struct gauge_planes){0, body->mean_gradient[0] * gauge_length(gauge)};
     const double reach = 100 * (lattice_extent(body->lattice, 0) + body->lattice->spacing);
     struct exact_sum sums[2];
     for (int k = 0; k < 2; k++) {
