@@ -27,6 +27,18 @@ static double gauge_length(const struct specimen *specimen, const struct domain 
     return mean_along(specimen, domain, "gauge_right") - mean_along(specimen, domain, "gauge_left");
 }
 
+/* The axes as letters, and after what length (m) the body repeats along each. */
+static void set_periods(const struct recipe *recipe, struct attributes *attributes)
+{
+    static const char *const names[] = {"period_x_m", "period_y_m", "period_z_m"};
+    const struct cores_box box = recipe_box(recipe);
+    char axes[4];
+    if (*cores_axes(&box, axes) == '\0') return;
+    attributes_set_text(attributes, "periodic", axes);
+    for (int axis = 0; axis < 3; axis++)
+        if (box.periodic[axis]) attributes_set_number(attributes, names[axis], box.size[axis]);
+}
+
 static void set_attributes(const struct recipe *recipe, const struct structure *structure,
                            const struct findings *findings, const char *fault,
                            struct domain *domain)
@@ -45,6 +57,7 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
     attributes_set_number(attributes, "section_m2", outline_section(specimen, structure->sites));
     if (specimen->gauge_length > 0)
         attributes_set_number(attributes, "gauge_length_m", gauge_length(specimen, domain));
+    set_periods(recipe, attributes);
     if (structure->sites->volume) attributes_set_text(attributes, "volumes", "cut");
     if (specimen->angle != 0) attributes_set_number(attributes, "angle_rad", specimen->angle);
     if (!recipe->topology->single_phase)

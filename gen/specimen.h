@@ -23,6 +23,7 @@ struct specimen {
     int64_t dimensions; /* 2: a sheet; else 3 */
     double size[3];     /* m, along the body's x (loading), y, z */
     double spacing[3];  /* m, edges of a cell; the third of a sheet is its thickness */
+    bool periodic[3];   /* along these axes the body goes on with its own image */
     int64_t count[3];   /* cells of the lattice, which hold the body */
     double diameter;    /* m, of a round one, heads included */
     double angle;       /* rad, about z, from the lattice's x to the body's */
