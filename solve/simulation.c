@@ -288,6 +288,11 @@ static void check_periods(struct simulation *s)
 {
     const struct lattice *lattice = &s->lattice;
     const struct deck_node section = s->scene.periodic_load;
+    const bool mirror = lattice->mirror[0] || lattice->mirror[1] || lattice->mirror[2];
+    if (mirror && !s->materials.formulation->corners)
+        deck_error(deck_get(deck_root(s->deck), "materials"),
+                   "%s materials have no planes of symmetry: take corner",
+                   s->materials.formulation->name);
     if (!lattice_is_periodic(lattice)) {
         if (section.index)
             deck_error(section, "the body is not periodic: domain.periodic says along which axes a "

@@ -27,6 +27,7 @@ enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 struct lattice {
     bool periodic
         [3]; /* along these axes the body repeats itself after size sites: a site beyond is the image of one */
+    bool mirror[3]; /* across these axes the plane below the first layer is one of symmetry */
     int dimensions; /* 2: one layer of sites that has a thickness of its own; else 3 */
     int size[3];
     double spacing;     /* m; along x where edges differ */

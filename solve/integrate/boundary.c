@@ -2,6 +2,7 @@
 
 #include "checkpoint.h"
 #include "memory.h"
+#include "mirror.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -48,10 +49,11 @@ static bool is_stretched(const struct boundary *boundary)
 struct boundary boundary_new(const struct scene *scene, struct body *body, double largest_stress)
 {
     struct boundary boundary = {
-        .sets = memory_new((size_t)scene->n_boundary, sizeof(struct boundary_set))};
+        .sets = memory_new((size_t)scene->n_boundary + 3, sizeof(struct boundary_set))};
     for (int i = 0; i < scene->n_boundary; i++)
         if (scene_holds(scene->boundary[i].kind))
             boundary.sets[boundary.count++] = set_new(&scene->boundary[i], body, largest_stress);
+    mirror_add(&boundary, scene, body, largest_stress);
     boundary_mark(&boundary, body);
     find_grips(&boundary);
     boundary.loads = loads_new(scene, body);

@@ -17,6 +17,7 @@ static struct lattice block_new(const struct lattice *like, int reach, int phase
     block.corner = NULL;
     block.hexahedron = NULL;
     memset(block.periodic, 0, sizeof block.periodic);
+    memset(block.mirror, 0, sizeof block.mirror);
     for (int a = 0; a < 3; a++) block.point[a] = NULL;
     block.n_sites = 1;
     for (int a = 0; a < 3; a++) {

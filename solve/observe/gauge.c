@@ -68,7 +68,7 @@ static void count_phases(struct gauge *gauge, const struct body *body)
     for (int p = 0; p < gauge->n_phases; p++) gauge->fraction[p] = gauge->volume[p] / all;
 }
 
-/* A body that is periodic along x is a gauge as a whole. */
+/* A body that is periodic along x is a gauge as a whole; a plane of symmetry is the left one. */
 static void find_planes(struct gauge *gauge, const struct body *body, const struct domain *domain)
 {
     const struct lattice *lattice = body->lattice;
@@ -77,9 +77,13 @@ static void find_planes(struct gauge *gauge, const struct body *body, const stru
         gauge->to = lattice->origin[0] + lattice_period(lattice, 0);
         return;
     }
-    gauge->left = members_new(body, domain, "gauge_left");
     gauge->right = members_new(body, domain, "gauge_right");
-    gauge->from = gauge->left.mean_x;
+    if (lattice->mirror[0])
+        gauge->from = lattice->origin[0];
+    else {
+        gauge->left = members_new(body, domain, "gauge_left");
+        gauge->from = gauge->left.mean_x;
+    }
     gauge->to = gauge->right.mean_x;
 }
 
@@ -136,7 +140,8 @@ struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct 
     }
     double values[2];
     exact_sum_finish(sums, 2, values);
-    return (struct gauge_planes){values[0] / (double)gauge->left.n_all,
+    const bool fixed = body->lattice->mirror[0]; /* the left plane */
+    return (struct gauge_planes){fixed ? 0 : values[0] / (double)gauge->left.n_all,
                                  values[1] / (double)gauge->right.n_all};
 }
 
