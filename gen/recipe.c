@@ -4,6 +4,7 @@
 #include "exodus.h"
 #include "periodic.h"
 #include "sections.h"
+#include "symmetry.h"
 #include "topology.h"
 
 #include <math.h>
@@ -57,6 +58,11 @@ static const struct key rows[] = {
              "of a plate, of flat ones else z alone, of sheets x and y; along x without grips and "
              "gauge.  Along these axes the size is a whole number of the cubic cells of the "
              "lattice of cores"},
+    {"symmetry", KEY_NODE, MEMBER(symmetry), .form = "list of x, y, z", .otherwise = "none",
+     .help = "axes across which the middle of the specimen is a plane of symmetry: the part above "
+             "it is made, an eighth of a body with all three; across x without grip_left and "
+             "gauge_left.  Sizes and grips are those of the whole body, for which the part stands "
+             "with its images"},
     {"phases", KEY_SECTION, .section = &phases_section, .required = true, .users = TWO_PHASES,
      .help = "names of the two materials"},
     {"ufg_fraction", KEY_NUMBER, MEMBER(ufg_fraction), .unit = "1", .low = 1e-6, .high = 1 - 1e-6,
@@ -159,6 +165,7 @@ struct recipe recipe_read(const struct deck *deck)
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
     periodic_read(domain, &recipe.specimen);
     specimen_read(&recipe.specimen, domain);
+    symmetry_read(domain, &recipe.specimen);
     recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
     check_names(domain, &recipe);
     if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);

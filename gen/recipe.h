@@ -31,7 +31,7 @@ struct recipe {
     double minimum_shell; /* spacings */
     bool override;
     int64_t seed;
-    struct deck_node size, periodic, gauge, grips, notch, hole,
+    struct deck_node symmetry, size, periodic, gauge, grips, notch, hole,
         sets; /* as the deck has them; index 0: none */
 };
 
