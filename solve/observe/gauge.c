@@ -126,23 +126,37 @@ double gauge_fraction(const struct gauge *gauge, int phase)
     return gauge->fraction[phase];
 }
 
+/* A node in a plane of symmetry stands for one, others for two. */
+static double images_of(const struct body *body, int64_t site)
+{
+    double images = 1;
+    int at[3];
+    grid_position(&body->grid, site, at);
+    for (int a = 0; a < 3; a++)
+        if (body->lattice->mirror[a] && at[a] > 0) images *= 2;
+    return images;
+}
+
 struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body)
 {
     const struct members *sets[2] = {&gauge->left, &gauge->right};
+    const double reach = 100 * (lattice_extent(body->lattice, 0) + body->lattice->spacing);
+    struct exact_sum sums[4];
     if (body->lattice->periodic[0])
         return (struct gauge_planes){0, body->mean_gradient[0] * gauge_length(gauge)};
-    const double reach = 100 * (lattice_extent(body->lattice, 0) + body->lattice->spacing);
-    struct exact_sum sums[2];
     for (int k = 0; k < 2; k++) {
-        sums[k] = exact_sum_new((double)sets[k]->n_all * reach);
-        for (int64_t i = 0; i < sets[k]->count; i++)
-            exact_sum_add(&sums[k], body->u[0][sets[k]->sites[i]]);
+        sums[k] = exact_sum_new(8 * (double)sets[k]->n_all * reach);
+        sums[2 + k] = exact_sum_new(8 * (double)sets[k]->n_all);
+        for (int64_t i = 0; i < sets[k]->count; i++) {
+            const double images = images_of(body, sets[k]->sites[i]);
+            exact_sum_add(&sums[k], images * body->u[0][sets[k]->sites[i]]);
+            exact_sum_add(&sums[2 + k], images);
+        }
     }
-    double values[2];
-    exact_sum_finish(sums, 2, values);
+    double values[4];
+    exact_sum_finish(sums, 4, values);
     const bool fixed = body->lattice->mirror[0]; /* the left plane */
-    return (struct gauge_planes){fixed ? 0 : values[0] / (double)gauge->left.n_all,
-                                 values[1] / (double)gauge->right.n_all};
+    return (struct gauge_planes){fixed ? 0 : values[0] / values[2], values[1] / values[3]};
 }
 
 static const double *member(const struct node_state *node, size_t offset)
