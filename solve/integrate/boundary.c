@@ -40,6 +40,31 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
     return set;
 }
 
+/* Holds the nodes of each plane of symmetry. */
+static void add_mirrors(struct boundary *boundary, const struct scene *scene,
+                        const struct body *body, double largest_stress)
+{
+    const struct lattice *lattice = body->lattice;
+    for (int a = 0; a < 3; a++) {
+        int64_t count, any;
+        if (!lattice->mirror[a]) continue;
+        int64_t *nodes = mirror_nodes(scene, body, a, &count);
+        any = count;
+        ranks_share(&any, sizeof any);
+        if (any > 0) {
+            struct boundary_set *set = &boundary->sets[boundary->count++];
+            *set = (struct boundary_set){.where = scene->solver,
+                                         .direction = a,
+                                         .kind = SCENE_DISPLACEMENT,
+                                         .members = members_of_nodes(body, nodes, count)};
+            set->inner = set->members.high_x;
+            set->zero = exact_sum_new((double)set->members.n_all * largest_stress *
+                                      lattice_largest_face(lattice));
+        }
+        free(nodes);
+    }
+}
+
 /* Whether the body has no ends along x. */
 static bool is_stretched(const struct boundary *boundary)
 {
@@ -53,7 +78,7 @@ struct boundary boundary_new(const struct scene *scene, struct body *body, doubl
     for (int i = 0; i < scene->n_boundary; i++)
         if (scene_holds(scene->boundary[i].kind))
             boundary.sets[boundary.count++] = set_new(&scene->boundary[i], body, largest_stress);
-    mirror_add(&boundary, scene, body, largest_stress);
+    add_mirrors(&boundary, scene, body, largest_stress);
     boundary_mark(&boundary, body);
     find_grips(&boundary);
     boundary.loads = loads_new(scene, body);

@@ -16,9 +16,7 @@ static bool *held_by_deck(const struct scene *scene, const struct lattice *latti
     return held;
 }
 
-/* Numbers of the nodes in the plane, on rank 0. */
-static int64_t *nodes_in_plane(const struct scene *scene, const struct body *body, int axis,
-                               int64_t *count)
+int64_t *mirror_nodes(const struct scene *scene, const struct body *body, int axis, int64_t *count)
 {
     const struct lattice *lattice = body->lattice;
     *count = 0;
@@ -34,28 +32,4 @@ static int64_t *nodes_in_plane(const struct scene *scene, const struct body *bod
     }
     free(held);
     return nodes;
-}
-
-void mirror_add(struct boundary *boundary, const struct scene *scene, const struct body *body,
-                double largest_stress)
-{
-    const struct lattice *lattice = body->lattice;
-    const double area = lattice_largest_face(lattice);
-    for (int a = 0; a < 3; a++) {
-        int64_t count, any;
-        if (!lattice->mirror[a]) continue;
-        int64_t *nodes = nodes_in_plane(scene, body, a, &count);
-        any = count;
-        ranks_share(&any, sizeof any);
-        if (any > 0) {
-            struct boundary_set *set = &boundary->sets[boundary->count++];
-            *set = (struct boundary_set){.where = scene->solver,
-                                         .direction = a,
-                                         .kind = SCENE_DISPLACEMENT,
-                                         .members = members_of_nodes(body, nodes, count)};
-            set->inner = set->members.high_x;
-            set->zero = exact_sum_new((double)set->members.n_all * largest_stress * area);
-        }
-        free(nodes);
-    }
 }

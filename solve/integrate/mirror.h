@@ -6,11 +6,11 @@
 #ifndef HS_MIRROR_H
 #define HS_MIRROR_H
 
-#include "boundary.h"
+#include "body.h"
+#include "scene.h"
 
-/* Adds a set that holds the nodes of each plane, but those that another set holds across it, to boundary->sets, which has
- * room for three more.  Collective. */
-void mirror_add(struct boundary *boundary, const struct scene *scene, const struct body *body,
-                double largest_stress);
+/* Numbers of the nodes in the plane across an axis, ascending, but of those that the scene holds across it, on rank 0
+ * (elsewhere NULL); to be freed.  scene: resolved on rank 0. */
+int64_t *mirror_nodes(const struct scene *scene, const struct body *body, int axis, int64_t *count);
 
 #endif

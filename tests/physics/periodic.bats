@@ -264,7 +264,7 @@ END
 @test "an eighth of a dog-bone of hsgen, with cut volumes, gives the whole one's stress and strain to 1e-8" {
     for symmetry in '' 'symmetry: [x, y, z]'; do
         name=${symmetry:+part}
-        cat >bone$name.yaml <<END
+        cat >"bone$name.yaml" <<END
 domain:
   specimen: dogbone
   size: [2.4 mm, 0.8 mm, 0.2 mm]
@@ -282,8 +282,8 @@ boundary:
 $([ "$symmetry" ] || echo '  - {set: grip_left, direction: x, velocity: -1e-3 m/s}')
 solver: {end_time: 0.02, step: 0.002, tolerance: 1e-9, most_evaluations: 20000}
 END
-        hsgen -q bone$name.yaml | hssolve -q --history bone$name.e
-        hspost -q bone$name.e | awk -F, '!/^#/ && NR > 1 && $1 + 0 > 0 { printf "%.12g %.12g\n", $5, $6 }' >curve$name
+        hsgen -q "bone$name.yaml" | hssolve -q --history "bone$name.e"
+        hspost -q "bone$name.e" | awk -F, '!/^#/ && NR > 1 && $1 + 0 > 0 { printf "%.12g %.12g\n", $5, $6 }' >"curve$name"
     done
     [ "$(wc -l <curve)" -ge 10 ]
     paste curve curvepart | while read -r strain stress part_strain part_stress; do
