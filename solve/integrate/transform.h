@@ -5,7 +5,8 @@
  * leaves a number of iterations that grows neither with the number of particles nor with the length of the
  * body.  The waves fill the box around the free components; where the body does not, there is nothing outside,
  * before and after.  A scattered particle counts where the nearest site of a lattice of its mean distance
- * would be.  Each component is the work of one rank. */
+ * would be.  All ranks share the boxes (slabs.h): along two axes lines of numbers lie whole on a rank, then they are turned, so that at the
+ * stiffness a rank has the same waves of all three components, where those have one box. */
 #ifndef HS_TRANSFORM_H
 #define HS_TRANSFORM_H
 
