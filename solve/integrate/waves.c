@@ -14,7 +14,7 @@ enum { SHORT = 2048, CHEAP = 400 };
 
 struct waves {
     int n;
-    bool corners, low, high, periodic;
+    bool corners, low, high, periodic, exchanged;
     double shift, period;       /* wave number k is pi (k + shift)/period */
     double offset;              /* of the first node from the low end, sites */
     float *norm;                /* [n] 1 over the root of the sum of squares of wave k */
@@ -38,6 +38,7 @@ double waves_number(const struct waves *waves, int k)
 
 bool waves_is_sine(const struct waves *waves, int k)
 {
+    if (waves->periodic && waves->exchanged) return k > 0 && 2 * k <= waves->n;
     return waves->periodic ? 2 * k >= waves->n : waves->low;
 }
 
@@ -98,10 +99,10 @@ static void find_norms(struct waves *waves)
     }
 }
 
-struct waves *waves_new_periodic(int n)
+struct waves *waves_new_periodic(int n, bool exchanged)
 {
     struct waves *waves = memory_new(1, sizeof *waves);
-    *waves = (struct waves){.n = n, .periodic = true, .offset = 0.5};
+    *waves = (struct waves){.n = n, .periodic = true, .exchanged = exchanged, .offset = 0.5};
     find_norms(waves);
     fold_matrices(waves);
     return waves;
