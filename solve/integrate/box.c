@@ -65,7 +65,7 @@ struct box box_new(const struct unknowns *unknowns, int a)
         }
         box.count *= box.size[b];
     }
-    box.floats = lattice_is_periodic(lattice) && least[ANY_HELD] > 0;
+    box.floats = least[ANY_HELD] > 0;
     return box;
 }
 
