@@ -23,7 +23,10 @@ static double gauge_length(const struct specimen *specimen, const struct domain 
 {
     int64_t layer[2];
     specimen_gauge_layers(specimen, layer);
-    if (specimen->angle == 0) return (double)(layer[1] - layer[0]) * specimen->spacing[0];
+    /* From a plane of symmetry on it is the half. */
+    if (specimen->angle == 0)
+        return (double)(layer[1] - layer[0]) * specimen->spacing[0] *
+               (specimen->symmetry[0] ? 0.5 : 1);
     return mean_along(specimen, domain, "gauge_right") - mean_along(specimen, domain, "gauge_left");
 }
 
@@ -37,6 +40,15 @@ static void set_periods(const struct recipe *recipe, struct attributes *attribut
     attributes_set_text(attributes, "periodic", axes);
     for (int axis = 0; axis < 3; axis++)
         if (box.periodic[axis]) attributes_set_number(attributes, names[axis], box.size[axis]);
+}
+
+static void set_symmetry(const struct specimen *specimen, struct attributes *attributes)
+{
+    char letters[4] = "";
+    int count = 0;
+    for (int axis = 0; axis < 3; axis++)
+        if (specimen->symmetry[axis]) letters[count++] = "xyz"[axis];
+    if (count > 0) attributes_set_text(attributes, "symmetry", letters);
 }
 
 static void set_attributes(const struct recipe *recipe, const struct structure *structure,
@@ -58,6 +70,7 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
     if (specimen->gauge_length > 0)
         attributes_set_number(attributes, "gauge_length_m", gauge_length(specimen, domain));
     set_periods(recipe, attributes);
+    set_symmetry(specimen, attributes);
     if (structure->sites->volume) attributes_set_text(attributes, "volumes", "cut");
     if (specimen->angle != 0) attributes_set_number(attributes, "angle_rad", specimen->angle);
     if (!recipe->topology->no_cores)

@@ -5,6 +5,7 @@
 #include "fill.h"
 #include "periodic.h"
 #include "sections.h"
+#include "symmetry.h"
 #include "topology.h"
 
 #include <math.h>
@@ -60,6 +61,11 @@ static const struct key rows[] = {
              "of a plate, of flat ones else z alone, of sheets x and y; along x without grips and "
              "gauge.  Along these axes the size is a whole number of the cubic cells of the "
              "lattice of cores"},
+    {"symmetry", KEY_NODE, MEMBER(symmetry), .form = "list of x, y, z", .otherwise = "none",
+     .help = "axes across which the middle of the specimen is a plane of symmetry: the part above "
+             "it is made, an eighth of a body with all three; across x without grip_left and "
+             "gauge_left.  Sizes and grips are those of the whole body, for which the part stands "
+             "with its images"},
     {"phases", KEY_SECTION, .section = &phases_section, .required = true, .users = TWO_PHASES,
      .help = "names of the two materials"},
     {"ufg_fraction", KEY_NUMBER, MEMBER(ufg_fraction), .unit = "1", .low = 1e-6, .high = 1 - 1e-6,
@@ -171,6 +177,7 @@ struct recipe recipe_read(const struct deck *deck)
     else
         (void)deck_get(domain, "spacing"); /* dies where it is missing */
     specimen_read(&recipe.specimen, domain);
+    symmetry_read(domain, &recipe.specimen);
     check_names(domain, &recipe);
     if (!recipe.topology->no_cores) check_two_phases(domain, &recipe);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
@@ -189,10 +196,12 @@ struct voxel recipe_voxel(const struct recipe *recipe, const double position[3])
     return voxels_at(&recipe->voxels, position, recipe->specimen.spacing, recipe->measured.rule);
 }
 
-static bool has_material(const void *recipe, int64_t site, const double point[3])
+static bool has_material(const void *all, int64_t site, const double point[3])
 {
+    const struct recipe *recipe = all;
     (void)site;
-    return recipe_voxel(recipe, point).phase != VOXEL_EMPTY;
+    return recipe_voxel(recipe, point).phase != VOXEL_EMPTY &&
+           symmetry_keeps(&recipe->specimen, point);
 }
 
 struct sites recipe_sites(const struct recipe *recipe)

@@ -45,7 +45,7 @@ struct recipe {
     int64_t seed;
     struct measured measured;
     struct voxels voxels; /* of an image, else empty */
-    struct deck_node size, periodic, gauge, grips, notch, hole,
+    struct deck_node symmetry, size, periodic, gauge, grips, notch, hole,
         sets; /* as the deck has them; index 0: none */
 };
 

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A block whose middle node and all that answer to it have whole families. */
 static struct lattice block_new(const struct lattice *like, int reach, int phase)
@@ -15,6 +16,8 @@ static struct lattice block_new(const struct lattice *like, int reach, int phase
     block.volume = NULL;
     block.corner = NULL;
     block.hexahedron = NULL;
+    memset(block.periodic, 0, sizeof block.periodic);
+    memset(block.mirror, 0, sizeof block.mirror);
     for (int a = 0; a < 3; a++) block.point[a] = NULL;
     block.n_sites = 1;
     for (int a = 0; a < 3; a++) {

@@ -11,8 +11,9 @@
 /* The box around the free components along one axis, on the rank whose work it is. */
 struct box {
     int dimensions, low[3], size[3];
-    bool corners;
-    bool held[3][2]; /* whether there is something of the body below, above */
+    bool corners, periodic[3];
+    bool nothing_held; /* of a periodic body: then it may move as a whole */
+    bool held[3][2];   /* whether there is something of the body below, above */
     int64_t count;
     float *values, *room, *inverse; /* [count] */
     struct waves *waves[3];
@@ -71,6 +72,7 @@ static void find_box(struct box *box, const struct lattice *lattice, const int64
     box->corners = lattice->corner != NULL;
     box->dimensions = lattice->dimensions;
     for (int b = 0; b < 3; b++) {
+        box->periodic[b] = lattice->periodic[b];
         box->held[b][0] = body_low[b] < low[b] - slack;
         box->held[b][1] = body_high[b] > high[b] + slack;
         box->size[b] = 0;
@@ -80,8 +82,14 @@ static void find_box(struct box *box, const struct lattice *lattice, const int64
                 (int)(box->held[b][1] ? floor(high[b] + slack) : ceil(high[b] - slack));
             box->size[b] = last >= box->low[b] ? last - box->low[b] + 1 : 0;
         }
+        if (lattice->periodic[b]) {
+            box->low[b] = 0;
+            box->size[b] = lattice->size[b];
+        }
         box->count *= box->size[b];
     }
+    box->nothing_held = lattice_is_periodic(lattice);
+    for (int64_t i = 0; i < n; i++) box->nothing_held = box->nothing_held && free[i] > 0;
 }
 
 /* Place in the box; -1 outside of it. */
@@ -151,7 +159,9 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
          * they are put on fall into one. */
         const bool corners =
             box->corners && b < box->dimensions && (n > 1 || box->held[b][0] || box->held[b][1]);
-        box->waves[b] = waves_new(n, inner, corners, box->held[b][0], box->held[b][1]);
+        box->waves[b] = box->periodic[b]
+                            ? waves_new_periodic(n, inner)
+                            : waves_new(n, inner, corners, box->held[b][0], box->held[b][1]);
         inner *= n;
         k[b] = memory_new((size_t)n, sizeof *k[b]);
         for (int i = 0; i < n; i++) k[b][i] = waves_number(box->waves[b], i);
@@ -164,6 +174,8 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
     const double own = symbol->answer[a][0], least = own > 0 ? 3e-6 * own : 1;
     for (int64_t i = 0; i < box->count; i++)
         box->inverse[i] = (float)(1 / (fmax(stiffness[i], 0) + least));
+    /* Where nothing is held the forces have no sum but that of rounding. */
+    if (box->nothing_held) box->inverse[0] = 0;
     for (int b = 0; b < 3; b++) free(k[b]);
     free(stiffness);
 }

@@ -12,7 +12,7 @@ enum { SHORT = 512 };
 
 struct waves {
     int n;
-    bool corners, low, high;
+    bool corners, low, high, periodic;
     double shift, period; /* wave number k is pi (k + shift)/period */
     double offset;        /* of the first node from the low end, sites */
     float *norm;          /* [n] 1 over the root of the sum of squares of wave k */
@@ -24,18 +24,21 @@ struct waves {
 /* What a node counts in the sums over a wave: corners at free ends a half. */
 static double weight(const struct waves *waves, int j)
 {
+    if (waves->periodic) return 1;
     const bool end = (j == 0 && !waves->low) || (j == waves->n - 1 && !waves->high);
     return waves->corners && end ? 0.5 : 1;
 }
 
 double waves_number(const struct waves *waves, int k)
 {
+    if (waves->periodic) return 2 * M_PI * (2 * k <= waves->n ? k : waves->n - k) / waves->n;
     return M_PI * (k + waves->shift) / waves->period;
 }
 
 static double wave(const struct waves *waves, int k, int j)
 {
     const double phase = waves_number(waves, k) * (j + waves->offset);
+    if (waves->periodic) return 2 * k <= waves->n ? cos(phase) : sin(phase);
     return waves->low ? sin(phase) : cos(phase);
 }
 
@@ -54,27 +57,26 @@ static void fill_matrices(struct waves *waves)
  * time, measured ones are not. */
 static void make_plans(struct waves *waves)
 {
-    static const fftwf_r2r_kind kinds[2][2][2][2] = {
-        {{{FFTW_REDFT10, FFTW_REDFT01}, {FFTW_REDFT11, FFTW_REDFT11}},
-         {{FFTW_RODFT11, FFTW_RODFT11}, {FFTW_RODFT10, FFTW_RODFT01}}},
-        {{{FFTW_REDFT00, FFTW_REDFT00}, {FFTW_REDFT01, FFTW_REDFT10}},
-         {{FFTW_RODFT01, FFTW_RODFT10}, {FFTW_RODFT00, FFTW_RODFT00}}}};
+    static const fftwf_r2r_kind kinds[2][2][2][2] =
+        {{{{FFTW_REDFT10, FFTW_REDFT01}, {FFTW_REDFT11, FFTW_REDFT11}},
+          {{FFTW_RODFT11, FFTW_RODFT11}, {FFTW_RODFT10, FFTW_RODFT01}}},
+         {{{FFTW_REDFT00, FFTW_REDFT00}, {FFTW_REDFT01, FFTW_REDFT10}},
+          {{FFTW_RODFT01, FFTW_RODFT10}, {FFTW_RODFT00, FFTW_RODFT00}}}},
+                                periodic[2] = {FFTW_R2HC, FFTW_HC2R};
     const int n = waves->n, inner = (int)waves->inner;
     float *values = fftwf_alloc_real((size_t)n * (size_t)inner);
     for (int back = 0; back < 2; back++)
         waves->plan[back] = fftwf_plan_many_r2r(
             1, &n, inner, values, NULL, inner, 1, values, NULL, inner, 1,
-            &kinds[waves->corners][waves->low][waves->high][back], FFTW_ESTIMATE | FFTW_UNALIGNED);
+            waves->periodic ? &periodic[back]
+                            : &kinds[waves->corners][waves->low][waves->high][back],
+            FFTW_ESTIMATE | FFTW_UNALIGNED);
     fftwf_free(values);
 }
 
-struct waves *waves_new(int n, int64_t inner, bool corners, bool low, bool high)
+static void finish(struct waves *waves)
 {
-    struct waves *waves = memory_new(1, sizeof *waves);
-    *waves = (struct waves){.n = n, .inner = inner, .corners = corners, .low = low, .high = high};
-    waves->shift = low && high ? 1 : low || high ? 0.5 : 0;
-    waves->period = !corners ? n : low && high ? n + 1 : low || high ? n : n - 1;
-    waves->offset = !corners ? 0.5 : low ? 1 : 0;
+    const int n = waves->n;
     waves->norm = memory_new((size_t)n, sizeof *waves->norm);
     for (int k = 0; k < n; k++) {
         double square = 0;
@@ -85,6 +87,24 @@ struct waves *waves_new(int n, int64_t inner, bool corners, bool low, bool high)
         fill_matrices(waves);
     else
         make_plans(waves);
+}
+
+struct waves *waves_new(int n, int64_t inner, bool corners, bool low, bool high)
+{
+    struct waves *waves = memory_new(1, sizeof *waves);
+    *waves = (struct waves){.n = n, .inner = inner, .corners = corners, .low = low, .high = high};
+    waves->shift = low && high ? 1 : low || high ? 0.5 : 0;
+    waves->period = !corners ? n : low && high ? n + 1 : low || high ? n : n - 1;
+    waves->offset = !corners ? 0.5 : low ? 1 : 0;
+    finish(waves);
+    return waves;
+}
+
+struct waves *waves_new_periodic(int n, int64_t inner)
+{
+    struct waves *waves = memory_new(1, sizeof *waves);
+    *waves = (struct waves){.n = n, .inner = inner, .periodic = true};
+    finish(waves);
     return waves;
 }
 
@@ -147,12 +167,30 @@ static bool is_single(const struct waves *waves, int k)
     return (cosines && k == 0) || (k == waves->n - 1 && (waves->corners ? cosines : sines));
 }
 
+/* FFTW's sines are negative, and its transform back sums up twice what has a sine beside its cosine. */
+static void by_fftw_periodic(const struct waves *waves, bool back, float *values)
+{
+    const int n = waves->n;
+    const int64_t inner = waves->inner;
+    float *factor = memory_new((size_t)n, sizeof *factor);
+    for (int k = 0; k < n; k++) {
+        const bool sine = 2 * k > n, single = k == 0 || 2 * k == n;
+        factor[k] = (sine ? -1 : 1) * (back && !single ? 0.5f : 1) * waves->norm[k];
+    }
+    for (int k = 0; k < n && back; k++) scale(inner, factor[k], values + k * inner);
+    fftwf_execute_r2r(waves->plan[back], values, values);
+    for (int k = 0; k < n && !back; k++) scale(inner, factor[k], values + k * inner);
+    free(factor);
+}
+
 /* The same by FFTW, which sums up twice what does not lie at an end of the axis or of the spectrum. */
 static void by_fftw(const struct waves *waves, bool back, int64_t outer, float *values)
 {
     const int n = waves->n;
     const int64_t inner = waves->inner;
-    for (int64_t o = 0; o < outer; o++) {
+    for (int64_t o = 0; waves->periodic && o < outer; o++)
+        by_fftw_periodic(waves, back, values + o * n * inner);
+    for (int64_t o = 0; !waves->periodic && o < outer; o++) {
         float *from = values + o * n * inner;
         for (int k = 0; k < n; k++)
             scale(inner,
