@@ -2,7 +2,6 @@
 #include "assemble.h"
 #include "die.h"
 #include "exodus.h"
-#include "fill.h"
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
@@ -69,8 +68,9 @@ static void check_side_files(const struct arguments *c, const struct recipe *rec
     if (c->picture) picture_check_name(c->picture);
     if (c->peridigm && (periodic[0] || periodic[1] || periodic[2]))
         die_user("--peridigm %s: that format has no place for a periodic body", c->peridigm);
-    if (c->cores && recipe->topology->single_phase)
-        die_user("--cores %s: a homogeneous structure has no cores", c->cores);
+    if (c->cores && recipe->topology->no_cores)
+        die_user("--cores %s: a structure of the topology %s has no cores", c->cores,
+                 recipe->topology->deck.name);
 }
 
 static void write_side_files(const struct arguments *c, const struct recipe *recipe,
@@ -104,7 +104,7 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     enum { NODE_BYTES = 80 }; /* of memory, measured */
     const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
                                  c->picture, c->cores, c->peridigm};
-    struct sites sites = fill_sites(&recipe->specimen);
+    struct sites sites = recipe_sites(recipe);
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
@@ -135,12 +135,13 @@ int main(int argc, char **argv)
     check_side_files(&c, &recipe);
     if (c.check) {
         say_plan(&c, &recipe);
+        recipe_free(&recipe);
         deck_free(deck);
         return 0;
     }
     struct spool output = spool_output(c.output);
 
-    struct sites sites = fill_sites(&recipe.specimen);
+    struct sites sites = recipe_sites(&recipe);
     struct cores cores = recipe_cores(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);
@@ -159,6 +160,7 @@ int main(int argc, char **argv)
     structure_free(&structure);
     cores_free(&cores);
     sites_free(&sites);
+    recipe_free(&recipe);
     deck_free(deck);
     return 0;
 }

@@ -2,6 +2,7 @@
 
 #include "die.h"
 #include "exodus.h"
+#include "fill.h"
 #include "periodic.h"
 #include "sections.h"
 #include "symmetry.h"
@@ -14,7 +15,8 @@ static const char *const shapes[] = {"cell", "sphere", NULL};
 static const char *const matches[] = {"exact", "geometric", NULL};
 
 #define MEMBER(member) .place = offsetof(struct recipe, member)
-#define TWO_PHASES     ~1u /* all topologies but the first */
+#define TWO_PHASES     ~3u /* all topologies but the first two */
+#define ALL_BUT_IMAGE  ~2u
 
 static const struct key phase_rows[] = {
     {"cg", KEY_TEXT, MEMBER(phase_names[PHASE_CG]), .form = "name of a material", .required = true,
@@ -31,13 +33,14 @@ static const struct key rows[] = {
     {"dimensions", KEY_INTEGER, MEMBER(specimen.dimensions), .low = 2, .high = 3, .usual = 3,
      .help = "2: a sheet, one layer of nodes in the plane z = 0"},
     {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .size = 3,
-     .required = true,
+     .usual = NAN, .otherwise = "of an image that of its voxels",
      .help =
          "edges of the lattice's cells, along x, y, z, or of its cubes; the third of a sheet is "
          "its "
          "thickness.  Lengths in spacings are in the edge along x, but the components of size and "
          "of the boxes of sets in that axis' own"},
     {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+     .users = ALL_BUT_IMAGE,
      .help = "of the whole, heads included, of a round one its length alone: whole numbers of that "
              "axis' "
              "spacings, 1 to 1e6 each, but of a turned one any along x and y; the third of a sheet "
@@ -117,8 +120,12 @@ static void check_name(struct deck_node where, const char *phase)
 static void check_names(struct deck_node domain, const struct recipe *recipe)
 {
     const struct deck_node one = deck_find(domain, "phase");
-    for (int p = 0; p < recipe->n_phases; p++)
-        check_name(one.index ? one : deck_get(domain, "phases"), recipe->phase_names[p]);
+    const struct deck_node labels = deck_find(domain, "labels");
+    struct deck_node where = one.index      ? one
+                             : labels.index ? labels
+                                            : deck_find(domain, "threshold");
+    if (!where.index) where = deck_get(domain, "phases");
+    for (int p = 0; p < recipe->n_phases; p++) check_name(where, recipe->phase_names[p]);
 }
 
 /* What the rows cannot say of two phases. */
@@ -162,16 +169,48 @@ struct recipe recipe_read(const struct deck *deck)
     struct deck_node root = deck_root(deck), domain = deck_get(root, "domain");
     const int choice = keys_variant(domain, &domain_section);
     recipe.topology = topologies[choice];
+    recipe.n_phases = recipe.topology->no_cores ? 1 : 2;
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
     periodic_read(domain, &recipe.specimen);
+    if (recipe.topology->measure)
+        recipe.topology->measure(domain, &recipe);
+    else
+        (void)deck_get(domain, "spacing"); /* dies where it is missing */
     specimen_read(&recipe.specimen, domain);
     symmetry_read(domain, &recipe.specimen);
-    recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
     check_names(domain, &recipe);
-    if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);
+    if (!recipe.topology->no_cores) check_two_phases(domain, &recipe);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
     read_grip_phase(root, &recipe);
     return recipe;
+}
+
+void recipe_free(struct recipe *recipe)
+{
+    voxels_free(&recipe->voxels);
+}
+
+struct voxel recipe_voxel(const struct recipe *recipe, const double position[3])
+{
+    if (!recipe->voxels.phase) return (struct voxel){VOXEL_OUTSIDE, 0};
+    return voxels_at(&recipe->voxels, position, recipe->specimen.spacing, recipe->measured.rule);
+}
+
+static bool has_material(const void *all, int64_t site, const double point[3])
+{
+    const struct recipe *recipe = all;
+    (void)site;
+    return recipe_voxel(recipe, point).phase != VOXEL_EMPTY &&
+           symmetry_keeps(&recipe->specimen, point);
+}
+
+struct sites recipe_sites(const struct recipe *recipe)
+{
+    const struct specimen *specimen = &recipe->specimen;
+    if (!recipe->voxels.phase) return fill_sites(specimen);
+    struct sites sites = sites_new(specimen->count, specimen->spacing, has_material, recipe);
+    for (int axis = 0; axis < 3; axis++) sites.periodic[axis] = specimen->periodic[axis];
+    return sites;
 }
 
 struct cores_box recipe_box(const struct recipe *recipe)
@@ -206,7 +245,7 @@ static void check_box(const struct recipe *recipe, const struct cores_box *file)
 
 struct cores recipe_cores(struct recipe *recipe)
 {
-    if (recipe->topology->single_phase) return (struct cores){0};
+    if (recipe->topology->no_cores) return (struct cores){0};
     if (!recipe->cores_file) return recipe->topology->place(recipe);
     struct cores cores = cores_read(recipe->cores_file, recipe->topology->deck.name);
     check_box(recipe, &cores.box);

@@ -1,0 +1,55 @@
+#include "image_ebsd.h"
+
+#include "die.h"
+#include "points.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { LINE = 4096, MOST_COLUMNS = 64 };
+
+static int find_column(const struct image_text *text, const struct ebsd_columns *columns)
+{
+    const char *wanted = text->source->array ? text->source->array : "phase";
+    struct image_array arrays[MOST_COLUMNS];
+    for (int i = 0; i < columns->count; i++) {
+        if (strcasecmp(columns->names[i], wanted) == 0) return i;
+        arrays[i] = (struct image_array){columns->names[i], 1};
+    }
+    return image_choose(text->source, arrays,
+                        columns->count); /* dies naming those that there are */
+}
+
+/* A number; a comma in it is a point. */
+static double number_of(struct image_text *text, char *word)
+{
+    char *comma = strchr(word, ','), *end;
+    if (comma) *comma = '.';
+    const double value = strtod(word, &end);
+    if (end == word || *end || !isfinite(value))
+        image_refuse(text, "found '%.40s', expected a number", word);
+    return value;
+}
+
+void ebsd_read(struct image_text *text, const struct ebsd_columns *columns, struct image *image)
+{
+    static const char advice[] =
+        "points on a square grid are read; interpolate others, such as hexagonal ones, to one";
+    const int column = find_column(text, columns);
+    const int needed = 1 + (int)fmax(column, fmax(columns->x, columns->y));
+    struct points points = {0};
+    char line[LINE], *fields[MOST_COLUMNS];
+    for (struct image_text at = *text; image_line(text, line, sizeof line); at = *text) {
+        const int count = image_split(line, fields, MOST_COLUMNS);
+        if (count == 0) continue;
+        if (count < needed)
+            image_refuse(&at, "%d columns in the row, expected %d at least", count, needed);
+        points_add(&points, number_of(&at, fields[columns->x]), number_of(&at, fields[columns->y]),
+                   0, number_of(&at, fields[column]));
+    }
+    points_fill(text->source, &points, NAN, advice, image);
+    image->unit = "um";
+    points_free(&points);
+}
