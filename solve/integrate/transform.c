@@ -2,6 +2,7 @@
 
 #include "collection.h"
 #include "memory.h"
+#include "pins.h"
 #include "waves.h"
 
 #include <math.h>
@@ -18,6 +19,8 @@ struct box {
     struct waves *waves[3];
     int each;       /* places of a node: 1, of a mesh 8 */
     int64_t *place; /* [each n_nodes] in the box, or -1 */
+    bool *free;     /* [n_nodes] else held */
+    struct pins pins;
     float *weight;  /* [each n_nodes] of a mesh; NULL: 1 */
     double *all;    /* [n_nodes] as the ranks have them, one rank behind the other */
     int64_t *
@@ -96,9 +99,9 @@ static int64_t place_in(const struct box *box, const int at[3])
     return place;
 }
 
-/* The places around each free node of a mesh, with the weights of linear interpolation. */
+/* The places around each node of a mesh, with the weights of linear interpolation. */
 static void find_places_around(struct box *box, const struct lattice *lattice, const int64_t *sites,
-                               int64_t n, const double *free_nodes)
+                               int64_t n)
 {
     box->each = 8;
     box->place = memory_new(8 * (size_t)n, sizeof *box->place);
@@ -114,7 +117,7 @@ static void find_places_around(struct box *box, const struct lattice *lattice, c
                 place[b] = (int)below + (k >> b & 1);
                 weight *= k >> b & 1 ? share : 1 - share;
             }
-            box->place[8 * i + k] = free_nodes[i] > 0 ? place_in(box, place) : -1;
+            box->place[8 * i + k] = weight > 0 ? place_in(box, place) : -1;
             box->weight[8 * i + k] = (float)weight;
         }
     }
@@ -122,7 +125,7 @@ static void find_places_around(struct box *box, const struct lattice *lattice, c
 
 /* Whether two nodes have one place. */
 static bool find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
-                        int64_t n, const double *free_nodes)
+                        int64_t n)
 {
     bool *taken = memory_new((size_t)box->count + 1, sizeof *taken), crowded = false;
     box->each = 1;
@@ -130,12 +133,11 @@ static bool find_places(struct box *box, const struct lattice *lattice, const in
     for (int64_t i = 0; i < n; i++) {
         double at[3];
         find_position(lattice, sites[i], at);
-        box->place[i] = -1;
-        if (!(free_nodes[i] > 0)) continue;
         const int64_t place = place_in(box, (const int[]){(int)at[0], (int)at[1], (int)at[2]});
+        box->place[i] = place;
+        if (!box->free[i]) continue;
         crowded |= taken[place];
         taken[place] = true;
-        box->place[i] = place;
     }
     free(taken);
     return crowded;
@@ -168,11 +170,107 @@ static void find_inverse(struct box *box, const struct symbol *symbol, int a)
     free(stiffness);
 }
 
+/* Nodes that are held within the box. */
+static void find_pins(struct box *box, int64_t n)
+{
+    int64_t *candidates = memory_new((size_t)n, sizeof *candidates), count = 0;
+    for (int64_t i = 0; i < n; i++) {
+        bool within = !box->free[i];
+        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
+            within = within && (box->place[k] >= 0 || (box->weight && !(box->weight[k] > 0)));
+        if (within) candidates[count++] = i;
+    }
+    box->pins = pins_new(candidates, count);
+    free(candidates);
+}
+
 static int64_t *order_of(const int64_t *sites, int64_t n)
 {
     int64_t *order = memory_new((size_t)n, sizeof *order);
     for (int64_t i = 0; i < n; i++) order[sites[i]] = i;
     return order;
+}
+
+static int64_t outer_of(const struct box *box, int axis)
+{
+    int64_t outer = 1;
+    for (int b = axis + 1; b < 3; b++) outer *= box->size[b];
+    return outer;
+}
+
+/* Adds what one node has, to its places, and what the places have for it. */
+static void put_node(const struct box *box, int64_t i, float value, float *values)
+{
+    for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
+        if (box->place[k] >= 0)
+            values[box->place[k]] += (box->weight ? box->weight[k] : 1) * value;
+}
+
+static double take_node(const struct box *box, int64_t i, const float *values)
+{
+    double sum = 0;
+    for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
+        if (box->place[k] >= 0) sum += (box->weight ? box->weight[k] : 1) * values[box->place[k]];
+    return sum;
+}
+
+/* Values of the free nodes to the box.  Those that share a place are summed in the order of their sites. */
+static void put_in(const struct box *box, int64_t n, float *values)
+{
+    memset(values, 0, (size_t)box->count * sizeof *values);
+    for (int64_t site = 0; site < n; site++) {
+        const int64_t i = box->order ? box->order[site] : site;
+        if (box->free[i]) put_node(box, i, (float)box->all[i], values);
+    }
+}
+
+/* M^-1 of box->values; where the result is. */
+static const float *apply(const struct box *box)
+{
+    float *values = box->values, *room = box->room;
+    for (int step = 0; step < 6; step++) {
+        const int b = step < 3 ? step : 5 - step;
+        float *result = waves_transform(box->waves[b], step >= 3, outer_of(box, b), values, room);
+        room = result == values ? room : values;
+        values = result;
+        for (int64_t i = 0; step == 2 && i < box->count; i++) values[i] *= box->inverse[i];
+    }
+    return values;
+}
+
+static void fill_pins(struct box *box)
+{
+    struct pins *pins = &box->pins;
+    for (int j = 0; j < pins->count; j++) {
+        memset(box->values, 0, (size_t)box->count * sizeof *box->values);
+        put_node(box, pins->node[j], 1, box->values);
+        const float *values = apply(box);
+        for (int i = j; i < pins->count; i++)
+            pins->factor[i * pins->count + j] = take_node(box, pins->node[i], values);
+    }
+    pins_factorise(pins);
+}
+
+/* box->all becomes M^-1 of itself (pins.1). */
+static void invert(struct box *box, int64_t n)
+{
+    struct pins *pins = &box->pins;
+    if (box->count == 0) {
+        memset(box->all, 0, (size_t)n * sizeof *box->all);
+        return;
+    }
+    put_in(box, n, box->values);
+    const float *values = apply(box);
+    if (pins->count > 0) {
+        for (int k = 0; k < pins->count; k++)
+            pins->force[k] = take_node(box, pins->node[k], values);
+        pins_solve(pins);
+        put_in(box, n, box->values);
+        for (int k = 0; k < pins->count; k++)
+            put_node(box, pins->node[k], (float)-pins->force[k], box->values);
+        values = apply(box);
+    }
+    for (int64_t i = 0; i < n; i++) box->all[i] = box->free[i] ? take_node(box, i, values) : 0;
 }
 
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
@@ -192,14 +290,20 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
                           unknowns->free + a * unknowns->n_nodes, free_nodes);
         if (body->ranks.rank == transform->root[a]) {
             find_box(box, body->lattice, sites, body->n_nodes, free_nodes);
+            box->free = memory_new(nodes, sizeof *box->free);
+            for (size_t i = 0; i < nodes; i++) box->free[i] = free_nodes[i] > 0;
             crowded |= body->lattice->hexahedron != NULL;
             if (body->lattice->hexahedron)
-                find_places_around(box, body->lattice, sites, body->n_nodes, free_nodes);
+                find_places_around(box, body->lattice, sites, body->n_nodes);
             else
-                crowded |= find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
+                crowded |= find_places(box, body->lattice, sites, body->n_nodes);
             box->all = memory_new(nodes, sizeof *box->all);
             if (lattice_is_row(body->lattice)) box->order = order_of(sites, body->n_nodes);
-            if (box->count > 0) find_inverse(box, symbol, a);
+            if (box->count > 0) {
+                find_inverse(box, symbol, a);
+                find_pins(box, body->n_nodes);
+                fill_pins(box);
+            }
         }
         free(free_nodes);
     }
@@ -218,6 +322,8 @@ void transform_free(struct transform *transform)
         free(box->room);
         free(box->inverse);
         free(box->place);
+        free(box->free);
+        pins_free(&box->pins);
         free(box->weight);
         free(box->order);
         free(box->all);
@@ -229,53 +335,6 @@ void transform_free(struct transform *transform)
 bool transform_is_crowded(const struct transform *transform)
 {
     return transform->crowded;
-}
-
-static int64_t outer_of(const struct box *box, int axis)
-{
-    int64_t outer = 1;
-    for (int b = axis + 1; b < 3; b++) outer *= box->size[b];
-    return outer;
-}
-
-/* Values of the nodes to the box, and back.  Those that share a place are summed in the order of their sites. */
-static void put_in(const struct box *box, int64_t n, float *values)
-{
-    memset(values, 0, (size_t)box->count * sizeof *values);
-    for (int64_t site = 0; site < n; site++) {
-        const int64_t i = box->order ? box->order[site] : site;
-        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
-            if (box->place[k] >= 0)
-                values[box->place[k]] += (box->weight ? box->weight[k] : 1) * (float)box->all[i];
-    }
-}
-
-static void take_out(const struct box *box, int64_t n, const float *values)
-{
-    for (int64_t i = 0; i < n; i++) {
-        box->all[i] = 0;
-        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
-            if (box->place[k] >= 0)
-                box->all[i] += (box->weight ? box->weight[k] : 1) * values[box->place[k]];
-    }
-}
-
-static void invert(struct box *box, int64_t n)
-{
-    float *values = box->values, *room = box->room;
-    if (box->count == 0) {
-        memset(box->all, 0, (size_t)n * sizeof *box->all);
-        return;
-    }
-    put_in(box, n, values);
-    for (int step = 0; step < 6; step++) {
-        const int b = step < 3 ? step : 5 - step;
-        float *result = waves_transform(box->waves[b], step >= 3, outer_of(box, b), values, room);
-        room = result == values ? room : values;
-        values = result;
-        for (int64_t i = 0; step == 2 && i < box->count; i++) values[i] *= box->inverse[i];
-    }
-    take_out(box, n, values);
 }
 
 void transform_apply(struct transform *transform, const double *r, double *z)
