@@ -1,6 +1,7 @@
 #include "equilibrium.h"
 
 #include "checkpoint.h"
+#include "die.h"
 #include "memory.h"
 #include "mesh.h"
 #include "profile.h"
@@ -56,6 +57,17 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
     return bound;
 }
 
+/* Waves of a box that the body hardly fills are not those of the body. */
+static void say_fit(const struct equilibrium *e)
+{
+    static const double enough = 0.3;
+    const double filled = transform_filled(e->transform);
+    if (filled < enough && e->body->ranks.rank == 0)
+        note("the body fills %.0f %% of its box, which the preconditioner of load steps is made for: "
+             "they may take many more evaluations than the plan says",
+             100 * filled);
+}
+
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials)
@@ -79,6 +91,7 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
         e->symbol = symbol_new(solver, body->family, materials, body->lattice,
                                most_common_phase(body->lattice));
         e->transform = transform_new(&e->unknowns, &e->symbol);
+        say_fit(e);
     }
     if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
     return e;
@@ -189,6 +202,7 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     take_unbalanced(e, g);
     e->norm = vector_norm(&e->unknowns, g);
     e->reference = hypot(reactions(e), e->loads);
+    if (e->watch) e->watch(e->watcher, e);
     return e->norm;
 }
 

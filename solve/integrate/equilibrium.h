@@ -57,6 +57,9 @@ struct equilibrium {
     /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
     const struct stop *stop;
     bool cut; /* it was, and what it leaves is nothing */
+    /* Told of each evaluation, for those who wait; NULL: nobody. */
+    void (*watch)(void *watcher, const struct equilibrium *equilibrium);
+    void *watcher;
 };
 
 /* method: its number in equilibrium_methods.  Collective. */

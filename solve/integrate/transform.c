@@ -32,6 +32,7 @@ struct transform {
     struct collection *collection;
     int root[3];
     bool crowded;
+    double filled;
     struct box box[3];
 };
 
@@ -184,6 +185,16 @@ static void find_pins(struct box *box, int64_t n)
     free(candidates);
 }
 
+/* Nodes of a mesh stand for more or fewer sites than one. */
+static double filled_share(const struct box *box, const struct lattice *lattice,
+                           const double *free_nodes, int64_t n)
+{
+    const double ratio = lattice->hexahedron ? (double)lattice->n_particles / (double)n : 1;
+    double count = 0;
+    for (int64_t i = 0; i < n; i++) count += free_nodes[i] > 0;
+    return ratio * count / (double)box->count;
+}
+
 static int64_t *order_of(const int64_t *sites, int64_t n)
 {
     int64_t *order = memory_new((size_t)n, sizeof *order);
@@ -282,6 +293,7 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
     transform->collection = collection_new(body);
     const int64_t *sites = collection_sites(transform->collection);
     bool crowded = false;
+    double filled = 1;
     for (int a = 0; a < 3; a++) {
         struct box *box = &transform->box[a];
         double *free_nodes = memory_new(nodes, sizeof *free_nodes);
@@ -300,6 +312,7 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
             box->all = memory_new(nodes, sizeof *box->all);
             if (lattice_is_row(body->lattice)) box->order = order_of(sites, body->n_nodes);
             if (box->count > 0) {
+                filled = fmin(filled, filled_share(box, body->lattice, free_nodes, body->n_nodes));
                 find_inverse(box, symbol, a);
                 find_pins(box, body->n_nodes);
                 fill_pins(box);
@@ -307,9 +320,10 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
         }
         free(free_nodes);
     }
-    double least = crowded ? -1 : 0;
-    ranks_minimum(&least, 1);
-    transform->crowded = least < 0;
+    double least[] = {crowded ? -1 : 0, filled};
+    ranks_minimum(least, 2);
+    transform->crowded = least[0] < 0;
+    transform->filled = least[1];
     return transform;
 }
 
@@ -330,6 +344,11 @@ void transform_free(struct transform *transform)
     }
     collection_free(transform->collection);
     free(transform);
+}
+
+double transform_filled(const struct transform *transform)
+{
+    return transform->filled;
 }
 
 bool transform_is_crowded(const struct transform *transform)

@@ -5,7 +5,7 @@
  * leaves a number of iterations that grows neither with the number of particles nor with the length of the
  * body.  The waves fill the box around the free components; where the body does not, there is nothing outside,
  * before and after.  A scattered particle counts where the nearest site of a lattice of its mean distance
- * would be.  Each component is the work of one rank. */
+ * would be.  Nodes that are held in the midst of free ones are seen to as well (pins.h).  Each component is the work of one rank. */
 #ifndef HS_TRANSFORM_H
 #define HS_TRANSFORM_H
 
@@ -20,6 +20,10 @@ void transform_free(struct transform *transform);
 
 /* Whether particles share a site: then M^-1 does not tell them apart. */
 bool transform_is_crowded(const struct transform *transform);
+
+/* Share of the sites of the boxes that free nodes stand for, of the component that has the least: how far the waves are those of
+ * the body. */
+double transform_filled(const struct transform *transform);
 
 /* z = M^-1 r.  Collective. */
 void transform_apply(struct transform *transform, const double *r, double *z);
