@@ -47,6 +47,10 @@ static const struct key rows[] = {
          "what a spacing means in the deck; of a text with cells that are no cubes their edges"},
     {"volumes", KEY_NODE, AT(volumes), .form = "whole or cut",
      .help = "cut: volumes of a lattice in text may be smaller than its cells"},
+    {"periodic", KEY_NODE, AT(periodic), .form = "[AXIS, ...]", .otherwise = "none",
+     .help = "axes after whose cells a lattice of a text repeats itself"},
+    {"symmetry", KEY_NODE, AT(symmetry), .form = "[AXIS, ...]", .otherwise = "none",
+     .help = "axes across which a lattice of a text is the half of a body"},
     {"grips", KEY_NODE, AT(grips), .section = &section_domain_grips, .otherwise = "none",
      .help = "where the file has no sets of these names"},
     {"gauge", KEY_NODE, AT(gauge), .section = &section_domain_gauge, .otherwise = "none",
@@ -87,6 +91,8 @@ struct domain_facts domain_facts_read(const struct deck *deck)
         facts.volumes = deck_find(section, "volumes");
         facts.grips = deck_find(section, "grips");
         facts.gauge = deck_find(section, "gauge");
+        facts.periodic = deck_find(section, "periodic");
+        facts.symmetry = deck_find(section, "symmetry");
         return facts;
     }
     keys_read(section, &section_domain_facts, 0, 0, &facts, NULL);

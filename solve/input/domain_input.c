@@ -83,6 +83,22 @@ static bool take_cells(struct domain *domain, const struct domain_facts *said)
     return true;
 }
 
+/* That a body from elsewhere repeats itself after its particles, or is the half of one, along the axes that the deck
+ * names. */
+static void take_axes(struct domain *domain, struct deck_node said, const char *key)
+{
+    static const char *const axes[] = {"x", "y", "z", NULL};
+    char letters[4] = "";
+    if (said.index == 0 || attributes_text(&domain->attributes, key)) return;
+    for (int i = 0; i < deck_count(said); i++) {
+        const int axis = keys_choice(deck_item(said, i), axes);
+        if (strchr(letters, *axes[axis]))
+            deck_error(deck_item(said, i), "%s is said twice", axes[axis]);
+        strcat(letters, axes[axis]);
+    }
+    attributes_set_text(&domain->attributes, key, letters);
+}
+
 /* Of scattered particles the deck may say what a spacing is to mean. */
 static void take_spacing(struct domain *domain, const struct domain_facts *said)
 {
@@ -133,6 +149,8 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     domain_facts_scale(&facts, domain);
     domain_facts_node_sets(&facts, domain);
     take_dimensions(domain, &facts);
+    if (text) take_axes(domain, facts.periodic, "periodic");
+    if (text) take_axes(domain, facts.symmetry, "symmetry");
     const bool cells = text && take_cells(domain, &facts), lattice = domain_sort(domain);
     if (cells && !lattice)
         deck_error(facts.spacing,

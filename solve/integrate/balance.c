@@ -247,6 +247,8 @@ void balance_step(struct integration *integration, const struct body *body,
     finish(integration, body, boundary, energy, sums, values);
     integration->balance.damping += values[DAMPED];
     add_work_of_sets(boundary, &integration->balance.work);
+    if (boundary->macroscopic)
+        integration->balance.work += macroscopic_take_work(boundary->macroscopic, body);
     integration->balance.work += values[WORK] + (values[HELD] - integration->held);
     integration->held = values[HELD];
     if (energy) take_energies(integration, body, boundary, values);

@@ -7,6 +7,7 @@
 #include "profile.h"
 #include "stable_step.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,14 +55,46 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
                     scale * density * (body_volume(body, site) / body->volume) * stiff * stiff;
         }
     free(edge);
+    for (int64_t i = 0; i < unknowns->length - 3 * unknowns->n_nodes; i++)
+        bound[3 * unknowns->n_nodes + i] = 1 / e->mean_inverse[i][i];
     return bound;
+}
+
+/* Against X_k of (macroscopic.3), of the elastic body of one material [N/m^4]: lambda d_ab d_cd + mu d_ac d_bd, of F
+ * as of a strain, for what turns the body is no unknown. */
+static double mean_stiffness(const struct equilibrium *e, const struct material *material, int k,
+                             int l)
+{
+    const struct macroscopic *m = e->unknowns.macroscopic;
+    const double mu = material->shear_modulus, lambda = material->bulk_modulus - 2 * mu / 3;
+    const bool diagonal = k / 3 == k % 3 && l / 3 == l % 3;
+    return (lambda * diagonal + mu * ((k == l) + (k == l && diagonal))) * m->volume /
+           (e->body->volume * m->period[k % 3] * m->period[l % 3]);
+}
+
+/* By Cholesky's factors. */
+static void find_mean_inverse(struct equilibrium *e, const struct material *material)
+{
+    const int n = e->unknowns.n_mean;
+    if (n == 0) return;
+    gsl_matrix *stiffness = gsl_matrix_alloc((size_t)n, (size_t)n);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            gsl_matrix_set(stiffness, (size_t)i, (size_t)k,
+                           mean_stiffness(e, material, e->unknowns.mean[i], e->unknowns.mean[k]));
+    gsl_linalg_cholesky_decomp1(stiffness);
+    gsl_linalg_cholesky_invert(stiffness);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            e->mean_inverse[i][k] = gsl_matrix_get(stiffness, (size_t)i, (size_t)k);
+    gsl_matrix_free(stiffness);
 }
 
 /* Waves of a box that the body hardly fills are not those of the body. */
 static void say_fit(const struct equilibrium *e)
 {
     static const double enough = 0.3;
-    const double filled = transform_filled(e->transform);
+    const double filled = preconditioner_filled(e->preconditioner);
     if (filled < enough && e->body->ranks.rank == 0)
         note("the body fills %.0f %% of its box, which the preconditioner of load steps is made for: "
              "they may take many more evaluations than the plan says",
@@ -90,10 +123,11 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     if (e->method->preconditions) {
         e->symbol = symbol_new(solver, body->family, materials, body->lattice,
                                most_common_phase(body->lattice));
-        e->transform = transform_new(&e->unknowns, &e->symbol);
+        e->preconditioner = preconditioner_new(&e->unknowns, &e->symbol);
         say_fit(e);
     }
-    if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
+    find_mean_inverse(e, &materials->items[most_common_phase(body->lattice)]);
+    if (!e->preconditioner || preconditioner_is_crowded(e->preconditioner)) e->bound = bound_new(e, materials);
     return e;
 }
 
@@ -102,7 +136,7 @@ void equilibrium_free(struct equilibrium *e)
     if (!e) return;
     if (e->self) e->method->free(e->self);
     if (e->next) e->method->next->free(e->next);
-    if (e->transform) transform_free(e->transform);
+    if (e->preconditioner) preconditioner_free(e->preconditioner);
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
@@ -182,6 +216,18 @@ static void take_unbalanced(const struct equilibrium *e, double *g)
     }
 }
 
+/* (macroscopic.3) */
+static void take_mean_unbalanced(const struct equilibrium *e, double *g)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const struct macroscopic *m = unknowns->macroscopic;
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) {
+        const int k = unknowns->mean[i - 3 * unknowns->n_nodes];
+        g[i] = (e->body->mean_stress[k] - m->target[k]) * m->volume / m->period[k % 3] /
+               e->body->volume;
+    }
+}
+
 /* Whether any rank is asked to stop: from then on no method goes on. */
 static void look_for_stop(struct equilibrium *e)
 {
@@ -197,11 +243,15 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     struct body *body = e->body;
     look_for_stop(e);
     vector_put(&e->unknowns, x, body->u);
+    vector_put_mean(&e->unknowns, x, body->mean_gradient);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
     take_unbalanced(e, g);
+    take_mean_unbalanced(e, g);
     e->norm = vector_norm(&e->unknowns, g);
     e->reference = hypot(reactions(e), e->loads);
+    if (e->boundary->macroscopic)
+        e->reference = hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, body));
     if (e->watch) e->watch(e->watcher, e);
     return e->norm;
 }
@@ -220,7 +270,13 @@ bool equilibrium_reached(const struct equilibrium *e)
 void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 {
     const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
-    transform_apply(e->transform, g, z);
+    const int64_t n = e->unknowns.n_nodes;
+    preconditioner_apply(e->preconditioner, g, z);
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
+        z[i] = 0;
+        for (int64_t k = 3 * n; k < e->unknowns.length; k++)
+            z[i] += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
+    }
     for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
     profile_enter(e->body->profile, before);
 }
