@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "cracks.h"
 #include "damage.h"
+#include "domain_facts.h"
 #include "die.h"
 #include "exodus.h"
 #include "launch.h"
@@ -33,7 +34,10 @@ int main(int argc, char **argv)
 {
     die_set_program("hssolve");
     /* What --keys prints: the sections of the deck that hssolve reads, and what it writes. */
-    const struct section *const sections[] = {&section_materials,
+    const struct section *const sections[] = {&section_domain_facts,
+                                              &section_domain_grips,
+                                              &section_domain_gauge,
+                                              &section_materials,
                                               &section_damage,
                                               &section_damage_rule,
                                               &section_cracks,

@@ -1,6 +1,7 @@
 #include "equilibrium.h"
 
 #include "checkpoint.h"
+#include "die.h"
 #include "memory.h"
 #include "mesh.h"
 #include "profile.h"
@@ -89,6 +90,17 @@ static void find_mean_inverse(struct equilibrium *e, const struct material *mate
     gsl_matrix_free(stiffness);
 }
 
+/* Waves of a box that the body hardly fills are not those of the body. */
+static void say_fit(const struct equilibrium *e)
+{
+    static const double enough = 0.3;
+    const double filled = preconditioner_filled(e->preconditioner);
+    if (filled < enough && e->body->ranks.rank == 0)
+        note("the body fills %.0f %% of its box, which the preconditioner of load steps is made for: "
+             "they may take many more evaluations than the plan says",
+             100 * filled);
+}
+
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials)
@@ -111,10 +123,11 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     if (e->method->preconditions) {
         e->symbol = symbol_new(solver, body->family, materials, body->lattice,
                                most_common_phase(body->lattice));
-        e->transform = transform_new(&e->unknowns, &e->symbol);
+        e->preconditioner = preconditioner_new(&e->unknowns, &e->symbol);
+        say_fit(e);
     }
     find_mean_inverse(e, &materials->items[most_common_phase(body->lattice)]);
-    if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
+    if (!e->preconditioner || preconditioner_is_crowded(e->preconditioner)) e->bound = bound_new(e, materials);
     return e;
 }
 
@@ -123,7 +136,7 @@ void equilibrium_free(struct equilibrium *e)
     if (!e) return;
     if (e->self) e->method->free(e->self);
     if (e->next) e->method->next->free(e->next);
-    if (e->transform) transform_free(e->transform);
+    if (e->preconditioner) preconditioner_free(e->preconditioner);
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
@@ -239,6 +252,7 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     e->reference = hypot(reactions(e), e->loads);
     if (e->boundary->macroscopic)
         e->reference = hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, body));
+    if (e->watch) e->watch(e->watcher, e);
     return e->norm;
 }
 
@@ -257,7 +271,7 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 {
     const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
     const int64_t n = e->unknowns.n_nodes;
-    transform_apply(e->transform, g, z);
+    preconditioner_apply(e->preconditioner, g, z);
     for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
         z[i] = 0;
         for (int64_t k = 3 * n; k < e->unknowns.length; k++)
