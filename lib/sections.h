@@ -12,6 +12,7 @@
 struct sections {
     const char *title; /* NULL: none */
     struct deck_node domain, materials, damage, cracks, boundary, initial, solver, output, post;
+    struct deck_node vary, refine, varied;
     struct choices choices; /* what post says, its title where it has none; else the defaults */
 };
 
