@@ -98,7 +98,8 @@ char *refinement_scale(const char *text, double factor)
     struct text_edits edits = {0};
     for (size_t i = 0; text[i];) {
         double value;
-        const bool within = i > 0 && (isalnum((unsigned char)text[i - 1]) || strchr("._-", text[i - 1]));
+        const bool within =
+            i > 0 && (isalnum((unsigned char)text[i - 1]) || strchr("._-", text[i - 1]));
         const size_t length = within ? 0 : length_in_spacings(text + i, &value);
         if (length) {
             char *scaled = memory_print("%.12g spacings", value * factor);
@@ -114,7 +115,8 @@ char *refinement_scale(const char *text, double factor)
 
 /* --- cores ------------------------------------------------------------------------------------ */
 
-static const char *const placing[] = {"lattice", "core", "core_distance", "core_diameter", "jitter"};
+static const char *const placing[] = {"lattice", "core", "core_distance", "core_diameter",
+                                      "jitter"};
 
 static bool places_cores(const char *key)
 {

@@ -157,8 +157,7 @@ static char *name_of_cores(const char *text)
 static void make_texts(const struct expansion *expansion, struct runs *runs)
 {
     for (int i = 0; i < runs->count; i++)
-        if (expansion_maker(expansion, i) == i)
-            runs->texts[i] = expansion_text(expansion, i, NULL);
+        if (expansion_maker(expansion, i) == i) runs->texts[i] = expansion_text(expansion, i, NULL);
     for (int i = 0; i < runs->count; i++) {
         if (runs->texts[i]) continue;
         runs->cores[i] = name_of_cores(runs->texts[expansion_maker(expansion, i)]);
@@ -169,8 +168,9 @@ static void make_texts(const struct expansion *expansion, struct runs *runs)
 static struct runs make_runs(const struct expansion *expansion, struct contents *contents)
 {
     const size_t n = (size_t)expansion->variations.runs;
-    struct runs runs = {(int)n, memory_new(n, sizeof *runs.texts), memory_new(n, sizeof *runs.cores),
-                        memory_new(n, sizeof *runs.numbers), memory_new(n, sizeof *runs.known)};
+    struct runs runs = {(int)n, memory_new(n, sizeof *runs.texts),
+                        memory_new(n, sizeof *runs.cores), memory_new(n, sizeof *runs.numbers),
+                        memory_new(n, sizeof *runs.known)};
     long last = 0;
     make_texts(expansion, &runs);
     for (size_t i = 0; i < n; i++) runs.numbers[i] = known_number(contents, runs.texts[i]);

@@ -4,26 +4,35 @@
 
 /* What does not depend on the study.  One shell runs a whole recipe (.ONESHELL).  A run that fails says so and leaves the
  * others alone: its target is not there, which the last line tells and the next make tries again. */
-static const char head[] =
-    "# Made by hsgen --study; made anew by it.\n"
-    "#\n"
-    "#   make -j4            runs what is missing or older than its deck, four at a time, then gathers\n"
-    "#   make runs           only runs\n"
-    "#   make gathered       gathers what there is\n"
-    "#   make status         what is done, stopped, failed\n"
-    "#\n"
-    "# RANKS=N: ranks of each run.  FIELDS=yes: fields for ParaView, too.  HSSOLVE_FLAGS='--time-limit \"2 h\"'\n"
-    "# A run that was stopped (a signal, a time limit) goes on from its checkpoint with the next make.\n"
-    "\n"
-    "RANKS ?= 1\n"
-    "HSSOLVE_FLAGS ?=\n"
-    "SHELL := /bin/bash\n"
-    ".SHELLFLAGS := -o pipefail -c\n"
-    ".ONESHELL:\n"
-    ".DELETE_ON_ERROR:\n"
-    ".SECONDARY:\n"
-    ".PHONY: all runs gathered status\n"
-    "\n";
+static const char head[] = "# Made by hsgen --study; made anew by it.\n"
+                           "#\n"
+                           "#   make -j4            runs what is missing or older than its deck, "
+                           "four at a time, then gathers\n"
+                           "#   make runs           only runs\n"
+                           "#   make gathered       gathers what there is\n"
+                           "#   make status         what is done, stopped, failed\n"
+                           "#\n"
+                           "# RANKS=N: ranks of each run.  FIELDS=yes: fields for ParaView, too.  "
+                           "HSSOLVE_FLAGS='--time-limit \"2 h\"'\n"
+                           "# A run that was stopped (a signal, a time limit) goes on from its "
+                           "checkpoint with the next make.\n"
+                           "\n"
+                           "RANKS ?= 1\n"
+                           "HSSOLVE_FLAGS ?=\n"
+                           "SHELL := /bin/bash\n"
+                           ".SHELLFLAGS := -o pipefail -c\n"
+                           ".ONESHELL:\n"
+                           ".DELETE_ON_ERROR:\n"
+                           ".SECONDARY:\n"
+                           ".PHONY: all runs gathered status\n"
+                           "\n";
+
+/* With a resolution, curves and figure at the spacing 0. */
+static const char extrapolation[] =
+    "EXTRAPOLATE = hspost -q --files-from gathered/files --extrapolate gathered/extrapolated.csv "
+    "\\\n"
+    "    --extrapolate-properties gathered/extrapolated_properties.csv \\\n"
+    "    --band --plot gathered/extrapolated.svg >/dev/null\n";
 
 static const char rules[] =
     "\n"
@@ -39,7 +48,8 @@ static const char rules[] =
     "# Standard error of all three programs is in the run's log.\n"
     "$(RUNS:%=%/history.e): %/history.e: %/deck.yaml\n"
     "\t@rm -f $*/failed $*/stopped\n"
-    "\tfiles=(-q -j $(RANKS) $(HSSOLVE_FLAGS) $(if $(FIELDS),-o $*/fields.e) --checkpoint $*/checkpoint -H $*/run.e)\n"
+    "\tfiles=(-q -j $(RANKS) $(HSSOLVE_FLAGS) $(if $(FIELDS),-o $*/fields.e) --checkpoint "
+    "$*/checkpoint -H $*/run.e)\n"
     "\tif [ $*/checkpoint -nt $< ]; then\n"
     "\t    echo \"$*: goes on from its checkpoint\"\n"
     "\t    hssolve \"$${files[@]}\" --restart $*/checkpoint 2>>$*/log &\n"
@@ -58,7 +68,8 @@ static const char rules[] =
     "\telif [ $$status -eq 143 ] && [ -e $*/checkpoint ]; then\n"
     "\t    tail -n 1 $*/log >$*/stopped\n"
     "\telse\n"
-    "\t    { echo \"exit status $$status\"; tail -n 2 $*/log; } >$*/failed\n"
+    "\t    { echo \"exit status $$status\"; grep -v 'standard input is empty' $*/log | tail -n 2; "
+    "} >$*/failed\n"
     "\t    echo \"$*: failed, see $*/log\" >&2\n"
     "\tfi\n"
     "\n"
@@ -83,12 +94,14 @@ static const char rules[] =
     "\n"
     "define GATHER\n"
     "mkdir -p gathered\n"
-    "$(NUMBERS) | while read -r run; do [ ! -e $$run/curve.csv ] || echo $$run/history.e; done >gathered/files\n"
+    "$(NUMBERS) | while read -r run; do [ ! -e $$run/curve.csv ] || echo $$run/history.e; done "
+    ">gathered/files\n"
     "[ -s gathered/files ] || exit 0\n"
     "set -e\n"
+    "$(EXTRAPOLATE)\n"
     "hspost -q --files-from gathered/files --properties gathered/properties.csv \\\n"
-    "    --mean gathered/mean.csv --statistics gathered/statistics.csv $(EXTRAPOLATION) \\\n"
-    "    --band --plot gathered/curves.svg --tidy gathered/tidy.csv\n"
+    "    --mean gathered/mean.csv --statistics gathered/statistics.csv \\\n"
+    "    --band --plot gathered/curves.svg --tidy gathered/tidy.csv >/dev/null\n"
     "endef\n"
     "\n"
     "define REPORT\n"
@@ -101,7 +114,8 @@ static const char rules[] =
     "        stopped=$$((stopped + 1)); echo \"$$run stopped: goes on with the next make\" >&2\n"
     "    else missing=$$((missing + 1)); fi\n"
     "done < <($(NUMBERS))\n"
-    "echo \"$$done runs done, $$missing not run, $$stopped stopped, $$failed failed; gathered in $(CURDIR)/gathered\"\n"
+    "echo \"$$done runs done, $$missing not run, $$stopped stopped, $$failed failed$$([ ! -e "
+    "gathered/tidy.csv ] || echo '; gathered in $(CURDIR)/gathered')\"\n"
     "[ $$((stopped + failed)) -eq 0 ]\n"
     "endef\n";
 
@@ -125,10 +139,7 @@ void study_make_write(FILE *file, const struct study_make *study)
     fputs("RUNS :=", file);
     for (int i = 0; i < study->count; i++)
         fprintf(file, "%s%04ld", i % 16 == 0 ? " \\\n    " : " ", study->numbers[i]);
-    fprintf(file, "\nEXTRAPOLATION :=%s\n",
-            study->resolution ? " --extrapolate gathered/extrapolated.csv --extrapolate-properties "
-                                "gathered/extrapolated_properties.csv"
-                              : "");
+    fprintf(file, "\n%s", study->resolution ? extrapolation : "");
     fputs(rules, file);
     write_cores(file, study);
 }

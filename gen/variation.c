@@ -18,8 +18,7 @@ static const char *const studies[] = {"vary", "refine", "varied", NULL};
 
 static void add_value(struct variation_key *key, int *count, char *text, struct deck_node where)
 {
-    if (*count >= MOST_RUNS)
-        deck_error(where, "more than %d values of %s", MOST_RUNS, key->name);
+    if (*count >= MOST_RUNS) deck_error(where, "more than %d values of %s", MOST_RUNS, key->name);
     key->texts = memory_grow(key->texts, *count, sizeof *key->texts);
     key->where = memory_grow(key->where, *count, sizeof *key->where);
     key->texts[*count] = text;
@@ -55,7 +54,8 @@ static void add_item(struct variation_key *key, int *count, struct deck_node nod
         add_value(key, count, source_of(node), node);
         return;
     }
-    if (last < first) deck_error(node, "from %ld down to %ld: write the smaller one first", first, last);
+    if (last < first)
+        deck_error(node, "from %ld down to %ld: write the smaller one first", first, last);
     for (long value = first; value <= last; value++)
         add_value(key, count, memory_print("%ld", value), node);
 }
@@ -88,7 +88,8 @@ static void find_place(const struct deck_paths *paths, struct variation_key *key
 {
     const struct deck_place *place = deck_paths_find(paths, where, key->name);
     if (deck_is_block(place->node))
-        deck_error(place->node, "this varies, but stands over lines of its own; write it as [...], {...} or in one line");
+        deck_error(place->node, "this varies, but stands over lines of its own; write it as [...], "
+                                "{...} or in one line");
     key->path = place->path;
     key->node = place->node;
 }
@@ -239,7 +240,8 @@ struct variations variations_read(const struct deck *deck)
         variations.items[variations.count++] = read_variation(&variations.paths, vary, i);
     }
     if (refine.index && (words.resolution.index || variations.zipped))
-        deck_error(refine, "'refine' is a resolution of its own, crossed with all else: leave out 'resolution' and 'combine'");
+        deck_error(refine, "'refine' is a resolution of its own, crossed with all else: leave out "
+                           "'resolution' and 'combine'");
     if (refine.index) {
         variations.items =
             memory_grow(variations.items, variations.count, sizeof *variations.items);

@@ -29,9 +29,9 @@ struct variation {
 struct variations {
     int count;
     struct variation *items;
-    int64_t runs;             /* combinations of values */
+    int64_t runs; /* combinations of values */
     bool zipped;
-    struct deck_paths paths;  /* of the deck, without vary */
+    struct deck_paths paths; /* of the deck, without vary */
 };
 
 /* Reads and checks both sections; dies (exit 2) at what the deck does not have, at empty lists, and where there is

@@ -370,8 +370,7 @@ static size_t end_of_block(struct deck_node node, size_t begin)
         const struct deck_node child = deck_is_map(node) ? deck_value(node, i) : deck_item(node, i);
         const size_t from = deck_is_map(node) ? deck_span(deck_key_node(node, i)).end : end;
         const struct deck_span span = deck_span(child);
-        end = span.begin >= from ? span.end
-                                 : from + strcspn(node.deck->text + from, "#\r\n");
+        end = span.begin >= from ? span.end : from + strcspn(node.deck->text + from, "#\r\n");
     }
     return end;
 }

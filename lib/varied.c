@@ -94,10 +94,9 @@ struct varied varied_read(struct deck_node section)
     varied.count = deck_count(places.values);
     varied.items = memory_new((size_t)varied.count, sizeof *varied.items);
     for (int i = 0; i < varied.count; i++)
-        varied.items[i] =
-            (struct varied_item){memory_text(deck_key(places.values, i)),
-                                 memory_text(deck_string(deck_value(places.values, i))),
-                                 VARIED_QUESTION};
+        varied.items[i] = (struct varied_item){
+            memory_text(deck_key(places.values, i)),
+            memory_text(deck_string(deck_value(places.values, i))), VARIED_QUESTION};
     for (int i = 0; places.scatter.index && i < deck_count(places.scatter); i++)
         find(&varied, deck_item(places.scatter, i))->role = VARIED_SCATTER;
     if (places.resolution.index) find(&varied, places.resolution)->role = VARIED_RESOLUTION;
