@@ -67,7 +67,11 @@ static void find_resolution(struct expansion *expansion)
     for (int i = 0; i < expansion->variations.items[expansion->resolution].count; i++)
         if (spacing_of(expansion, i) > spacing_of(expansion, expansion->coarsest))
             expansion->coarsest = i;
-    expansion->has_cores = refinement_has_cores(expansion->deck) && !expansion->variations.zipped;
+    expansion->has_cores = refinement_has_cores(expansion->deck);
+    if (expansion->has_cores && expansion->variations.zipped)
+        deck_error(expansion->variations.items[expansion->resolution].where,
+                   "zipped, no run at another spacing has the same body, whose cores this one "
+                   "would take: cross them, or name a file of cores in domain");
 }
 
 struct expansion expansion_of(const struct deck *deck)
@@ -104,10 +108,10 @@ static double factor_of(const struct expansion *expansion, int64_t run)
 
 /* --- the text --------------------------------------------------------------------------------- */
 
-/* Lies in what is replaced already: a key that the file of cores stands for. */
-static bool is_edited(const struct text_edits *edits, struct deck_span span)
+/* Lies in one of the first count replacements. */
+static bool is_edited(const struct text_edits *edits, int count, struct deck_span span)
 {
-    for (int i = 0; i < edits->count; i++)
+    for (int i = 0; i < count; i++)
         if (edits->items[i].begin <= span.begin && span.end <= edits->items[i].end) return true;
     return false;
 }
@@ -127,10 +131,12 @@ static void edit_values(const struct expansion *expansion, int64_t run, const ch
     refinement_edit(expansion->deck, &variations->paths, varying, factor != 1 ? count : 0, factor,
                     cores, edits);
     free(varying);
+    /* Of these, a key that the file of cores stands for. */
+    const int before = edits->count;
     for (int k = 0; k < variations->count; k++)
         for (int j = 0; j < variations->items[k].n_keys; j++) {
             const struct variation_key *key = &variations->items[k].keys[j];
-            if (!key->path || is_edited(edits, deck_span(key->node))) continue;
+            if (!key->path || is_edited(edits, before, deck_span(key->node))) continue;
             char *text = refinement_scale(text_of(expansion, run, k, j), factor);
             text_edits_add(edits, deck_span(key->node).begin, deck_span(key->node).end, text);
             free(text);
@@ -181,7 +187,7 @@ static bool edit_title(struct deck_node map, const char *words, struct text_edit
     char *text = title_with(deck_string(title), words);
     const bool line = deck_is_block(title);
     char *whole = memory_print("%s%s", text, line ? "\n" : "");
-    if (!is_edited(edits, span)) text_edits_add(edits, span.begin, span.end, whole);
+    if (!is_edited(edits, edits->count, span)) text_edits_add(edits, span.begin, span.end, whole);
     free(whole);
     free(text);
     return true;

@@ -14,8 +14,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { LARGEST = 2000000 };
-
 /* The decks of a study. */
 struct runs {
     int count;
@@ -89,11 +87,13 @@ static struct contents contents_of(const char *folder)
         const long number = number_of(entry->d_name);
         if (number <= 0) continue;
         char *run = path_of(folder, number, ""), *path = path_of(folder, number, "deck.yaml");
-        if (access(path, R_OK) == 0) {
+        struct stat status;
+        if (stat(path, &status) == 0) {
             long length;
             contents.decks = memory_grow(contents.decks, contents.count, sizeof *contents.decks);
-            contents.decks[contents.count++] = (struct old_deck){
-                spool_text(path, LARGEST, &length), number, false, count_entries(run) == 1};
+            contents.decks[contents.count++] =
+                (struct old_deck){spool_text(path, status.st_size + 1, &length), number, false,
+                                  count_entries(run) == 1};
         } else {
             take_number(&contents, number);
         }
