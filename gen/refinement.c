@@ -50,30 +50,22 @@ static char *divided_spacing(struct deck_node spacing, int by)
     return closed;
 }
 
-struct variation refinement_of(const struct deck *deck, struct deck_node refine)
+int refinement_count(struct deck_node refine)
 {
-    const struct deck_node domain = deck_get(deck_root(deck), "domain");
-    const struct deck_node spacing = deck_get(domain, "spacing");
-    const bool list = deck_is_list(refine);
-    const int finer = list ? deck_count(refine) : 1;
-    if (finer < 1 || finer > MOST_FINER)
-        deck_error(refine, "%d numbers, expected 1 to %d", finer, MOST_FINER);
-    struct variation variation = {.name = "spacing",
-                                  .where = refine,
-                                  .count = finer + 1,
-                                  .n_keys = 1,
-                                  .role = VARIED_RESOLUTION};
-    struct variation_key *key = variation.keys = memory_new(1, sizeof *key);
-    *key = (struct variation_key){.name = "spacing", .path = "domain.spacing", .node = spacing};
-    key->texts = memory_new((size_t)finer + 1, sizeof *key->texts);
-    key->where = memory_new((size_t)finer + 1, sizeof *key->where);
-    for (int i = 0; i <= finer; i++) {
-        const struct deck_node where = list && i ? deck_item(refine, i - 1) : refine;
-        const int by = i ? (int)deck_integer(where, 2, FINEST) : 1;
-        key->texts[i] = divided_spacing(spacing, by);
-        key->where[i] = where;
-    }
-    return variation;
+    const int count = deck_is_list(refine) ? deck_count(refine) : 1;
+    if (count < 1 || count > MOST_FINER)
+        deck_error(refine, "%d numbers, expected 1 to %d", count, MOST_FINER);
+    return count;
+}
+
+struct deck_node refinement_where(struct deck_node refine, int i)
+{
+    return deck_is_list(refine) ? deck_item(refine, i) : refine;
+}
+
+char *refinement_text(struct deck_node refine, int i, struct deck_node spacing)
+{
+    return divided_spacing(spacing, (int)deck_integer(refinement_where(refine, i), 2, FINEST));
 }
 
 /* --- lengths in spacings ---------------------------------------------------------------------- */

@@ -2,11 +2,14 @@
 #ifndef HS_REFINEMENT_H
 #define HS_REFINEMENT_H
 
+#include "deck_path.h"
 #include "text_edits.h"
-#include "variation.h"
 
-/* 'refine: 2' or [2, 4] as a variation of domain.spacing: as it is, and divided by each. */
-struct variation refinement_of(const struct deck *deck, struct deck_node refine);
+/* How many spacings 'refine: 2' or [2, 4] adds; where number i stands, for messages; and domain.spacing divided by
+ * number i, as YAML writes it, which the caller frees. */
+int refinement_count(struct deck_node refine);
+struct deck_node refinement_where(struct deck_node refine, int i);
+char *refinement_text(struct deck_node refine, int i, struct deck_node spacing);
 
 /* The spacing along x [m] that a text of domain.spacing means; dies at where. */
 double refinement_spacing(const char *text, struct deck_node where);

@@ -166,6 +166,21 @@ static struct variation read_variation(const struct deck_paths *paths, struct de
     return variation;
 }
 
+/* The spacing as it is, and each that refine asks for. */
+static struct variation read_refinement(struct deck_node root, struct deck_node refine)
+{
+    const struct deck_node spacing = deck_get(deck_get(root, "domain"), "spacing");
+    struct variation variation = {.name = "spacing", .where = refine, .role = VARIED_RESOLUTION};
+    struct variation_key *key = add_key(&variation, "spacing");
+    key->path = "domain.spacing";
+    key->node = spacing;
+    add_value(key, &variation.count, source_of(spacing), spacing);
+    for (int i = 0; i < refinement_count(refine); i++)
+        add_value(key, &variation.count, refinement_text(refine, i, spacing),
+                  refinement_where(refine, i));
+    return variation;
+}
+
 /* --- roles ------------------------------------------------------------------------------------ */
 
 static void set_role(struct variations *variations, struct deck_node where, enum varied_role role)
@@ -245,7 +260,7 @@ struct variations variations_read(const struct deck *deck)
     if (refine.index) {
         variations.items =
             memory_grow(variations.items, variations.count, sizeof *variations.items);
-        variations.items[variations.count++] = refinement_of(deck, refine);
+        variations.items[variations.count++] = read_refinement(root, refine);
     }
     if (variations.count == 0)
         deck_error(vary, "nothing varies here; a study has a section 'vary' with keys and their "

@@ -28,7 +28,7 @@ static const struct key rows[] = {
     {"vary", KEY_NODE, offsetof(struct sections, vary), .section = &vary_section,
      .help = "hsgen --study: what varies from deck to deck"},
     {"refine", KEY_NODE, offsetof(struct sections, refine), .form = "number or list of numbers",
-     .help = "hsgen --study: the same body also at the spacing divided by so much, 1 to 16, and "
+     .help = "hsgen --study: the same body also at the spacing divided by so much, 2 to 16, and "
              "what the spacing adds to the curve; two numbers show the order, too"},
     {"varied", KEY_NODE, offsetof(struct sections, varied), .section = &varied_section,
      .help = "hspost: what varied"},

@@ -195,7 +195,7 @@ numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_b
     deck 'vary: {seed: [5, 2], scatter: seed}'
     hsgen --study study.yaml -o out 2>said
     grep -q '1 runs are no longer of this study' said
-    [ "$(cat out/study.csv | tr '\n' ' ')" = "run,seed 0003,5 0002,2 " ]
+    [ "$(tr '\n' ' ' <out/study.csv)" = "run,seed 0003,5 0002,2 " ]
     [ ! -e out/0001/deck.yaml ]
     make -s -C out >said
     grep -q '^0003$' said
