@@ -183,7 +183,7 @@ static int band_series(const struct group groups[], int n_groups,
     for (int i = 0; i < n_limits; i++)
         series[i] = (struct figure_series){.title = limits[i].title,
                                            .group = &limits[i].curve,
-                                           .words = "extrapolated, and the finest's error"};
+                                           .words = "extrapolated, with error"};
     for (int i = 0; n_limits == 0 && i < n_groups; i++)
         series[i] = (struct figure_series){.title = groups[i].title, .group = &groups[i]};
     return n_limits ? n_limits : n_groups;
