@@ -9,6 +9,7 @@
 #include "sections.h"
 #include "spool.h"
 #include "statistics.h"
+#include "study_folder.h"
 #include "topology.h"
 
 #include <stdlib.h>
@@ -16,7 +17,7 @@
 
 struct arguments {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores;
-    bool override, check, quiet;
+    bool study, override, check, quiet;
 };
 
 static struct arguments read_arguments(int argc, char **argv)
@@ -30,13 +31,15 @@ static struct arguments read_arguments(int argc, char **argv)
         {'p', "picture", "FILE", "draw the middle sections (.png, .svg, .pdf)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
+        {0, "study", NULL,
+         "write the decks of a study (vary, refine) and a Makefile into -o FOLDER", &c.study, NULL},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
         {0, "check", NULL, "check the deck, say what would be made, make nothing", &c.check, NULL},
         {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
     };
     const struct option_table table = {
         "hsgen",
-        "[deck.yaml] [-o domain.g]",
+        "[deck.yaml] [-o domain.g], or --study study.yaml -o FOLDER",
         "Makes a particle domain with a harmonic, random or homogeneous microstructure.",
         rows,
         sizeof rows / sizeof *rows,
@@ -126,11 +129,28 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     sites_free(&sites);
 }
 
+static void treat_study(const struct arguments *c, const struct deck *deck)
+{
+    if (c->statistics || c->picture || c->cores || c->peridigm || c->override)
+        die_user("--study makes decks, and takes -o FOLDER and --check alone");
+    if (!c->output && !c->check) die_user("--study needs -o FOLDER, where the decks go");
+    sections_read(deck);
+    if (c->check)
+        study_folder_check(deck);
+    else
+        study_folder_write(deck, c->output);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hsgen");
     struct arguments c = read_arguments(argc, argv);
     struct deck *deck = deck_read(c.deck);
+    if (c.study) {
+        treat_study(&c, deck);
+        deck_free(deck);
+        return 0;
+    }
     struct recipe recipe = recipe_read(deck);
     check_side_files(&c, &recipe);
     if (c.check) {

@@ -162,9 +162,20 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
     recipe->grip_phase = recipe->n_phases++;
 }
 
+/* A deck of many decks is none of a body. */
+static void refuse_study(struct sections sections)
+{
+    const struct deck_node study = sections.vary.index ? sections.vary : sections.refine;
+    if (study.index)
+        deck_error(study,
+                   "this deck is a study of several: 'hsgen --study %s -o FOLDER' writes them, "
+                   "'make -j2 -C FOLDER' runs them",
+                   deck_name(study.deck));
+}
+
 struct recipe recipe_read(const struct deck *deck)
 {
-    sections_read(deck);
+    refuse_study(sections_read(deck));
     struct recipe recipe = {0};
     struct deck_node root = deck_root(deck), domain = deck_get(root, "domain");
     const int choice = keys_variant(domain, &domain_section);
