@@ -20,7 +20,7 @@ static void find_position(const struct body *body, int64_t site, double at[3])
 static void find_ends(const struct unknowns *unknowns, int a, double least[12])
 {
     const struct strips *owned = &unknowns->body->owned;
-    const double *free_nodes = unknowns->free + a * unknowns->n_nodes;
+    const uint8_t *free_nodes = unknowns->free + a * unknowns->n_nodes;
     int64_t node = 0;
     for (int k = 0; k < 12; k++) least[k] = INFINITY;
     for (int64_t s = 0; s < owned->count; s++)

@@ -23,6 +23,6 @@ void transform_free(struct transform *transform);
 bool transform_is_crowded(const struct transform *transform);
 
 /* z = M^-1 r.  Collective. */
-void transform_apply(struct transform *transform, const double *r, double *z);
+void transform_apply(struct transform *transform, const double *r, float *z);
 
 #endif
