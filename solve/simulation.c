@@ -167,7 +167,8 @@ static void read_inputs(struct simulation *s)
         check_plane(s);
         s->lattice.axis = (int)attributes_number(&s->domain.attributes, "axis", 0);
         if (s->lattice.axis > 0 && is_repeated(&s->lattice))
-            die_user("domain.axis: a body that is periodic or has planes of symmetry is tested along x");
+            die_user(
+                "domain.axis: a body that is periodic or has planes of symmetry is tested along x");
         if (s->lattice.dimensions == 2 && s->lattice.axis == 2)
             die_user("domain.axis: z is no axis of a test of a sheet in x and y");
         scene_resolve(&s->scene, &s->domain, nodes_of(s), &s->lattice);

@@ -357,7 +357,7 @@ static void divide_coupled(struct transform *transform)
     }
 }
 
-void transform_apply(struct transform *transform, const double *r, double *z)
+void transform_apply(struct transform *transform, const double *r, float *z)
 {
     placement_put(transform->placement, r);
     for (int a = 0; a < 3; a++) {

@@ -105,7 +105,7 @@ struct gauge *gauge_new(const struct body *body, const struct domain *domain, in
     find_planes(gauge, body, domain);
     if (!(gauge->to > gauge->from))
         die_user("the gauge planes are not apart: gauge_left at %c = %g m, gauge_right at %g m",
-                 "xyz"[axis], gauge->from, gauge->to);
+                 "xyz"[axis], gauge -> from, gauge -> to);
     gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
     gauge->volume = memory_new((size_t)n_phases, sizeof *gauge->volume);
     gauge->layer = memory_new((size_t)layers(body->lattice), sizeof *gauge->layer);
