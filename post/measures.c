@@ -42,7 +42,9 @@ static void find_marks(const struct loading *loading, const struct choices *choi
                                         smooth,
                                         loading->noise,
                                         left,
-                                        loading->noise > 0 ? smoothing_width : 0};
+                                        loading->noise > 0 ? smoothing_width : 0,
+                                        m->line.slope,
+                                        m->line.toe};
     const bool zero_slope = choices->standard == STANDARD_ASTM;
     m->yield = yield_point_find(&record, zero_slope ? level_share : choices->yield_drop);
     m->maximum = strength_maximum(curve, smooth, left, m->yield.row < 0 ? 0 : m->yield.end);

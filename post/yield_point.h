@@ -8,6 +8,7 @@ struct yield_record {
     const double *strain, *stress, *smooth; /* [n] -, Pa, Pa */
     double noise, left; /* Pa, standard deviations of the noise of stress and of smooth */
     double width;       /* strain over which smooth is a mean */
+    double slope, toe;  /* Pa, -; of the elastic part, NAN where it is not known */
 };
 
 struct yield_point {
@@ -18,7 +19,7 @@ struct yield_point {
 };
 
 /* ISO 6892-1, A.4.2: the highest stress before a fall of at least the share drop of it (and of ten standard deviations
- * of the noise), not exceeded over 0.05 % of strain, and followed by a rise.  Lower: the lowest stress of the plateau
+ * of the noise), not exceeded over 0.05 % of strain, behind no more than 0.5 % of plastic strain, and followed by a rise.  Lower: the lowest stress of the plateau
  * behind its first valley (the initial transient), of the only valley where there is one.  Ae (annex A.4): to the
  * intersection of the horizontal through the last minimum with the steepest line of work hardening. */
 struct yield_point yield_point_find(const struct yield_record *record, double drop);
