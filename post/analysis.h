@@ -12,8 +12,8 @@ struct analysis {
     struct curve
         envelope; /* its rows without loops, holds and serrations, on which all is measured */
     long *rows;   /* [envelope.n] their numbers in the curve */
-    double noise,
-        strain_noise; /* Pa, -; standard deviations on the envelope of a measured curve, else 0 */
+    struct noise noise;  /* of the stress of the envelope [Pa], of a measured curve, else 0 */
+    double strain_noise; /* standard deviation, likewise */
     long strained;    /* the last row of the envelope whose strain was measured */
     struct measures measures;
     struct considere considere;

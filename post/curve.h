@@ -24,7 +24,8 @@ struct curve_phase {
 
 struct curve {
     char *title;
-    bool measured; /* an experimental table: no grip forces */
+    bool measured;          /* an experimental table: no grip forces */
+    bool strain_is_noisier; /* than the stress over the elastic slope */
     long n;
     double *strain, *stress;           /* [n] -, Pa; engineering, in the table */
     double *true_strain, *true_stress; /* [n] -, Pa; up to Rm, toe removed, else NAN */

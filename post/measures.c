@@ -1,7 +1,6 @@
 #include "measures.h"
 
 #include "memory.h"
-#include "noise.h"
 #include "random.h"
 
 #include <math.h>
@@ -40,9 +39,9 @@ static void find_marks(const struct loading *loading, const struct choices *choi
                                         curve->strain,
                                         curve->stress,
                                         smooth,
-                                        loading->noise,
+                                        loading->noise.deviation,
                                         left,
-                                        loading->noise > 0 ? smoothing_width : 0,
+                                        loading->noise.deviation > 0 ? smoothing_width : 0,
                                         m->line.slope,
                                         m->line.toe};
     const bool zero_slope = choices->standard == STANDARD_ASTM;
@@ -111,12 +110,12 @@ struct measures measures_take(const struct loading *loading, const struct choice
 
 /* values without most of their noise: of each row the mean over the widest width that differs from the next narrower
  * one by no more than noise does, so that corners, and the fall at the end, stay. */
-static void take_trend(const double strain[], double values[], long n, double noise)
+static void take_trend(const double strain[], double values[], long n, struct noise noise)
 {
     const double widths[] = {0.0005, 0.001, 0.002, 0.004, 0.008, 0.016}, differs = 4;
     double *mean = memory_new((size_t)n, sizeof *mean), *from = memory_new((size_t)n, sizeof *from);
     bool *settled = memory_new((size_t)n, sizeof *settled);
-    double left = noise, next;
+    double left = noise.deviation, next;
     memcpy(from, values, (size_t)n * sizeof *from);
     for (size_t k = 0; k < sizeof widths / sizeof *widths; k++, left = next) {
         noise_smooth(strain, from, n, widths[k], noise, mean, &next);
@@ -138,7 +137,7 @@ static struct curve trend_of(const struct loading *loading)
     struct curve trend = curve_rows(from, from->n, rows);
     take_trend(from->strain, trend.stress, from->n, loading->noise);
     if (loading->strain_noise > 0)
-        take_trend(from->strain, trend.strain, from->n, loading->strain_noise);
+        take_trend(from->strain, trend.strain, from->n, (struct noise){loading->strain_noise, 0});
     free(rows);
     return trend;
 }
@@ -147,7 +146,9 @@ void measures_bootstrap(const struct loading *loading, const struct choices *cho
                         struct measures *measures)
 {
     const struct curve *from = loading->curve;
-    if (!(loading->noise > 0) || measures->line.count == 0) return;
+    const struct noise noise = loading->noise;
+    const bool noisy = noise.deviation > 0 || loading->strain_noise > 0;
+    if (!noisy || measures->line.count == 0) return;
     struct curve trend = trend_of(loading);
     const struct loading smooth = {&trend, loading->noise, loading->strain_noise,
                                    loading->strained};
@@ -160,10 +161,13 @@ void measures_bootstrap(const struct loading *loading, const struct choices *cho
     memcpy(strain, trend.strain, (size_t)from->n * sizeof *strain);
     memcpy(stress, trend.stress, (size_t)from->n * sizeof *stress);
     struct random_stream *stream = random_new(1, "bootstrap");
+    const double fresh = sqrt(1 - noise.correlation * noise.correlation);
     for (int k = 0; k < RESAMPLES; k++) {
+        double off = noise.deviation * random_gaussian(stream);
         for (long i = 0; i < from->n; i++) {
             trend.strain[i] = strain[i] + loading->strain_noise * random_gaussian(stream);
-            trend.stress[i] = stress[i] + loading->noise * random_gaussian(stream);
+            trend.stress[i] = stress[i] + off;
+            off = noise.correlation * off + fresh * noise.deviation * random_gaussian(stream);
         }
         const struct measures drawn =
             measures_take(&smooth, choices, strength_line(&trend, choices));

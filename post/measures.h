@@ -2,6 +2,7 @@
 #ifndef HS_MEASURES_H
 #define HS_MEASURES_H
 
+#include "noise.h"
 #include "true_curve.h"
 #include "yield_point.h"
 
@@ -32,7 +33,8 @@ extern const double measures_offsets[4];
 /* A curve without loops (record.h) and what is known of it. */
 struct loading {
     const struct curve *curve;
-    double noise, strain_noise; /* Pa, - */
+    struct noise noise;         /* of the stress, Pa */
+    double strain_noise;
     long strained;              /* the last row whose strain was measured */
 };
 
@@ -57,7 +59,7 @@ struct measures {
 struct measures measures_take(const struct loading *loading, const struct choices *choices,
                               struct elastic_line line);
 
-/* The errors by a parametric bootstrap: noise of the deviations found, drawn from a fixed seed, is added to the curve
+/* The errors by a parametric bootstrap: noise of the deviations and the correlation found, drawn from a fixed seed, is added to the curve
  * without its noise, all is measured anew, and the root mean square of the changes against that curve is the error; a
  * bias such as that of a maximum over noise is part of it. */
 void measures_bootstrap(const struct loading *loading, const struct choices *choices,

@@ -2,13 +2,15 @@
 
 #include "memory.h"
 
+#include <gsl/gsl_multifit.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST_ROWS = 50, MOST_BESIDE = 25 };
+enum { FEWEST_ROWS = 50, MOST_BESIDE = 25, FEWEST_CROSSINGS = 8, CUBIC = 4 };
 
 static const double few_share = 0.05; /* of rows with fewer beside them, which do not count */
 static const double normal_median = 0.67448975; /* of the absolute value of a normal variable */
@@ -46,6 +48,18 @@ static double by_chords(const double x[], const double y[], long n, double work[
     return count < FEWEST_ROWS / 2 ? INFINITY : deviation(work, count);
 }
 
+/* Of values that were rounded to steps; 0 where too few rows repeat the one before for that. */
+static double by_rounding(const double y[], long n, double work[])
+{
+    const double repeated = 0.25, usual = 0.05; /* shares: of rows, and where the least change is */
+    size_t count = 0;
+    for (long i = 1; i < n; i++)
+        if (y[i] != y[i - 1]) work[count++] = fabs(y[i] - y[i - 1]);
+    if (count == 0 || (double)(n - 1) - (double)count < repeated * (double)(n - 1)) return 0;
+    gsl_sort(work, 1, count);
+    return gsl_stats_quantile_from_sorted_data(work, 1, count, usual) / sqrt(12);
+}
+
 double noise_of(const double x[], const double y[], long n)
 {
     if (n < FEWEST_ROWS) return 0;
@@ -53,8 +67,9 @@ double noise_of(const double x[], const double y[], long n)
     const double noise =
         fmin(fmin(by_second_differences(y, n, work), by_fourth_differences(y, n, work)),
              by_chords(x, y, n, work));
+    const double rounding = by_rounding(y, n, work);
     free(work);
-    return noise;
+    return fmax(noise, rounding);
 }
 
 double noise_of_strain(const double strain[], long n)
@@ -62,27 +77,87 @@ double noise_of_strain(const double strain[], long n)
     const double least_share = 0.01;
     long falls = 0;
     for (long i = 1; i < n; i++) falls += strain[i] < strain[i - 1];
-    if (n < FEWEST_ROWS || (double)falls < least_share * (double)n) return 0;
+    if (n < FEWEST_ROWS) return 0;
     double *work = memory_new((size_t)n, sizeof *work);
-    const double noise =
-        fmin(by_second_differences(strain, n, work), by_fourth_differences(strain, n, work));
+    double noise = by_rounding(strain, n, work);
+    if ((double)falls >= least_share * (double)n)
+        noise = fmax(noise, fmin(by_second_differences(strain, n, work),
+                                 by_fourth_differences(strain, n, work)));
     free(work);
     return noise;
 }
 
-void noise_smooth(const double x[], const double y[], long n, double width, double noise,
+double noise_of_means(struct noise noise)
+{
+    return noise.deviation * sqrt((1 + noise.correlation) / (1 - noise.correlation));
+}
+
+/* What is left of y [n] about the cubic in x of least squares; false where there is none. */
+static bool take_residuals(const double x[], const double y[], size_t n, double left[])
+{
+    gsl_matrix *powers = gsl_matrix_alloc(n, CUBIC), *covariance = gsl_matrix_alloc(CUBIC, CUBIC);
+    gsl_vector *values = gsl_vector_alloc(n), *solution = gsl_vector_alloc(CUBIC),
+               *residuals = gsl_vector_calloc(n);
+    gsl_multifit_linear_workspace *work = gsl_multifit_linear_alloc(n, CUBIC);
+    const double middle = (x[0] + x[n - 1]) / 2, half = (x[n - 1] - x[0]) / 2;
+    double squares = NAN;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < CUBIC; k++)
+            gsl_matrix_set(powers, i, k, pow((x[i] - middle) / half, (double)k));
+        gsl_vector_set(values, i, y[i]);
+    }
+    const bool done = half > 0 && gsl_multifit_linear(powers, values, solution, covariance,
+                                                      &squares, work) == GSL_SUCCESS;
+    if (done) gsl_multifit_linear_residuals(powers, values, solution, residuals);
+    for (size_t i = 0; i < n; i++) left[i] = gsl_vector_get(residuals, i);
+    gsl_multifit_linear_free(work);
+    gsl_vector_free(residuals);
+    gsl_vector_free(solution);
+    gsl_vector_free(values);
+    gsl_matrix_free(covariance);
+    gsl_matrix_free(powers);
+    return done && isfinite(squares);
+}
+
+struct noise noise_about_line(const double x[], const double y[], long n)
+{
+    const double most = 0.99; /* of a correlation: of more, few rows tell nothing */
+    struct noise noise = {0, 0};
+    if (n < FEWEST_ROWS) return noise;
+    double *left = memory_new((size_t)n, sizeof *left), squares = 0, products = 0;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    const bool done = take_residuals(x, y, (size_t)n, left);
+    gsl_set_error_handler(handler);
+    long crossings = 0;
+    for (long i = 0; done && i < n; i++) {
+        squares += left[i] * left[i];
+        if (i == 0) continue;
+        products += left[i] * left[i - 1];
+        crossings += left[i] * left[i - 1] < 0;
+    }
+    free(left);
+    if (!done || crossings < FEWEST_CROSSINGS) return noise;
+    noise.deviation = sqrt(squares / (double)(n - CUBIC));
+    noise.correlation = fmin(fmax(products / squares, 0), most);
+    return noise;
+}
+
+void noise_smooth(const double x[], const double y[], long n, double width, struct noise noise,
                   double smooth[], double *left)
 {
-    *left = noise;
-    if (!(noise > 0)) {
+    *left = noise.deviation;
+    if (!(noise.deviation > 0)) {
         memcpy(smooth, y, (size_t)n * sizeof *y);
         return;
     }
+    /* Rows that make one independent one. */
+    const double alike = (1 + noise.correlation) / (1 - noise.correlation);
+    const long most = lround(MOST_BESIDE * alike);
     double *counts = memory_new((size_t)n, sizeof *counts);
     for (long i = 0; i < n; i++) {
         long k = 0;
         double sum = y[i];
-        while (k < MOST_BESIDE && i - k - 1 >= 0 && i + k + 1 < n &&
+        while (k < most && i - k - 1 >= 0 && i + k + 1 < n &&
                fabs(x[i] - x[i - k - 1]) <= width / 2 && fabs(x[i + k + 1] - x[i]) <= width / 2) {
             k++;
             sum += y[i - k] + y[i + k];
@@ -91,6 +166,7 @@ void noise_smooth(const double x[], const double y[], long n, double width, doub
         smooth[i] = sum / counts[i];
     }
     gsl_sort(counts, 1, (size_t)n);
-    *left = noise / sqrt(gsl_stats_quantile_from_sorted_data(counts, 1, (size_t)n, few_share));
+    const double few = gsl_stats_quantile_from_sorted_data(counts, 1, (size_t)n, few_share);
+    *left = noise.deviation * sqrt(fmin(alike / few, 1));
     free(counts);
 }

@@ -16,16 +16,23 @@ static const double straight_share = 0.01;   /* of the stress, off the line */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
 static const double default_shares[2] = {0.1, 0.4};
 
+/* Least squares of s on e; where the strain is the noisier of the two, of e on s: what is noisy would make the slope on
+ * it too small. */
 static struct elastic_line fit_rows(const struct curve *curve, long first, long last)
 {
     struct elastic_line line = {.first = first, .last = last, .count = last - first + 1};
     size_t n = (size_t)line.count;
     const double *e = curve->strain + first, *s = curve->stress + first;
+    const double *x = curve->strain_is_noisier ? s : e, *y = curve->strain_is_noisier ? e : s;
     double intercept, c00, c01, c11, residual;
-    gsl_fit_linear(e, 1, s, 1, n, &intercept, &line.slope, &c00, &c01, &c11, &residual);
+    gsl_fit_linear(x, 1, y, 1, n, &intercept, &line.slope, &c00, &c01, &c11, &residual);
     line.error = n > 2 ? sqrt(c11) : NAN;
     line.toe = -intercept / line.slope;
-    line.r_squared = 1 - residual / gsl_stats_tss(s, 1, n);
+    line.r_squared = 1 - residual / gsl_stats_tss(y, 1, n);
+    if (!curve->strain_is_noisier) return line;
+    line.error /= line.slope * line.slope;
+    line.slope = 1 / line.slope;
+    line.toe = intercept;
     return line;
 }
 

@@ -16,7 +16,7 @@ struct elastic_line {
     const char *flag;        /* NULL, or what is wrong with it */
 };
 
-/* Least squares of s on e over the rows given; else the line that a curve file of hspost carries, where
+/* Least squares of s on e, or of e on s where the strain is the noisier, over the rows given; else the line that a curve file of hspost carries, where
  * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three
  * points there: the modulus that is chosen or that the history knows, without a fit; without one, a fit
  * from the first point on as far as the points lie on a line within 1 %.  slope = NAN where none of these will do. */
