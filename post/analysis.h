@@ -10,11 +10,11 @@
 struct analysis {
     struct record record; /* what happened during the test */
     struct curve
-        envelope; /* its rows without loops, holds and serrations, on which all is measured */
-    long *rows;   /* [envelope.n] their numbers in the curve */
-    struct noise noise;  /* of the stress of the envelope [Pa], of a measured curve, else 0 */
+        envelope;       /* its rows without loops, holds and serrations, on which all is measured */
+    long *rows;         /* [envelope.n] their numbers in the curve */
+    struct noise noise; /* of the stress of the envelope [Pa], of a measured curve, else 0 */
     double strain_noise; /* standard deviation, likewise */
-    long strained;    /* the last row of the envelope whose strain was measured */
+    long strained;       /* the last row of the envelope whose strain was measured */
     struct measures measures;
     struct considere considere;
     double window;       /* true strain over which slopes were taken */

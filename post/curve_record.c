@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST_STANDING = 5, FEWEST_UNLOADING = 4 };
+enum { FEWEST_STANDING = 5, FEWEST_UNLOADING = 4, MOST_OF_SPIKE = 3 };
 
 static const double least_fall = 0.005; /* of the stress before it: ISO 6892-1, ReH */
 static const double noise_widths =
@@ -18,6 +18,7 @@ static const double regained = 0.75;   /* of a fall, by which the reloading has 
 static const double elastic_spans = 3; /* strain of an excursion over that of its fall, elastic */
 static const double reversal =
     0.3; /* of the elastic strain, by which the strain of a loop goes back */
+static const double steepest = 2;       /* elastic slopes, by which no stress of a body rises */
 static const double turned_share = 0.9; /* of steps that fall, where rows run backwards */
 
 /* --- direction --------------------------------------------------------------------------------- */
@@ -56,6 +57,55 @@ void record_turn(struct curve *curve)
     note("%s: the strain falls from row to row; taken from the last row to the first",
          curve->title);
     turn_rows(&curve->table);
+}
+
+/* --- spikes ---------------------------------------------------------------------------------- */
+
+/* Fall of the stress from s that counts. */
+static double threshold(const struct record *record, double s)
+{
+    return fmax(least_fall * fabs(s), noise_widths * record->noise);
+}
+
+/* A change of stress between two rows within what an elastic body makes of the strain between them. */
+static bool is_level(const struct record *record, const struct curve *curve, long from, long to,
+                     double slope)
+{
+    const double strain = curve->strain[to] - curve->strain[from];
+    const double change = curve->stress[to] - curve->stress[from];
+    const double elastic =
+        steepest * slope * (fmax(strain, 0) + noise_widths * record->strain_noise);
+    return change <= elastic + threshold(record, curve->stress[from]) &&
+           change >= -threshold(record, curve->stress[from]);
+}
+
+/* The stress, in which what rises as no body can and comes back to the level before, within a few rows, is put on the
+ * line between the rows beside it; such rows are left out. */
+static double *without_spikes(struct record *record, const struct curve *curve, double slope)
+{
+    const double *e = curve->strain, *s = curve->stress;
+    double *clean = memory_new((size_t)curve->n, sizeof *clean);
+    memcpy(clean, s, (size_t)curve->n * sizeof *clean);
+    for (long i = 1; curve->measured && i < curve->n - 1; i++) {
+        long next = i + 1;
+        if (is_level(record, curve, i - 1, i, slope)) continue;
+        while (next < curve->n - 1 && next - i < MOST_OF_SPIKE &&
+               !is_level(record, curve, i - 1, next, slope))
+            next++;
+        const double up = s[i] - s[i - 1] - steepest * slope * fmax(e[i] - e[i - 1], 0);
+        const double back =
+            s[next] - s[next - 1] - steepest * slope * fmax(e[next] - e[next - 1], 0);
+        const bool impossible = fmax(up, back) > threshold(record, s[i - 1]);
+        if (!impossible || !is_level(record, curve, i - 1, next, slope)) continue;
+        for (long k = i; k < next; k++) {
+            clean[k] =
+                s[i - 1] + (double)(k - i + 1) / (double)(next - i + 1) * (s[next] - s[i - 1]);
+            record->loading[k] = false;
+        }
+        record->spikes++;
+        i = next - 1;
+    }
+    return clean;
 }
 
 /* --- excursions -------------------------------------------------------------------------------- */
@@ -108,12 +158,6 @@ static void cut_unloading(struct record *record, const struct curve *curve, long
     if (last - peak < FEWEST_UNLOADING || !(back > elastic / 2 && back < 2 * elastic)) return;
     record->unloaded = true;
     exclude(record, peak + 1, last);
-}
-
-/* Fall of the stress from s that counts. */
-static double threshold(const struct record *record, double s)
-{
-    return fmax(least_fall * fabs(s), noise_widths * record->noise);
 }
 
 /* The row where the stress has fallen from its highest value since *peak, which goes there; -1: none. */
@@ -207,8 +251,11 @@ struct record record_judge(const struct curve *curve, double slope)
     record.noise = noise_of(curve->strain, curve->stress, n);
     record.strain_noise = noise_of_strain(curve->strain, n);
     if (!(slope > 0)) return record;
-    find_excursions(&record, curve, slope);
-    find_strained(&record, curve, slope);
+    struct curve clean = *curve;
+    clean.stress = without_spikes(&record, curve, slope);
+    find_excursions(&record, &clean, slope);
+    find_strained(&record, &clean, slope);
+    free(clean.stress);
     return record;
 }
 

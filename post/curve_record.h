@@ -21,6 +21,7 @@ struct record {
     bool *loading; /* [n] rows of the envelope that loading alone would have made */
     long count;
     struct excursion *excursions; /* [count] */
+    long spikes;                  /* of a few rows, that no body makes; left out */
     bool unloaded;                /* the end of the record is an unloading, which is left out */
     long strained;                /* the last row whose strain was measured; n - 1 where all are */
     double noise, strain_noise;   /* Pa, -; standard deviations on the envelope */

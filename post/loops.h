@@ -19,7 +19,10 @@ struct loop {
     double back, effective;      /* Pa */
     double width, area;          /* largest difference of strain between the branches; J/m^3 */
     double damage;               /* 1 - unloading/m_E */
-    const char *flag;            /* NULL; few_points, no_reverse_yield, no_yield */
+    struct {                     /* standard, of the noise; NAN: none that is known */
+        double unloading, reloading, reverse, yield, back, effective;
+    } error;
+    const char *flag; /* NULL; few_points, no_reverse_yield, no_yield */
 };
 
 /* The loop of an excursion of kind loop.  Slopes are least squares over 10 to 40 % of the change of stress of a branch; a
@@ -27,7 +30,8 @@ struct loop {
 struct loop loop_measure(const struct curve *curve, const struct excursion *excursion, long next,
                          double offset, double modulus);
 
-/* All loops of a curve; the caller frees them.  *count is their number. */
+/* All loops of a curve, of a measured one with the errors of its noise, by a bootstrap as that of measures.h; the caller
+ * frees them.  *count is their number. */
 struct loop *loops_find(const struct curve *curve, const struct analysis *analysis, double offset,
                         long *count);
 

@@ -33,9 +33,9 @@ extern const double measures_offsets[4];
 /* A curve without loops (record.h) and what is known of it. */
 struct loading {
     const struct curve *curve;
-    struct noise noise;         /* of the stress, Pa */
+    struct noise noise; /* of the stress, Pa */
     double strain_noise;
-    long strained;              /* the last row whose strain was measured */
+    long strained; /* the last row whose strain was measured */
 };
 
 struct measures {

@@ -29,11 +29,14 @@ static double by_second_differences(const double y[], long n, double work[])
     return deviation(work, (size_t)n - 2);
 }
 
-static double by_fourth_differences(const double y[], long n, double work[])
+/* Of rows that far apart. */
+static double by_fourth_differences(const double y[], long n, long apart, double work[])
 {
-    for (long i = 0; i < n - 4; i++)
-        work[i] = (y[i] - 4 * y[i + 1] + 6 * y[i + 2] - 4 * y[i + 3] + y[i + 4]) / sqrt(70);
-    return deviation(work, (size_t)n - 4);
+    for (long i = 0; i < n - 4 * apart; i++)
+        work[i] = (y[i] - 4 * y[i + apart] + 6 * y[i + 2 * apart] - 4 * y[i + 3 * apart] +
+                   y[i + 4 * apart]) /
+                  sqrt(70);
+    return deviation(work, (size_t)(n - 4 * apart));
 }
 
 static double by_chords(const double x[], const double y[], long n, double work[])
@@ -65,7 +68,7 @@ double noise_of(const double x[], const double y[], long n)
     if (n < FEWEST_ROWS) return 0;
     double *work = memory_new((size_t)n, sizeof *work);
     const double noise =
-        fmin(fmin(by_second_differences(y, n, work), by_fourth_differences(y, n, work)),
+        fmin(fmin(by_second_differences(y, n, work), by_fourth_differences(y, n, 1, work)),
              by_chords(x, y, n, work));
     const double rounding = by_rounding(y, n, work);
     free(work);
@@ -82,7 +85,7 @@ double noise_of_strain(const double strain[], long n)
     double noise = by_rounding(strain, n, work);
     if ((double)falls >= least_share * (double)n)
         noise = fmax(noise, fmin(by_second_differences(strain, n, work),
-                                 by_fourth_differences(strain, n, work)));
+                                 by_fourth_differences(strain, n, 1, work)));
     free(work);
     return noise;
 }
@@ -90,6 +93,36 @@ double noise_of_strain(const double strain[], long n)
 double noise_of_means(struct noise noise)
 {
     return noise.deviation * sqrt((1 + noise.correlation) / (1 - noise.correlation));
+}
+
+/* Of fourth differences of an autoregressive sequence over their deviation where rows are independent, squared. */
+static double seen_share(double correlation)
+{
+    const double r = correlation;
+    return (70 + r * (-112 + r * (56 + r * (-16 + 2 * r)))) / 70;
+}
+
+struct noise noise_filtered(const double y[], long n)
+{
+    /* The noise of rows that are farther and farther apart grows no more than a sum of independent ones would, by the root
+     * of two; what grows faster is the bend of the curve, what grows no more is all. */
+    const double least_growth = 1.05, most_growth = 1.6;
+    double *work = memory_new((size_t)n, sizeof *work);
+    const double near = by_fourth_differences(y, n, 1, work);
+    double whole = near, low = 0, high = 0.999;
+    for (long apart = 2; 16 * apart <= n; apart *= 2) {
+        const double now = by_fourth_differences(y, n, apart, work);
+        if (now > most_growth * whole) break;
+        const bool grows = now > least_growth * whole;
+        whole = fmax(whole, now);
+        if (!grows) break;
+    }
+    free(work);
+    while (whole > near && high - low > 1e-6) {
+        const double middle = (low + high) / 2;
+        *(seen_share(middle) * whole * whole > near * near ? &low : &high) = middle;
+    }
+    return (struct noise){whole, low};
 }
 
 /* What is left of y [n] about the cubic in x of least squares; false where there is none. */
@@ -169,4 +202,36 @@ void noise_smooth(const double x[], const double y[], long n, double width, stru
     const double few = gsl_stats_quantile_from_sorted_data(counts, 1, (size_t)n, few_share);
     *left = noise.deviation * sqrt(fmin(alike / few, 1));
     free(counts);
+}
+
+struct noise_sequence noise_begin(struct noise noise, struct random_stream *stream)
+{
+    return (struct noise_sequence){noise, noise.deviation * random_gaussian(stream)};
+}
+
+double noise_next(struct noise_sequence *sequence, struct random_stream *stream)
+{
+    const double correlation = sequence->noise.correlation, now = sequence->last;
+    sequence->last = correlation * now + sqrt(1 - correlation * correlation) *
+                                             sequence->noise.deviation * random_gaussian(stream);
+    return now;
+}
+
+void noise_trend(const double x[], double values[], long n, struct noise noise)
+{
+    const double widths[] = {0.0005, 0.001, 0.002, 0.004, 0.008, 0.016}, differs = 4;
+    double *mean = memory_new((size_t)n, sizeof *mean), *from = memory_new((size_t)n, sizeof *from);
+    bool *settled = memory_new((size_t)n, sizeof *settled);
+    double left = noise.deviation, next;
+    memcpy(from, values, (size_t)n * sizeof *from);
+    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++, left = next) {
+        noise_smooth(x, from, n, widths[k], noise, mean, &next);
+        for (long i = 0; i < n; i++) {
+            settled[i] = settled[i] || fabs(mean[i] - values[i]) > differs * left;
+            if (!settled[i]) values[i] = mean[i];
+        }
+    }
+    free(mean);
+    free(from);
+    free(settled);
 }

@@ -2,6 +2,8 @@
 #ifndef HS_NOISE_H
 #define HS_NOISE_H
 
+#include "random.h"
+
 /* Of the stress of a curve [Pa], or of another quantity. */
 struct noise {
     double deviation;   /* standard, of a row; 0: none that is known */
@@ -23,6 +25,10 @@ double noise_of(const double x[], const double y[], long n);
  * step in a hundred falls. */
 double noise_of_strain(const double strain[], long n);
 
+/* Noise behind a filter, as an autoregressive sequence, by fourth differences of rows that are farther and farther
+ * apart.  n >= 16. */
+struct noise noise_filtered(const double y[], long n);
+
 /* What a filter hides from differences of rows: deviation and correlation of y about a cubic in x, over rows that ought
  * to be straight.  deviation 0 where these are too few, or where y crosses the cubic so seldom that it has a bend of
  * another kind. */
@@ -33,5 +39,17 @@ struct noise noise_about_line(const double x[], const double y[], long n);
  * deviation of the noise that is left in all but a twentieth of the rows. */
 void noise_smooth(const double x[], const double y[], long n, double width, struct noise noise,
                   double smooth[], double *left);
+
+/* Noise row by row, of a stream of random numbers. */
+struct noise_sequence {
+    struct noise noise;
+    double last;
+};
+struct noise_sequence noise_begin(struct noise noise, struct random_stream *stream);
+double noise_next(struct noise_sequence *sequence, struct random_stream *stream);
+
+/* Takes most of the noise out of values [n]: of each row the mean over the widest width of x that differs from the next
+ * narrower one by no more than noise does, so that corners, and the fall at the end, stay. */
+void noise_trend(const double x[], double values[], long n, struct noise noise);
 
 #endif

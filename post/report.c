@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 static const double giga = 1e9, mega = 1e6, percent = 100;
-static const double straight_limit = 0.995; /* of R2 */
 static const double deviation_limit = 0.01; /* of the slope from the modulus of the deck */
 static const double noisy_share = 0.1;      /* error of Considere's strain over it */
 

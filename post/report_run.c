@@ -119,4 +119,7 @@ void report_record(struct properties *list, const struct curve *curve,
               "relaxations at standing strain, left out");
     add_count(list, "serrations", record_count(record, EXCURSION_SERRATION),
               "falls of stress regained elastically while the strain goes on, left out");
+    add_count(list, "spikes", record->spikes,
+              "one to three rows to which the stress leaps as no body can, and from which it comes "
+              "back, left out");
 }

@@ -8,7 +8,9 @@
 
 const double strength_plateau_share = 1e-4;
 
-enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3 };
+enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3, FEWEST_OF_BOW = 10, MOST_CROSSINGS = 3 };
+
+const double straight_limit = 0.995;
 
 static const double plateau_widths = 3;      /* standard deviations of the noise */
 static const double proof_offset = 0.002;    /* of Rp0.2 */
@@ -90,6 +92,41 @@ static struct elastic_line iterate(const struct curve *curve, const double share
     return line;
 }
 
+/* Whether rows lie off their line as a bow does, on one side in the middle and on the other at the ends. */
+static bool is_bent(const struct curve *curve, const struct elastic_line *line)
+{
+    long crossings = 0;
+    double before = 0;
+    for (long i = line->first; i <= line->last; i++) {
+        const double off = curve->stress[i] - line->slope * (curve->strain[i] - line->toe);
+        crossings += off * before < 0;
+        before = off;
+    }
+    return line->count >= FEWEST_OF_BOW && line->r_squared < straight_limit &&
+           crossings <= MOST_CROSSINGS;
+}
+
+/* Behind a bent toe: of straight parts of the rise, a fifth of Rp0.2 each, the steepest. */
+static struct elastic_line behind_toe(const struct curve *curve, struct elastic_line bent)
+{
+    struct elastic_line best = bent;
+    for (int round = 0; round < 2; round++) {
+        double proof = strength_proof(curve, &best, proof_offset);
+        if (isnan(proof)) proof = highest(curve);
+        for (double low = 0.05; low < 0.8; low += 0.05) {
+            long first, last;
+            rows_between(curve, low * proof, (low + 0.2) * proof, &first, &last);
+            if (last - first + 1 < FEWEST_OF_BOW / 2) continue;
+            const struct elastic_line part = fit_rows(curve, first, last);
+            if (!usable(&part) || part.r_squared < straight_limit || part.slope <= best.slope)
+                continue;
+            best = part;
+            best.flag = "steepest_part";
+        }
+    }
+    return best;
+}
+
 /* From the first row as far as the rows lie on a line, two at least. */
 static struct elastic_line straight_start(const struct curve *curve)
 {
@@ -112,6 +149,9 @@ static struct elastic_line find_by_shares(const struct curve *curve, const struc
         isnan(choices->modulus_range[0]) ? default_shares : choices->modulus_range;
     double known = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
     struct elastic_line line = iterate(curve, shares);
+    const bool chosen = !isnan(choices->modulus_range[0]);
+    if (usable(&line) && curve->measured && !chosen && is_bent(curve, &line))
+        return behind_toe(curve, line);
     if (usable(&line)) return line;
     if (known > 0) return given_line(known, 0, "slope_not_measured");
     return straight_start(curve);

@@ -19,8 +19,12 @@ struct elastic_line {
 /* Least squares of s on e, or of e on s where the strain is the noisier, over the rows given; else the line that a curve file of hspost carries, where
  * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three
  * points there: the modulus that is chosen or that the history knows, without a fit; without one, a fit
- * from the first point on as far as the points lie on a line within 1 %.  slope = NAN where none of these will do. */
+ * from the first point on as far as the points lie on a line within 1 %.  Where the part between the shares is bent, as a
+ * toe is, the steepest straight part of the rise.  slope = NAN where none of these will do. */
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
+
+/* R2 of a slope below which it is none. */
+extern const double straight_limit;
 
 /* Stress [Pa] where the curve first meets s = slope (e - toe - offset), linear between the points;
  * NAN where it does not. */
