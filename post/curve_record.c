@@ -19,6 +19,7 @@ static const double elastic_spans = 3; /* strain of an excursion over that of it
 static const double reversal =
     0.3; /* of the elastic strain, by which the strain of a loop goes back */
 static const double steepest = 2;       /* elastic slopes, by which no stress of a body rises */
+static const double least_spike = 0.02; /* of the highest stress */
 static const double turned_share = 0.9; /* of steps that fall, where rows run backwards */
 
 /* --- direction --------------------------------------------------------------------------------- */
@@ -59,7 +60,7 @@ void record_turn(struct curve *curve)
     turn_rows(&curve->table);
 }
 
-/* --- spikes ---------------------------------------------------------------------------------- */
+/* --- leaps ---------------------------------------------------------------------------------- */
 
 /* Fall of the stress from s that counts. */
 static double threshold(const struct record *record, double s)
@@ -67,43 +68,53 @@ static double threshold(const struct record *record, double s)
     return fmax(least_fall * fabs(s), noise_widths * record->noise);
 }
 
-/* A change of stress between two rows within what an elastic body makes of the strain between them. */
-static bool is_level(const struct record *record, const struct curve *curve, long from, long to,
-                     double slope)
+/* What a spike is tried by: how fast the stress of a body rises at most, and the change that counts. */
+struct leap {
+    double slope, strain, stress; /* Pa, -, Pa */
+};
+
+/* How far the stress rises beyond what a body could between two rows. */
+static double beyond(const struct leap *leap, const struct curve *curve, long from, long to)
 {
-    const double strain = curve->strain[to] - curve->strain[from];
-    const double change = curve->stress[to] - curve->stress[from];
-    const double elastic =
-        steepest * slope * (fmax(strain, 0) + noise_widths * record->strain_noise);
-    return change <= elastic + threshold(record, curve->stress[from]) &&
-           change >= -threshold(record, curve->stress[from]);
+    const double strain = fmax(curve->strain[to] - curve->strain[from], 0) + leap->strain;
+    return curve->stress[to] - curve->stress[from] - leap->slope * strain;
 }
 
-/* The stress, in which what rises as no body can and comes back to the level before, within a few rows, is put on the
- * line between the rows beside it; such rows are left out. */
+static bool is_level(const struct leap *leap, const struct curve *curve, long from, long to)
+{
+    return beyond(leap, curve, from, to) <= leap->stress &&
+           curve->stress[to] - curve->stress[from] >= -leap->stress;
+}
+
+/* The row behind a spike that begins at row i; i where there is none. */
+static long spike_end(const struct leap *leap, const struct curve *curve, long i)
+{
+    long next = i + 1;
+    if (is_level(leap, curve, i - 1, i)) return i;
+    while (next < curve->n - 1 && next - i < MOST_OF_SPIKE && !is_level(leap, curve, i - 1, next))
+        next++;
+    const double most = fmax(beyond(leap, curve, i - 1, i), beyond(leap, curve, next - 1, next));
+    return most > leap->stress && is_level(leap, curve, i - 1, next) ? next : i;
+}
+
+/* The stress, in which rows where it leaps as no body's can and comes back to the level before lie on the line between
+ * those beside them; they are left out. */
 static double *without_spikes(struct record *record, const struct curve *curve, double slope)
 {
-    const double *e = curve->strain, *s = curve->stress;
+    const double *s = curve->stress, highest = gsl_stats_max(s, 1, (size_t)curve->n);
+    const struct leap leap = {steepest * slope, noise_widths * record->strain_noise,
+                              fmax(least_spike * highest, noise_widths * record->noise)};
     double *clean = memory_new((size_t)curve->n, sizeof *clean);
     memcpy(clean, s, (size_t)curve->n * sizeof *clean);
     for (long i = 1; curve->measured && i < curve->n - 1; i++) {
-        long next = i + 1;
-        if (is_level(record, curve, i - 1, i, slope)) continue;
-        while (next < curve->n - 1 && next - i < MOST_OF_SPIKE &&
-               !is_level(record, curve, i - 1, next, slope))
-            next++;
-        const double up = s[i] - s[i - 1] - steepest * slope * fmax(e[i] - e[i - 1], 0);
-        const double back =
-            s[next] - s[next - 1] - steepest * slope * fmax(e[next] - e[next - 1], 0);
-        const bool impossible = fmax(up, back) > threshold(record, s[i - 1]);
-        if (!impossible || !is_level(record, curve, i - 1, next, slope)) continue;
+        const long next = spike_end(&leap, curve, i);
         for (long k = i; k < next; k++) {
-            clean[k] =
-                s[i - 1] + (double)(k - i + 1) / (double)(next - i + 1) * (s[next] - s[i - 1]);
+            const double share = (double)(k - i + 1) / (double)(next - i + 1);
+            clean[k] = s[i - 1] + share * (s[next] - s[i - 1]);
             record->loading[k] = false;
         }
-        record->spikes++;
-        i = next - 1;
+        record->spikes += next > i;
+        if (next > i) i = next - 1;
     }
     return clean;
 }

@@ -142,7 +142,7 @@ static const struct {
     WITH_ERROR(unloading), WITH_ERROR(reloading), WITH_ERROR(reverse),
     WITH_ERROR(yield),     WITH_ERROR(back),      WITH_ERROR(effective),
 };
-enum { UNCERTAIN = sizeof uncertain / sizeof *uncertain, RESAMPLES = 100 };
+enum { UNCERTAIN = sizeof uncertain / sizeof *uncertain, RESAMPLES = 250 };
 
 static double *member(struct loop *loop, size_t place)
 {

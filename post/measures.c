@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RESAMPLES = 100 };
+enum { RESAMPLES = 250 };
 
 const double measures_offsets[4] = {0.0001, 0.001, 0.002, 0.01};
 

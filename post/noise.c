@@ -63,16 +63,24 @@ static double by_rounding(const double y[], long n, double work[])
     return gsl_stats_quantile_from_sorted_data(work, 1, count, usual) / sqrt(12);
 }
 
+/* The mean where all three agree, of which the least would be too small; else the least, as a bend adds to the others. */
+static double together(const double seen[3])
+{
+    const double agree = 1.2;
+    const double least = fmin(fmin(seen[0], seen[1]), seen[2]);
+    const double most = fmax(fmax(seen[0], seen[1]), seen[2]);
+    return most <= agree * least ? (seen[0] + seen[1] + seen[2]) / 3 : least;
+}
+
 double noise_of(const double x[], const double y[], long n)
 {
     if (n < FEWEST_ROWS) return 0;
     double *work = memory_new((size_t)n, sizeof *work);
-    const double noise =
-        fmin(fmin(by_second_differences(y, n, work), by_fourth_differences(y, n, 1, work)),
-             by_chords(x, y, n, work));
+    const double seen[] = {by_second_differences(y, n, work), by_fourth_differences(y, n, 1, work),
+                           by_chords(x, y, n, work)};
     const double rounding = by_rounding(y, n, work);
     free(work);
-    return fmax(noise, rounding);
+    return fmax(together(seen), rounding);
 }
 
 double noise_of_strain(const double strain[], long n)
