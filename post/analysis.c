@@ -143,7 +143,8 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     add_neck_stress(curve);
     phases_add_factor(curve);
     compare_noise(curve, choices);
-    analysis.record = record_judge(curve, strength_line(curve, choices).slope);
+    const struct elastic_line rough = strength_line(curve, choices);
+    analysis.record = record_judge(curve, &rough);
     analysis.envelope = record_envelope(&analysis.record, curve, &analysis.rows);
     renumber(&analysis, curve, &chosen);
     struct elastic_line line = strength_line(&analysis.envelope, &chosen);

@@ -3,7 +3,7 @@
 #ifndef HS_CURVE_RECORD_H
 #define HS_CURVE_RECORD_H
 
-#include "curve.h"
+#include "strength.h"
 
 enum excursion_kind {
     EXCURSION_LOOP,      /* strain goes back: unloading and reloading */
@@ -27,10 +27,11 @@ struct record {
     double noise, strain_noise;   /* Pa, -; standard deviations on the envelope */
 };
 
-/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured record of compression.
- * slope [Pa] is that of the elastic part, NAN where it is not known. */
+/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured record of compression,
+ * with signs that do not go together, or in no order. */
 void record_turn(struct curve *curve);
-struct record record_judge(const struct curve *curve, double slope);
+/* line: of the elastic part, slope NAN where it is not known. */
+struct record record_judge(const struct curve *curve, const struct elastic_line *line);
 void record_free(struct record *record);
 
 /* How many there are of a kind. */

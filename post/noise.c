@@ -147,8 +147,10 @@ static bool take_residuals(const double x[], const double y[], size_t n, double 
             gsl_matrix_set(powers, i, k, pow((x[i] - middle) / half, (double)k));
         gsl_vector_set(values, i, y[i]);
     }
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
     const bool done = half > 0 && gsl_multifit_linear(powers, values, solution, covariance,
                                                       &squares, work) == GSL_SUCCESS;
+    gsl_set_error_handler(handler);
     if (done) gsl_multifit_linear_residuals(powers, values, solution, residuals);
     for (size_t i = 0; i < n; i++) left[i] = gsl_vector_get(residuals, i);
     gsl_multifit_linear_free(work);
@@ -160,15 +162,21 @@ static bool take_residuals(const double x[], const double y[], size_t n, double 
     return done && isfinite(squares);
 }
 
+double noise_about_cubic(const double x[], const double y[], long n)
+{
+    double *left = memory_new((size_t)n, sizeof *left);
+    const bool done = n > CUBIC && take_residuals(x, y, (size_t)n, left);
+    const double squares = gsl_stats_tss_m(left, 1, (size_t)n, 0);
+    free(left);
+    return done ? sqrt(squares / (double)(n - CUBIC)) : INFINITY;
+}
+
 struct noise noise_about_line(const double x[], const double y[], long n)
 {
-    const double most = 0.99; /* of a correlation: of more, few rows tell nothing */
     struct noise noise = {0, 0};
     if (n < FEWEST_ROWS) return noise;
     double *left = memory_new((size_t)n, sizeof *left), squares = 0, products = 0;
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
     const bool done = take_residuals(x, y, (size_t)n, left);
-    gsl_set_error_handler(handler);
     long crossings = 0;
     for (long i = 0; done && i < n; i++) {
         squares += left[i] * left[i];
@@ -179,7 +187,7 @@ struct noise noise_about_line(const double x[], const double y[], long n)
     free(left);
     if (!done || crossings < FEWEST_CROSSINGS) return noise;
     noise.deviation = sqrt(squares / (double)(n - CUBIC));
-    noise.correlation = fmin(fmax(products / squares, 0), most);
+    noise.correlation = fmax(products / squares, 0);
     return noise;
 }
 

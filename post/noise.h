@@ -34,6 +34,9 @@ struct noise noise_filtered(const double y[], long n);
  * another kind. */
 struct noise noise_about_line(const double x[], const double y[], long n);
 
+/* Standard deviation of y about a cubic in x; INFINITY for fewer rows than five. */
+double noise_about_cubic(const double x[], const double y[], long n);
+
 /* Mean of y over the rows whose x lies within width/2 of each row's, as many on one side as on the other, so that a
  * straight line stays, and no more than 25 that are independent.  noise.deviation 0: y as it is.  *left: standard
  * deviation of the noise that is left in all but a twentieth of the rows. */

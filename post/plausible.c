@@ -66,8 +66,9 @@ static char *cause_of(const struct seen *seen)
         for (int k = 1; k < STRESSES; k++)
             if (is_usual(seen, &strains[i], &stresses[k]))
                 return say_both(strains[i].name, stresses[k].name);
-    return memory_text(
-        "are the units of the columns right, and does the strain come from an extensometer?");
+    return memory_text("are the units of the columns right, does the strain come from an "
+                       "extensometer, and does the "
+                       "record begin before the body yields?");
 }
 
 static bool is_odd(const struct seen *seen)

@@ -120,6 +120,6 @@ void report_record(struct properties *list, const struct curve *curve,
     add_count(list, "serrations", record_count(record, EXCURSION_SERRATION),
               "falls of stress regained elastically while the strain goes on, left out");
     add_count(list, "spikes", record->spikes,
-              "one to three rows to which the stress leaps as no body can, and from which it comes "
-              "back, left out");
+              "one to three rows in which stress or strain leaps as no body's can and comes back, "
+              "left out");
 }

@@ -1,6 +1,7 @@
 #include "strength.h"
 
 #include "die.h"
+#include "noise.h"
 
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
@@ -8,12 +9,13 @@
 
 const double strength_plateau_share = 1e-4;
 
-enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3, FEWEST_OF_BOW = 10, MOST_CROSSINGS = 3 };
+enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3, FEWEST_OF_BEND = 10 };
 
 const double straight_limit = 0.995;
 
 static const double plateau_widths = 3;      /* standard deviations of the noise */
 static const double proof_offset = 0.002;    /* of Rp0.2 */
+static const double bend_share = 2;          /* of the squares that are left by a cubic */
 static const double straight_share = 0.01;   /* of the stress, off the line */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
 static const double default_shares[2] = {0.1, 0.4};
@@ -92,34 +94,31 @@ static struct elastic_line iterate(const struct curve *curve, const double share
     return line;
 }
 
-/* Whether rows lie off their line as a bow does, on one side in the middle and on the other at the ends. */
+/* Whether rows lie off their line by a bend, not by noise: a cubic takes most of it. */
 static bool is_bent(const struct curve *curve, const struct elastic_line *line)
 {
-    long crossings = 0;
-    double before = 0;
-    for (long i = line->first; i <= line->last; i++) {
-        const double off = curve->stress[i] - line->slope * (curve->strain[i] - line->toe);
-        crossings += off * before < 0;
-        before = off;
-    }
-    return line->count >= FEWEST_OF_BOW && line->r_squared < straight_limit &&
-           crossings <= MOST_CROSSINGS;
+    const double *e = curve->strain + line->first, *s = curve->stress + line->first;
+    if (line->count < FEWEST_OF_BEND || line->r_squared >= straight_limit) return false;
+    const double squares = (1 - line->r_squared) * gsl_stats_tss(s, 1, (size_t)line->count);
+    return squares / (double)(line->count - 2) >
+           bend_share * pow(noise_about_cubic(e, s, line->count), 2);
 }
 
-/* Behind a bent toe: of straight parts of the rise, a fifth of Rp0.2 each, the steepest. */
+/* Behind a bent toe: of parts of the rise, three tenths of Rp0.2 each, the one that is surely the steepest. */
 static struct elastic_line behind_toe(const struct curve *curve, struct elastic_line bent)
 {
     struct elastic_line best = bent;
+    double most = bent.slope;
     for (int round = 0; round < 2; round++) {
         double proof = strength_proof(curve, &best, proof_offset);
         if (isnan(proof)) proof = highest(curve);
-        for (double low = 0.05; low < 0.8; low += 0.05) {
+        for (double low = 0.1; low < 0.7; low += 0.05) {
             long first, last;
-            rows_between(curve, low * proof, (low + 0.2) * proof, &first, &last);
-            if (last - first + 1 < FEWEST_OF_BOW / 2) continue;
+            rows_between(curve, low * proof, (low + 0.3) * proof, &first, &last);
+            if (last - first + 1 < FEWEST_OF_BEND / 2) continue;
             const struct elastic_line part = fit_rows(curve, first, last);
-            if (!usable(&part) || part.r_squared < straight_limit || part.slope <= best.slope)
-                continue;
+            if (!usable(&part) || part.slope - 2 * part.error <= most) continue;
+            most = part.slope - 2 * part.error;
             best = part;
             best.flag = "steepest_part";
         }
