@@ -82,6 +82,7 @@ static double time_left(const struct simulation *s)
         A_LITTLE_MORE = 1000000
     }; /* a part in so many, or the end would be missed by rounding */
     const double rate = s->load_steps.strain_rate, left = s->scene.end_strain - s->strain;
+    if (legs_are(s)) return legs_time_left(s);
     if (s->scene.end_time > 0) {
         const double whole = fmin(s->end_time - s->integration.time, time_to_turn(s));
         return whole /
@@ -101,7 +102,8 @@ bool static_load(struct simulation *s)
     if (!quasi_static_step(s->load_steps.quasi_static)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
-    s->load_steps.strain_rate = (s->strain - strain) / (integration->time - time);
+    s->load_steps.lasted = integration->time - time;
+    s->load_steps.strain_rate = (s->strain - strain) / s->load_steps.lasted;
     return true;
 }
 
@@ -134,10 +136,12 @@ void static_settle(struct simulation *s)
 
 static void static_advance(struct simulation *s)
 {
-    if (static_load(s))
-        static_settle(s);
-    else
+    if (!static_load(s)) {
         s->failure = no_equilibrium(s, "with the smallest step");
+        return;
+    }
+    static_settle(s);
+    if (legs_are(s)) legs_look(s);
 }
 
 const struct course course_quasi_static = {.advance = static_advance};

@@ -233,5 +233,6 @@ void scene_free(struct scene *scene)
     for (int i = 0; i < scene->n_quantities; i++) free_nodes(&scene->quantities[i].nodes);
     free(scene->quantities);
     free(scene->fields.variables);
+    programme_free(&scene->programme);
     *scene = (struct scene){0};
 }
