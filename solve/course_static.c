@@ -75,6 +75,17 @@ static double time_to_turn(const struct simulation *s)
     return (floor(time / step + met) + 1) * step - time;
 }
 
+/* Until the next row of a table of what moves or loads the body. */
+static double time_to_row(const struct simulation *s)
+{
+    static const double met = 1e-9; /* of the time */
+    const double time = s->integration.time;
+    double next = INFINITY;
+    for (int i = 0; i < s->scene.n_boundary; i++)
+        next = fmin(next, value_next_row(&s->scene.boundary[i].value, time * (1 + met)));
+    return next - time;
+}
+
 /* The last step ends where the run does; at a strain, where the gauge gets there if it goes on as in the last step. */
 static double time_left(const struct simulation *s)
 {
@@ -84,7 +95,8 @@ static double time_left(const struct simulation *s)
     const double rate = s->load_steps.strain_rate, left = s->scene.end_strain - s->strain;
     if (legs_are(s)) return legs_time_left(s);
     if (s->scene.end_time > 0) {
-        const double whole = fmin(s->end_time - s->integration.time, time_to_turn(s));
+        const double whole =
+            fmin(fmin(s->end_time - s->integration.time, time_to_turn(s)), time_to_row(s));
         return whole /
                ceil(whole / s->integration.dt * (1 - 1.0 / A_LITTLE_MORE)); /* equal steps */
     }
