@@ -35,11 +35,14 @@ static bool is_of_stress(const struct simulation *s)
     return leg_of(s)->kind == LEG_TO_STRESS;
 }
 
-/* What of a way to go is elastic: to a stress the change of it, to a strain until the stress is that of the other sign. */
+/* What of a way to go is elastic: to a stress the change of it, reloading the change of the unloading, to a strain until
+ * the stress is that of the other sign. */
 static double elastic_strain(const struct simulation *s)
 {
     const struct legs *legs = &s->load_steps.legs;
-    const double change = is_of_stress(s) ? legs->target - legs->stress : 2 * legs->stress;
+    const double change = is_of_stress(s)                 ? legs->target - legs->stress
+                          : leg_of(s)->kind == LEG_RELOAD ? legs->unloaded_stress - legs->stress
+                                                          : 2 * legs->stress;
     return fabs(change) / legs->modulus;
 }
 
@@ -50,13 +53,15 @@ static void begin_leg(struct simulation *s)
     const double sense = legs->sense;
     const struct leg *leg = leg_of(s);
     legs->target = leg->kind == LEG_RELOAD ? legs->unloaded_from : leg->target;
-    if (is_of_stress(s)) legs->unloaded_from = legs->strain;
+    if (is_of_stress(s)) {
+        legs->unloaded_from = legs->strain;
+        legs->unloaded_stress = legs->stress;
+    }
     const double ahead = legs->target - (is_of_stress(s) ? legs->stress : legs->strain);
     legs->sense = ahead < 0 ? -1 : 1;
     if (legs->sense == sense) return;
     legs->turn = legs->strain;
-    /* A reload is elastic as far as the unloading went. */
-    legs->elastic = leg->kind == LEG_RELOAD ? fabs(ahead) : elastic_strain(s);
+    legs->elastic = elastic_strain(s);
     legs->strain_rate = legs->stress_rate = 0;
     boundary_turn(&s->boundary, legs->sense);
     if (s->integration.step > 0) quasi_static_turn(s->load_steps.quasi_static);
@@ -122,9 +127,9 @@ void legs_look(struct simulation *s)
 
 void legs_visit(struct legs *legs, struct checkpoint *checkpoint)
 {
-    double values[] = {legs->leg,     legs->sense,        legs->target,      legs->strain,
-                       legs->stress,  legs->strain_rate,  legs->stress_rate, legs->turn,
-                       legs->elastic, legs->unloaded_from};
+    double values[] = {legs->leg,     legs->sense,         legs->target,         legs->strain,
+                       legs->stress,  legs->strain_rate,   legs->stress_rate,    legs->turn,
+                       legs->elastic, legs->unloaded_from, legs->unloaded_stress};
     checkpoint_numbers(checkpoint, "programme", values, sizeof values / sizeof *values);
     legs->leg = (int)values[0];
     legs->sense = values[1];
@@ -136,4 +141,5 @@ void legs_visit(struct legs *legs, struct checkpoint *checkpoint)
     legs->turn = values[7];
     legs->elastic = values[8];
     legs->unloaded_from = values[9];
+    legs->unloaded_stress = values[10];
 }

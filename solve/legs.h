@@ -16,6 +16,7 @@ struct legs {
     double turn;                     /* strain of the last turn */
     double elastic;                  /* strain that is elastic behind it */
     double unloaded_from;            /* strain at which the last leg to a stress began */
+    double unloaded_stress;          /* Pa, there */
     double section, modulus;         /* m^2, Pa; of the gauge */
 };
 
