@@ -9,6 +9,9 @@ void taken_as_input(int descriptor);
  * process is about to write it, too. */
 void taken_as_output(const char *name);
 
+/* Files of these names (NULL: none) are going to be written, later.  Dies (exit 2) where two of them are one. */
+void taken_check(const char *const names[], int count);
+
 /* An output of that name is there, and may be replaced by the next one, as in trials. */
 void taken_again(const char *name);
 

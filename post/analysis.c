@@ -112,8 +112,8 @@ static void compare_noise(struct curve *curve, const struct choices *choices)
     curve->strain_is_noisier = strain * strength_line(curve, choices).slope > noise;
 }
 
-/* By the rows; and by what scatters more about the elastic line: correlated, it is what a filter leaves of the noise of
- * the stress, else it is the strain's. */
+/* By the rows; and by what scatters more about the elastic line: correlated, it is what a filter
+ * leaves of the noise of the stress, else it is the strain's. */
 static void find_noise(struct analysis *analysis, const struct elastic_line *line)
 {
     const struct curve *curve = &analysis->envelope;

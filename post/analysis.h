@@ -21,18 +21,18 @@ struct analysis {
     double fit_range[2]; /* true plastic strain, of the laws */
 };
 
-/* Judges the record, puts the machine's compliance right where asked for, fills the true curve and the columns that
- * follow from it, and notes in the provenance by which rules.  Rows that run backwards are turned.  Dies (exit 2) at a
- * measured record of compression. */
+/* Judges the record, puts the machine's compliance right where asked for, fills the true curve
+ * and the columns that follow from it, and notes in the provenance by which rules.  Rows that
+ * run backwards are turned.  Dies (exit 2) at a measured record of compression. */
 struct analysis analysis_make(struct curve *curve, const struct choices *choices);
 void analysis_free(struct analysis *analysis);
 
-/* Dies (exit 2) where a measured curve cannot be what it says (E outside 1 GPa to 1.2 TPa, strain over 3, stress over
- * 20 GPa), with the likely cause; only warns of a history. */
+/* Dies (exit 2) where a measured curve cannot be what it says (E outside 1 GPa to 1.2 TPa,
+ * strain over 3, stress over 20 GPa), with the likely cause; only warns of a history. */
 void analysis_check_plausible(const struct curve *curve, const struct analysis *analysis);
 
-/* The properties of docs/tensile.md, in its order; without those of fitted laws, which take as long as all else of a long
- * record, where nobody asks for them. */
+/* The properties of docs/tensile.md, in its order; without those of fitted laws, which take as
+ * long as all else of a long record, where nobody asks for them. */
 struct properties analysis_report(const struct curve *curve, const struct analysis *analysis,
                                   const struct choices *choices, bool fits);
 

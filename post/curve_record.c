@@ -24,7 +24,8 @@ static const double least_leap = 5e-4;  /* of the strain */
 static const double flowing = 0.005;    /* plastic strain */
 static const double turned_share = 0.9; /* of steps that fall, where rows run backwards */
 
-/* --- direction --------------------------------------------------------------------------------- */
+/* --- direction
+ * --------------------------------------------------------------------------------- */
 
 static void turn_rows(struct table *table)
 {
@@ -38,7 +39,8 @@ static void turn_rows(struct table *table)
     }
 }
 
-/* Rows in which no test has been: of a test the strain goes a small part of its range from one row to the next. */
+/* Rows in which no test has been: of a test the strain goes a small part of its range from one
+ * row to the next. */
 static void refuse_disorder(const struct curve *curve)
 {
     enum { FEWEST_ROWS = 20 };
@@ -114,8 +116,8 @@ static double steepest_at(const struct leap *leap, const struct curve *curve, lo
                                                                         : steepest * leap->slope;
 }
 
-/* Whether row follows row from as a body's does: the stress rises no faster than it can, the strain goes back by what is
- * elastic, and neither goes back without the other. */
+/* Whether row follows row from as a body's does: the stress rises no faster than it can, the
+ * strain goes back by what is elastic, and neither goes back without the other. */
 static bool follows(const struct leap *leap, const struct curve *curve, long from, long row,
                     double slope)
 {
@@ -125,7 +127,8 @@ static bool follows(const struct leap *leap, const struct curve *curve, long fro
            -strain <= steepest * fmax(-stress, 0) / leap->slope + leap->strain;
 }
 
-/* The row behind a leap that begins at row i and comes back to the level before; i where there is none. */
+/* The row behind a leap that begins at row i and comes back to the level before; i where there
+ * is none. */
 static long leap_end(const struct leap *leap, const struct curve *curve, long i, double top)
 {
     const double slope = steepest_at(leap, curve, i - 1, top), before = curve->stress[i - 1];
@@ -146,7 +149,8 @@ static void bridge(double values[], long i, long next)
         values[k] = values[i - 1] + (values[next] - values[i - 1]) / (double)(next - k + 1);
 }
 
-/* A few rows where stress or strain leaps as no body's can, and comes back, are left out; curve: without them. */
+/* A few rows where stress or strain leaps as no body's can, and comes back, are left out; curve:
+ * without them. */
 static void take_leaps_out(struct record *record, struct curve *curve,
                            const struct elastic_line *line)
 {
@@ -165,7 +169,8 @@ static void take_leaps_out(struct record *record, struct curve *curve,
     }
 }
 
-/* --- excursions -------------------------------------------------------------------------------- */
+/* --- excursions
+ * -------------------------------------------------------------------------------- */
 
 static void exclude(struct record *record, long from, long to)
 {
@@ -179,7 +184,8 @@ static double least_between(const double values[], long first, long last)
     return least;
 }
 
-/* Adds the excursion where the strain between its ends is no more than an elastic fall and rise would make. */
+/* Adds the excursion where the strain between its ends is no more than an elastic fall and rise
+ * would make. */
 static bool add_excursion(struct record *record, const struct curve *curve, struct excursion x,
                           double slope)
 {
@@ -217,7 +223,8 @@ static void cut_unloading(struct record *record, const struct curve *curve, long
     exclude(record, peak + 1, last);
 }
 
-/* The row where the stress has fallen from its highest value since *peak, which goes there; -1: none. */
+/* The row where the stress has fallen from its highest value since *peak, which goes there; -1:
+ * none. */
 static long next_fall(const struct record *record, const struct curve *curve, long *peak)
 {
     const double *s = curve->stress;
@@ -228,8 +235,8 @@ static long next_fall(const struct record *record, const struct curve *curve, lo
     return -1;
 }
 
-/* The row where most of a fall has been regained, and the lowest one before it.  -1: it falls again before, from *top, or
- * ends (*top -1). */
+/* The row where most of a fall has been regained, and the lowest one before it.  -1: it falls
+ * again before, from *top, or ends (*top -1). */
 static long next_rise(const struct record *record, const struct curve *curve, long peak, long fall,
                       long *bottom, long *top)
 {
@@ -248,7 +255,8 @@ static long next_rise(const struct record *record, const struct curve *curve, lo
     return -1;
 }
 
-/* Where the strain is greatest between two rows: an unloading begins there, also behind maximum force. */
+/* Where the strain is greatest between two rows: an unloading begins there, also behind maximum
+ * force. */
 static long furthest(const double strain[], long first, long last)
 {
     long far = first;
@@ -276,10 +284,11 @@ static void find_excursions(struct record *record, const struct curve *curve, do
     }
 }
 
-/* --- extensometer ------------------------------------------------------------------------------ */
+/* --- extensometer
+ * ------------------------------------------------------------------------------ */
 
-/* The last rows in which the strain stands while the force rises or falls more than a relaxation does, or in which it
- * falls without an unloading. */
+/* The last rows in which the strain stands while the force rises or falls more than a relaxation
+ * does, or in which it falls without an unloading. */
 static void find_strained(struct record *record, const struct curve *curve, double slope)
 {
     const double *e = curve->strain, *s = curve->stress;

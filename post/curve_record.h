@@ -1,5 +1,5 @@
-/* curve_record.h - what happened during a test, judged before anything is measured: loops, holds, serrations, an extensometer
- * that stands or falls, rows from the last to the first. */
+/* curve_record.h - what happened during a test, judged before anything is measured: loops,
+ * holds, serrations, an extensometer that stands or falls, rows from the last to the first. */
 #ifndef HS_CURVE_RECORD_H
 #define HS_CURVE_RECORD_H
 
@@ -27,8 +27,8 @@ struct record {
     double noise, strain_noise;   /* Pa, -; standard deviations on the envelope */
 };
 
-/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured record of compression,
- * with signs that do not go together, or in no order. */
+/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured
+ * record of compression, with signs that do not go together, or in no order. */
 void record_turn(struct curve *curve);
 /* line: of the elastic part, slope NAN where it is not known. */
 struct record record_judge(const struct curve *curve, const struct elastic_line *line);

@@ -17,17 +17,20 @@ struct group {
     double *least, *largest; /* [n] Pa */
 };
 
-/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last of them begins to where the first ends, each
- * curve's envelope linear between its rows.  *n_groups is their number; the caller frees them. */
+/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last
+ * of them begins to where the first ends, each curve's envelope linear between its rows.
+ * *n_groups is their number; the caller frees them. */
 struct group *groups_make(const struct analysis analyses[], const struct label labels[], int count,
                           int *n_groups);
 void groups_free(struct group groups[], int n_groups);
 
-/* CSV: group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa. */
+/* CSV:
+ * group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa. */
 void groups_write(FILE *file, const struct group groups[], int n_groups);
 
-/* CSV of the properties over each group: group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the
- * curves that have a value, in the order of the first of them. */
+/* CSV of the properties over each group:
+ * group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the curves that
+ * have a value, in the order of the first of them. */
 void groups_write_properties(FILE *file, const struct properties lists[],
                              const struct label labels[], int count);
 

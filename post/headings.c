@@ -11,8 +11,8 @@
 
 enum { LONGEST = 200 };
 
-/* Names in small letters, the likelier first; a unit that does not suit rules a row out, so that a name may stand in
- * two. */
+/* Names in small letters, the likelier first; a unit that does not suit rules a row out, so that
+ * a name may stand in two. */
 static const struct {
     const char *name, *column, *unit;
     bool has_default; /* without a unit it is in SI */
@@ -82,8 +82,8 @@ const char *quantity_unit(enum quantity quantity)
     return quantities[quantity].unit;
 }
 
-/* In small letters, with single blanks for blanks, underscores, colons and equals signs, and without what stands in
- * brackets, of which the last goes to unit (NULL: lost). */
+/* In small letters, with single blanks for blanks, underscores, colons and equals signs, and
+ * without what stands in brackets, of which the last goes to unit (NULL: lost). */
 static void normalise(const char *text, char name[LONGEST], char unit[LONGEST])
 {
     size_t n = 0, m = 0;

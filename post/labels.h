@@ -3,15 +3,15 @@
 #define HS_LABELS_H
 
 struct label {
-    char *
-        curve; /* in legends and tables: the title, where it is alone; else with what varied, or the file */
+    /* In legends and tables: the title, where it is alone; else with what varied, or the file. */
+    char *curve;
     const char *title; /* the group: sisters have the same */
     const char *file;
-    char *
-        varied; /* lines of the deck in which sisters differ, "seed: 2; ..."; "" where that is not known */
+    char *varied; /* lines of the deck in which sisters differ, "seed: 2; ..."; "": not known */
 };
 
-/* titles, files and decks (text, NULL where there is none) of count curves, which live longer.  The caller frees them. */
+/* titles, files and decks (text, NULL where there is none) of count curves, which live longer.
+ * The caller frees them. */
 struct label *labels_make(const char *const titles[], const char *const files[],
                           const char *const decks[], int count);
 void labels_free(struct label labels[], int count);

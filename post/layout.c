@@ -65,7 +65,8 @@ static bool is_units(const struct row *row)
     return true;
 }
 
-/* The note right above the numbers, where it holds as many fields as they do: "# strain,stress (MPa)". */
+/* The note right above the numbers, where it holds as many fields as they do: "# strain,stress
+ * (MPa)". */
 static long find_note(struct layout *layout)
 {
     struct rows *rows = &layout->rows;

@@ -59,7 +59,8 @@ static struct line fit_branch(const struct branch *branch, double change)
     return (struct line){1 / c1, c0 + c1 * from, from};
 }
 
-/* Stress where the strain goes off the line by offset for good, in the direction of the branch (sign of change). */
+/* Stress where the strain goes off the line by offset for good, in the direction of the branch
+ * (sign of change). */
 static double yield_of(const struct branch *branch, struct line line, double offset, double change)
 {
     const double sign = change > 0 ? 1 : -1;
@@ -220,7 +221,8 @@ struct loop *loops_find(const struct curve *curve, const struct analysis *analys
     for (long i = 0; i < record->count; i++) {
         const struct excursion *x = &record->excursions[i];
         if (x->kind != EXCURSION_LOOP) continue;
-        /* The reloading goes on to twice the strain of the loop, to the next excursion or to the end. */
+        /* The reloading goes on to twice the strain of the loop, to the next excursion or to the
+         * end. */
         const double span = curve->strain[x->begin] - curve->strain[x->bottom];
         const long most = i + 1 < record->count ? x[1].begin : curve->n - 1;
         long next = x->end;

@@ -63,7 +63,8 @@ static double by_rounding(const double y[], long n, double work[])
     return gsl_stats_quantile_from_sorted_data(work, 1, count, usual) / sqrt(12);
 }
 
-/* The mean where all three agree, of which the least would be too small; else the least, as a bend adds to the others. */
+/* The mean where all three agree, of which the least would be too small; else the least, as a
+ * bend adds to the others. */
 static double together(const double seen[3])
 {
     const double agree = 1.2;
@@ -103,7 +104,8 @@ double noise_of_means(struct noise noise)
     return noise.deviation * sqrt((1 + noise.correlation) / (1 - noise.correlation));
 }
 
-/* Of fourth differences of an autoregressive sequence over their deviation where rows are independent, squared. */
+/* Of fourth differences of an autoregressive sequence over their deviation where rows are
+ * independent, squared. */
 static double seen_share(double correlation)
 {
     const double r = correlation;
@@ -112,8 +114,9 @@ static double seen_share(double correlation)
 
 struct noise noise_filtered(const double y[], long n)
 {
-    /* The noise of rows that are farther and farther apart grows no more than a sum of independent ones would, by the root
-     * of two; what grows faster is the bend of the curve, what grows no more is all. */
+    /* The noise of rows that are farther and farther apart grows no more than a sum of
+     * independent ones would, by the root of two; what grows faster is the bend of the curve,
+     * what grows no more is all. */
     const double least_growth = 1.05, most_growth = 1.6;
     double *work = memory_new((size_t)n, sizeof *work);
     const double near = by_fourth_differences(y, n, 1, work);

@@ -80,8 +80,8 @@ static void add_proofs(struct properties *list, const struct analysis *analysis)
     if (isnan(row->value)) row->flag = "not_reached";
 }
 
-/* Rp0.2 by the line through the ends of the first unloading, where there is one: its slope does not depend on how straight
- * the beginning of the test was. */
+/* Rp0.2 by the line through the ends of the first unloading, where there is one: its slope does
+ * not depend on how straight the beginning of the test was. */
 static void add_proof_by_loop(struct properties *list, const struct curve *curve,
                               const struct analysis *analysis)
 {

@@ -1,4 +1,5 @@
-/* rows.h - lines of text as rows of fields: which delimiter, which decimal mark, and what stands in each row. */
+/* rows.h - lines of text as rows of fields: which delimiter, which decimal mark, and what stands
+ * in each row. */
 #ifndef HS_ROWS_H
 #define HS_ROWS_H
 
@@ -28,7 +29,8 @@ struct rows {
     char *text;        /* what the fields point into */
 };
 
-/* Delimiter (tab, semicolon, comma, blanks) and decimal mark are those by which most lines are numbers. */
+/* Delimiter (tab, semicolon, comma, blanks) and decimal mark are those by which most lines are
+ * numbers. */
 struct rows rows_read(const char *text);
 void rows_free(struct rows *rows);
 

@@ -20,8 +20,8 @@ static const double straight_share = 0.01;   /* of the stress, off the line */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
 static const double default_shares[2] = {0.1, 0.4};
 
-/* Least squares of s on e; where the strain is the noisier of the two, of e on s: what is noisy would make the slope on
- * it too small. */
+/* Least squares of s on e; where the strain is the noisier of the two, of e on s: what is noisy
+ * would make the slope on it too small. */
 static struct elastic_line fit_rows(const struct curve *curve, long first, long last)
 {
     struct elastic_line line = {.first = first, .last = last, .count = last - first + 1};
@@ -104,7 +104,8 @@ static bool is_bent(const struct curve *curve, const struct elastic_line *line)
            bend_share * pow(noise_about_cubic(e, s, line->count), 2);
 }
 
-/* Behind a bent toe: of parts of the rise, three tenths of Rp0.2 each, the one that is surely the steepest. */
+/* Behind a bent toe: of parts of the rise, three tenths of Rp0.2 each, the one that is surely
+ * the steepest. */
 static struct elastic_line behind_toe(const struct curve *curve, struct elastic_line bent)
 {
     struct elastic_line best = bent;
@@ -140,8 +141,8 @@ static struct elastic_line straight_start(const struct curve *curve)
     return usable(&line) ? line : given_line(NAN, NAN, NULL);
 }
 
-/* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and where none
- * is, the points from the first one on. */
+/* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and
+ * where none is, the points from the first one on. */
 static struct elastic_line find_by_shares(const struct curve *curve, const struct choices *choices)
 {
     const double *shares =

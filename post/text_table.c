@@ -15,7 +15,8 @@ enum { LONGEST_KEY = 40 };
 
 static const double mega = 1e6;
 
-/* --- above the table --------------------------------------------------------------------------- */
+/* --- above the table
+ * --------------------------------------------------------------------------- */
 
 /* "# key: value" as hspost writes it. */
 static void read_note(const char *line, struct attributes *facts)
@@ -60,7 +61,8 @@ static void read_above(const struct layout *layout, struct attributes *facts)
     }
 }
 
-/* --- columns ----------------------------------------------------------------------------------- */
+/* --- columns
+ * ----------------------------------------------------------------------------------- */
 
 static void fill(double *values, const struct layout *layout, int column, double factor)
 {

@@ -11,7 +11,7 @@ static const double noise_widths =
 static const double hardening_width =
     0.005; /* of strain, over which the slope of work hardening is taken */
 static const double most_plastic =
-    0.005; /* plastic strain behind which a fall is no end of the elastic part: a serration, a flaw */
+    0.005; /* plastic strain behind which a fall is no end of the elastic part: a serration */
 
 /* A change of stress that counts, at a level. */
 static double swing(const struct yield_record *r, double drop, double level)
@@ -19,7 +19,8 @@ static double swing(const struct yield_record *r, double drop, double level)
     return fmax(drop * level, noise_widths * r->left);
 }
 
-/* Whether a row still belongs to the end of the elastic part; where the slope is not known each does. */
+/* Whether a row still belongs to the end of the elastic part; where the slope is not known each
+ * does. */
 static bool begins_to_yield(const struct yield_record *r, long row)
 {
     return !(r->strain[row] - r->toe - r->smooth[row] / r->slope > most_plastic);
@@ -73,7 +74,8 @@ static struct valleys find_valleys(const struct yield_record *r, long upper, dou
     return v;
 }
 
-/* Last minimum before the stress rises to the highest row: behind the last valley of a plateau of waves. */
+/* Last minimum before the stress rises to the highest row: behind the last valley of a plateau
+ * of waves. */
 static long last_valley(const struct yield_record *r, const struct valleys *v, double drop)
 {
     const double *s = r->smooth;
@@ -95,7 +97,8 @@ static double hardening_begin(const struct yield_record *r, long low, long peak)
     for (long i = low, k = low; i < peak; i++) {
         while (k < peak && (e[k] - e[i] < hardening_width || k - i < 2)) k++;
         double c0, c1, c00, c01, c11, squares;
-        /* What is left before the peak is too short for a slope, but for a rise that is as short. */
+        /* What is left before the peak is too short for a slope, but for a rise that is as
+         * short. */
         const bool whole = e[k] - e[i] >= hardening_width && k - i >= 2;
         if (!(e[k] > e[i]) || (i > low && !whole)) continue;
         gsl_fit_linear(e + i, 1, s + i, 1, (size_t)(k - i + 1), &c0, &c1, &c00, &c01, &c11,
