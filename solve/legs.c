@@ -35,8 +35,8 @@ static bool is_of_stress(const struct simulation *s)
     return leg_of(s)->kind == LEG_TO_STRESS;
 }
 
-/* What of a way to go is elastic: to a stress the change of it, reloading the change of the unloading, to a strain until
- * the stress is that of the other sign. */
+/* What of a way to go is elastic: to a stress the change of it, reloading the change of the
+ * unloading, to a strain until the stress is that of the other sign. */
 static double elastic_strain(const struct simulation *s)
 {
     const struct legs *legs = &s->load_steps.legs;

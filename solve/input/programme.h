@@ -1,5 +1,6 @@
-/* programme.h - a test as a person would write it, solver.programme: to a strain, unloaded to a stress, reloaded, loops,
- * cycles between strains.  It becomes a list of legs, at the ends of which the grips turn. */
+/* programme.h - a test as a person would write it, solver.programme: to a strain, unloaded to a
+ * stress, reloaded, loops, cycles between strains.  It becomes a list of legs, at the ends of
+ * which the grips turn. */
 #ifndef HS_PROGRAMME_H
 #define HS_PROGRAMME_H
 
@@ -26,7 +27,8 @@ struct programme {
 struct programme programme_read(struct deck_node list);
 void programme_free(struct programme *programme);
 
-/* Strain of the farthest leg, and the way along all of them; a leg to a stress counts as 1 % back. */
+/* Strain of the farthest leg, and the way along all of them; a leg to a stress counts as 1 %
+ * back. */
 double programme_farthest(const struct programme *programme);
 double programme_way(const struct programme *programme);
 
