@@ -19,15 +19,15 @@ static const struct {
     const char *names;
 } quantities[QUANTITIES] = {
     {"strain", "engineering_strain", "1", true,
-     "|engineering strain|eng strain|eng. strain|nominal strain|technische "
-     "dehnung|nenndehnung|tensile strain|axial strain"
-     "|extensometer strain|longitudinal strain|strain|strain 1|strain gauge 1|dehnung|dehnung "
-     "1|e|elongation|extension|deformation"
-     "|extensometer|percent strain|"},
+     "|engineering strain|eng strain|eng. strain|technische dehnung|tensile strain|axial strain"
+     "|extensometer strain|longitudinal strain|strain|strain 1|strain gauge 1|dehnung|dehnung 1|e"
+     "|eps|epsilon|ε|elongation|extension|deformation|extensometer|percent strain"
+     /* by the crosshead, where there is another one */
+     "|nominal strain|nenndehnung|nominelle dehnung|"},
     {"stress", "engineering_stress_Pa", "Pa", false,
      "|engineering stress|eng stress|eng. stress|nominal stress|technische "
      "spannung|nennspannung|tensile stress|axial stress"
-     "|zugspannung|stress|spannung|s|r|"},
+     "|zugspannung|stress|spannung|s|r|sigma|sig|σ|"},
     {"force", "force_N", "N", false,
      "|force|standard force|standardkraft|load|kraft|prüfkraft|axial force|axial load|tensile "
      "force|zugkraft|primary force"
@@ -126,9 +126,9 @@ double heading_factor(const char *unit, const char *si)
 bool heading_is_unit(const char *text)
 {
     static const char *const kinds[] = {"1", "Pa", "N", "m", "s", "m2", "K", "m/s", "1/s", "J"};
-    char unit[LONGEST], unused[LONGEST];
-    normalise(text, unused, unit);
-    const char *inner = *unit ? unit : text;
+    char unit[LONGEST], name[LONGEST];
+    normalise(text, name, unit);
+    const char *inner = *unit && !*name ? unit : text; /* "[%]", but not "strain [%]" */
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (!isnan(heading_factor(inner, kinds[i]))) return true;
     return strcmp(inner, "°C") == 0 || strcmp(inner, "V") == 0;

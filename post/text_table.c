@@ -135,7 +135,14 @@ static void find_by_headings(const struct layout *layout, struct found found[QUA
         const struct heading heading = heading_read(name_of(layout, i), unit_below(layout, i));
         if (heading.quantity == QUANTITIES) continue;
         struct found *place = &found[heading.quantity];
-        if (place->column >= 0 && place->heading.rank <= heading.rank) continue;
+        if (place->column >= 0 && place->heading.rank == heading.rank)
+            die_user("%s:%ld: two columns of %s, %d '%s' and %d '%s'; say which by --columns-of "
+                     "%s=%d",
+                     layout->name, layout->rows.items[layout->names].line,
+                     quantity_name(heading.quantity), place->column + 1,
+                     name_of(layout, place->column), i + 1, name_of(layout, i),
+                     quantity_name(heading.quantity), place->column + 1);
+        if (place->column >= 0 && place->heading.rank < heading.rank) continue;
         *place = (struct found){i, heading};
     }
 }
