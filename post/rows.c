@@ -9,15 +9,29 @@
 
 enum { LONGEST_NUMBER = 64, SAMPLE = 2000 };
 
+/* Whether marks part groups of three digits, and a decimal mark follows: "1,234.5", which can mean nothing else. */
+static bool is_grouped(const char *text, char mark, char decimal)
+{
+    const char *from = text + strspn(text, "+-"), *end = strchr(from, decimal);
+    const char *group = strchr(from, mark);
+    if (!end || !group || group == from || group - from > 3) return false;
+    for (; group < end; group += 4)
+        if (*group != mark || end - group < 4 || strspn(group + 1, "0123456789") < 3) return false;
+    return group == end && !strchr(end, mark);
+}
+
 bool rows_number(const char *text, char decimal, double *value)
 {
-    char copy[LONGEST_NUMBER], *end;
-    const size_t n = strlen(text);
-    if (n == 0 || n >= sizeof copy || (decimal != '.' && strchr(text, '.'))) return false;
-    memcpy(copy, text, n + 1);
-    for (char *c = copy; *c; c++)
-        if (*c == decimal) *c = '.';
-    if (strspn(copy, "+-.0123456789eE") != n) return false;
+    char copy[LONGEST_NUMBER], *to = copy, *end;
+    const char mark = decimal == '.' ? ',' : '.';
+    const size_t length = strlen(text);
+    if (length == 0 || length >= sizeof copy) return false;
+    const bool grouped = is_grouped(text, mark, decimal);
+    if (!grouped && strchr(text, mark)) return false;
+    for (; *text; text++)
+        if (*text != mark) *to++ = *text == decimal ? '.' : *text;
+    *to = '\0';
+    if (strspn(copy, "+-.0123456789eE") != (size_t)(to - copy)) return false;
     *value = strtod(copy, &end);
     return *end == '\0' && isfinite(*value);
 }

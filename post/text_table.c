@@ -15,7 +15,8 @@ enum { LONGEST_KEY = 40 };
 
 static const double mega = 1e6;
 
-/* --- above the table --------------------------------------------------------------------------- */
+/* --- above the table
+ * --------------------------------------------------------------------------- */
 
 /* "# key: value" as hspost writes it. */
 static void read_note(const char *line, struct attributes *facts)
@@ -60,7 +61,8 @@ static void read_above(const struct layout *layout, struct attributes *facts)
     }
 }
 
-/* --- columns ----------------------------------------------------------------------------------- */
+/* --- columns
+ * ----------------------------------------------------------------------------------- */
 
 static void fill(double *values, const struct layout *layout, int column, double factor)
 {
@@ -133,7 +135,14 @@ static void find_by_headings(const struct layout *layout, struct found found[QUA
         const struct heading heading = heading_read(name_of(layout, i), unit_below(layout, i));
         if (heading.quantity == QUANTITIES) continue;
         struct found *place = &found[heading.quantity];
-        if (place->column >= 0 && place->heading.rank <= heading.rank) continue;
+        if (place->column >= 0 && place->heading.rank == heading.rank)
+            die_user("%s:%ld: two columns of %s, %d '%s' and %d '%s'; say which by --columns-of "
+                     "%s=%d",
+                     layout->name, layout->rows.items[layout->names].line,
+                     quantity_name(heading.quantity), place->column + 1,
+                     name_of(layout, place->column), i + 1, name_of(layout, i),
+                     quantity_name(heading.quantity), place->column + 1);
+        if (place->column >= 0 && place->heading.rank < heading.rank) continue;
         *place = (struct found){i, heading};
     }
 }

@@ -34,6 +34,7 @@ struct macroscopic {
     double period[3];          /* m; of other axes of no meaning */
     double volume;             /* m^3 */
     double mass;               /* kg */
+    double sense;              /* of rates that are numbers: 1, or -1 on the way back */
     double target[COMPONENTS]; /* mean stress as it is given now, Pa */
     double target_before[COMPONENTS];
     double way[COMPONENTS];    /* of given components in this step */
