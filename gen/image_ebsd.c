@@ -1,7 +1,7 @@
 #include "image_ebsd.h"
 
 #include "die.h"
-#include "points.h"
+#include "image_points.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -62,18 +62,18 @@ void ebsd_read(struct image_text *text, const struct ebsd_columns *columns,
         "points on a square grid are read; interpolate others, such as hexagonal ones, to one";
     const int column = find_column(text, columns);
     const int needed = 1 + (int)fmax(column, fmax(columns->x, columns->y));
-    struct points points = {0};
+    struct image_points points = {0};
     char line[LINE], *fields[MOST_COLUMNS];
     for (struct image_text at = *text; image_line(text, line, sizeof line); at = *text) {
         const int count = image_split(line, fields, MOST_COLUMNS);
         if (count == 0) continue;
         if (count < needed)
             image_refuse(&at, "%d columns in the row, expected %d at least", count, needed);
-        points_add(&points, number_of(&at, fields[columns->x]), number_of(&at, fields[columns->y]),
-                   0, number_of(&at, fields[column]));
+        image_points_add(&points, number_of(&at, fields[columns->x]),
+                         number_of(&at, fields[columns->y]), 0, number_of(&at, fields[column]));
     }
-    points_fill(text->source, &points, NAN, advice, image);
+    image_points_fill(text->source, &points, NAN, advice, image);
     compare_head(text->source, head, image);
     image->unit = "um";
-    points_free(&points);
+    image_points_free(&points);
 }
