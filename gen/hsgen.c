@@ -2,6 +2,7 @@
 #include "assemble.h"
 #include "die.h"
 #include "exodus.h"
+#include "export.h"
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
@@ -16,7 +17,7 @@
 #include <string.h>
 
 struct arguments {
-    const char *deck, *output, *statistics, *peridigm, *picture, *cores;
+    const char *deck, *output, *statistics, *peridigm, *picture, *cores, *export;
     bool study, override, check, quiet;
 };
 
@@ -30,6 +31,8 @@ static struct arguments read_arguments(int argc, char **argv)
         {'s', "statistics", "FILE", "write the structure's statistics as CSV", NULL, &c.statistics},
         {'p', "picture", "FILE", "draw the middle sections (.png, .svg, .pdf)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
+        {0, "export", "FILE", "write the structure as voxels (.vti) or elements (.inp)", NULL,
+         &c.export},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
         {0, "study", NULL,
          "write the decks of a study (vary, refine) and a Makefile into -o FOLDER", &c.study, NULL},
@@ -69,6 +72,7 @@ static void check_side_files(const struct arguments *c, const struct recipe *rec
 {
     const bool *periodic = recipe->specimen.periodic;
     if (c->picture) picture_check_name(c->picture);
+    if (c->export) export_check_name(c->export);
     if (c->peridigm && (periodic[0] || periodic[1] || periodic[2]))
         die_user("--peridigm %s: that format has no place for a periodic body", c->peridigm);
     if (c->cores && recipe->topology->no_cores)
@@ -105,8 +109,12 @@ static void set_provenance(const struct deck *deck, int argc, char **argv,
 static void say_plan(const struct arguments *c, struct recipe *recipe)
 {
     enum { NODE_BYTES = 80 }; /* of memory, measured */
-    const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
-                                 c->picture, c->cores, c->peridigm};
+    const char *const files[] = {c->output ? c->output : "standard output",
+                                 c->statistics,
+                                 c->picture,
+                                 c->cores,
+                                 c->peridigm,
+                                 c->export};
     struct sites sites = recipe_sites(recipe);
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
@@ -172,6 +180,8 @@ int main(int argc, char **argv)
     struct domain domain = assemble_domain(&recipe, &structure, &findings, fault);
     set_provenance(deck, argc, argv, &domain.attributes);
     if (c.peridigm) peridigm_write(&domain, c.peridigm);
+    const struct export_source exported = {&recipe, &structure, &domain};
+    if (c.export) export_write(&exported, c.export);
     exodus_write_domain(&output, &domain);
     spool_finish(&output);
 

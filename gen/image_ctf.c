@@ -1,5 +1,5 @@
-/* EBSD map of Oxford Instruments' Channel 5 (.ctf): rows of points, lengths in micrometres.  Its
- * head is believed for the names of phases alone; the grid follows from the points. */
+/* EBSD map of Oxford Instruments' Channel 5 (.ctf): rows of points, lengths in micrometres.  The
+ * grid follows from the points; its head is believed where it agrees with them. */
 #include "image_ebsd.h"
 
 #include <stdlib.h>
@@ -21,11 +21,23 @@ static void read_phase(char *line, int number, struct image *image)
     image_add_name(image, number, field);
 }
 
+static void read_head(const char *line, struct ebsd_head *head)
+{
+    static const char *const keys[2][2] = {{"XCells\t", "YCells\t"}, {"XStep\t", "YStep\t"}};
+    for (int axis = 0; axis < 2; axis++) {
+        const size_t cells = strlen(keys[0][axis]), step = strlen(keys[1][axis]);
+        if (strncasecmp(line, keys[0][axis], cells) == 0) head->count[axis] = atof(line + cells);
+        if (strncasecmp(line, keys[1][axis], step) == 0) head->step[axis] = atof(line + step);
+    }
+}
+
 void image_ctf_read(const struct image_source *source, struct image *image)
 {
     struct image_text text = image_text_of(source);
+    struct ebsd_head head = {{0, 0}, {0, 0}};
     char line[LINE], *names[MOST_COLUMNS];
     while (image_line(&text, line, sizeof line)) {
+        read_head(line, &head);
         if (strncasecmp(line, "Phases\t", 7) == 0) {
             const int phases = atoi(line + 7);
             for (int i = 1; i <= phases && image_line(&text, line, sizeof line); i++)
@@ -39,7 +51,7 @@ void image_ctf_read(const struct image_source *source, struct image *image)
                 if (strcasecmp(names[i], "Y") == 0) columns.y = i;
             }
             if (columns.x < 0 || columns.y < 0) image_refuse(&text, "the columns have no X and Y");
-            ebsd_read(&text, &columns, image);
+            ebsd_read(&text, &columns, &head, image);
             return;
         }
     }

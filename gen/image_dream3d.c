@@ -74,10 +74,12 @@ static bool has_cells(const struct dream3d *dream3d)
     return any;
 }
 
+/* By its name, or by the end of its path from some group on. */
 static bool is_named(const struct data_set *set, const char *name)
 {
-    return strcmp(set->path, name) == 0 || strcmp(set->path + 1, name) == 0 ||
-           strcmp(last_name(set->path), name) == 0;
+    const size_t path = strlen(set->path), wanted = strlen(name);
+    const char *end = set->path + (path > wanted ? path - wanted : 0);
+    return strcmp(end, name) == 0 && (path <= wanted || *name == '/' || end[-1] == '/');
 }
 
 /* Of arrays with one name those of cells come first; two of them are told apart by their paths. */

@@ -5,8 +5,8 @@
 #include "image_text.h"
 
 #include "die.h"
+#include "image_points.h"
 #include "memory.h"
-#include "points.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -315,7 +315,7 @@ void image_inp_read(const struct image_source *source, struct image *image)
 {
     static const char advice[] = "one element for each voxel of a box is read";
     struct inp inp = {.text = image_text_of(source)};
-    struct points points = {0};
+    struct image_points points = {0};
     read_all(&inp);
     qsort(inp.places, (size_t)inp.n_places, sizeof *inp.places, compare_places);
     qsort(inp.elements, (size_t)inp.n_elements, sizeof *inp.elements, compare_elements);
@@ -325,12 +325,13 @@ void image_inp_read(const struct image_source *source, struct image *image)
         double middle[3];
         const int set = inp.elements[i].set;
         middle_of(&inp, &inp.elements[i], middle);
-        points_add(&points, middle[0], middle[1], middle[2], set < 0 ? 0 : inp.sets[set].value);
+        image_points_add(&points, middle[0], middle[1], middle[2],
+                         set < 0 ? 0 : inp.sets[set].value);
     }
-    points_fill(source, &points, -1, advice, image);
+    image_points_fill(source, &points, -1, advice, image);
     image_add_name(image, 0, "no set");
     image_add_name(image, -1, "no element");
-    points_free(&points);
+    image_points_free(&points);
     for (int s = 0; s < inp.n_sets; s++) {
         free(inp.sets[s].name);
         free(inp.sets[s].elements);

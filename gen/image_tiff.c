@@ -157,6 +157,26 @@ static unsigned char *read_rows(TIFF *tiff, const struct page *page,
     return rows;
 }
 
+/* Of the chain of pages, which libtiff takes for whole where the file ends in it: each has a number
+ * of entries, the entries, and the place of the next page or 0. */
+static int count_pages(const struct image_source *source)
+{
+    const bool big_endian = source->bytes[0] == 'M', big = source->bytes[big_endian ? 3 : 2] == 43;
+    const size_t word = big ? 8 : 4, short_word = big ? 8 : 2, entry = big ? 20 : 12;
+    const enum scalar place = big ? SCALAR_UINT64 : SCALAR_UINT32;
+    const enum scalar number = big ? SCALAR_UINT64 : SCALAR_UINT16;
+    const double length = (double)source->length;
+    int pages = 0;
+    for (double at = (double)word;; pages++) {
+        if (at + (double)word > length || pages > UINT16_MAX) refuse_damaged(source, pages);
+        at = scalar_at(source->bytes + (size_t)at, place, big_endian);
+        if (at == 0) return pages;
+        if (at + (double)short_word > length) refuse_damaged(source, pages);
+        const double entries = scalar_at(source->bytes + (size_t)at, number, big_endian);
+        at += (double)short_word + entries * (double)entry;
+    }
+}
+
 static void take_page(TIFF *tiff, const struct image_source *source, int number,
                       struct image *image)
 {
@@ -188,10 +208,7 @@ void image_tiff_read(const struct image_source *source, struct image *image)
     TIFF *tiff = TIFFClientOpen(source->path, "rm", &input, give, take_nothing, move, leave,
                                 length_of, NULL, NULL);
     if (!tiff) die_user("%s: damaged or cut off: libtiff cannot read its head", source->path);
-    int pages = 0;
-    do pages++;
-    while (TIFFReadDirectory(tiff));
-    if (!TIFFLastDirectory(tiff)) refuse_damaged(source, pages);
+    const int pages = count_pages(source);
     if (!TIFFSetDirectory(tiff, 0)) refuse_damaged(source, 0);
     const struct page first = page_of(tiff);
     const double count[3] = {first.width, first.height, pages};

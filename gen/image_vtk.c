@@ -57,7 +57,8 @@ static void skip_values(struct vtk *vtk, double count, size_t size)
 {
     char word[WORD];
     const double left = (double)(vtk->text.source->length - vtk->text.at);
-    if (count * (vtk->binary ? (double)size : 2) > left + 1)
+    /* A number and its blank, which the last one may be without. */
+    if (count * (vtk->binary ? (double)size : 2) > left + !vtk->binary)
         image_refuse(&vtk->text, "the file ends within an array: damaged or cut off");
     if (vtk->binary)
         vtk->text.at += (size_t)count * size;

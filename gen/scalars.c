@@ -1,5 +1,6 @@
 #include "scalars.h"
 
+#include "die.h"
 #include "memory.h"
 
 #include <limits.h>
@@ -62,10 +63,11 @@ void scalars_decode(const unsigned char *bytes, int64_t count, enum scalar type,
         out[i] = scalar_at(bytes + (size_t)i * size, type, big_endian);
 }
 
+static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 /* The value of a character, -1 of one that is none. */
 static int base64_value(char character)
 {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     const char *found = character ? strchr(digits, character) : NULL;
     return found ? (int)(found - digits) : -1;
 }
@@ -92,6 +94,28 @@ unsigned char *scalars_base64(const char *text, size_t length, size_t *bytes)
         bits = 0;
         held = 0;
     }
+    return out;
+}
+
+char *scalars_base64_text(const unsigned char *bytes, size_t length)
+{
+    char *text = memory_new((length + 2) / 3 * 4 + 1, 1), *out = text;
+    for (size_t i = 0; i < length; i += 3) {
+        const size_t left = length - i;
+        const uint32_t bits = (uint32_t)bytes[i] << 16 |
+                              (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) |
+                              (left > 2 ? bytes[i + 2] : 0);
+        for (size_t k = 0; k < 4; k++) *out++ = k <= left ? digits[bits >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+unsigned char *scalars_deflate(const unsigned char *bytes, size_t length, size_t *packed)
+{
+    uLongf room = compressBound(length);
+    unsigned char *out = memory_new(room, 1);
+    if (compress(out, &room, bytes, length) != Z_OK) die_run("out of memory for zlib");
+    *packed = room;
     return out;
 }
 

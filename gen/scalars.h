@@ -39,6 +39,10 @@ unsigned char *scalars_base64(const char *text, size_t length, size_t *bytes);
  * The caller frees them. */
 unsigned char *scalars_inflate(const unsigned char *packed, size_t length, size_t wanted);
 
+/* The reverse of both; the caller frees what it gets. */
+char *scalars_base64_text(const unsigned char *bytes, size_t length);
+unsigned char *scalars_deflate(const unsigned char *bytes, size_t length, size_t *packed);
+
 /* No byte of zlib stands for more of them (its manual: 1032:1). */
 #define SCALARS_INFLATION 1032
 

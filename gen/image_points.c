@@ -1,4 +1,4 @@
-#include "points.h"
+#include "image_points.h"
 
 #include "die.h"
 #include "memory.h"
@@ -8,7 +8,7 @@
 
 #define SLACK 0.1 /* of an edge */
 
-void points_add(struct points *points, double x, double y, double z, double value)
+void image_points_add(struct image_points *points, double x, double y, double z, double value)
 {
     const int64_t n = points->count;
     points->at = memory_grow(points->at, n, sizeof *points->at);
@@ -20,11 +20,11 @@ void points_add(struct points *points, double x, double y, double z, double valu
     points->count++;
 }
 
-void points_free(struct points *points)
+void image_points_free(struct image_points *points)
 {
     free(points->at);
     free(points->value);
-    *points = (struct points){0};
+    *points = (struct image_points){0};
 }
 
 /* Places along an axis. */
@@ -40,7 +40,7 @@ static int compare_numbers(const void *a, const void *b)
 
 /* Places of one layer differ by rounding alone, those of two by much more: a gap of more than half
  * the widest one lies between two layers.  Their mean distance is the edge. */
-static struct axis find_axis(const struct points *points, int axis)
+static struct axis find_axis(const struct image_points *points, int axis)
 {
     double *place = memory_new((size_t)points->count, sizeof *place);
     for (int64_t i = 0; i < points->count; i++) place[i] = points->at[i][axis];
@@ -54,15 +54,15 @@ static struct axis find_axis(const struct points *points, int axis)
     return (struct axis){low, steps > 0 ? extent / (double)steps : 0, (double)steps + 1};
 }
 
-static _Noreturn void refuse(const struct image_source *source, const struct points *points,
+static _Noreturn void refuse(const struct image_source *source, const struct image_points *points,
                              int64_t i, const char *what, const char *advice)
 {
     die_user("%s: the point (%.9g, %.9g, %.9g), of %lld, %s: %s", source->path, points->at[i][0],
              points->at[i][1], points->at[i][2], (long long)points->count, what, advice);
 }
 
-void points_fill(const struct image_source *source, const struct points *points, double missing,
-                 const char *advice, struct image *image)
+void image_points_fill(const struct image_source *source, const struct image_points *points,
+                       double missing, const char *advice, struct image *image)
 {
     struct axis along[3];
     double count[3], edge = 0;
