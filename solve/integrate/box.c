@@ -16,17 +16,21 @@ static void find_position(const struct body *body, int64_t site, double at[3])
     }
 }
 
-/* least[b], least[3 + b]: lowest position and highest, negative, of all nodes; behind them those of the free ones. */
-static void find_ends(const struct unknowns *unknowns, int a, double least[12])
+enum { ANY_HELD = 12, ENDS };
+
+/* least[b], least[3 + b]: lowest position and highest, negative, of all nodes; behind them those of the free ones; and 0
+ * where one is held. */
+static void find_ends(const struct unknowns *unknowns, int a, double least[ENDS])
 {
     const struct strips *owned = &unknowns->body->owned;
     const uint8_t *free_nodes = unknowns->free + a * unknowns->n_nodes;
     int64_t node = 0;
-    for (int k = 0; k < 12; k++) least[k] = INFINITY;
+    for (int k = 0; k < ENDS; k++) least[k] = INFINITY;
     for (int64_t s = 0; s < owned->count; s++)
         for (int i = 0; i < owned->items[s].count; i++, node++) {
             double at[3];
             find_position(unknowns->body, owned->items[s].site + i, at);
+            least[ANY_HELD] = fmin(least[ANY_HELD], free_nodes[node]);
             for (int b = 0; b < 3; b++)
                 for (int only_free = 0; only_free <= (free_nodes[node] > 0); only_free++) {
                     double *ends = least + (only_free ? 6 : 0);
@@ -34,15 +38,16 @@ static void find_ends(const struct unknowns *unknowns, int a, double least[12])
                     ends[3 + b] = fmin(ends[3 + b], -at[b]);
                 }
         }
-    ranks_minimum(least, 12);
+    ranks_minimum(least, ENDS);
 }
 
 /* Free nodes between places count for those on either side, but for what lies where the body is held. */
 struct box box_new(const struct unknowns *unknowns, int a)
 {
     static const double slack = 1e-6; /* spacings, of places of a mesh */
+    const struct lattice *lattice = unknowns->body->lattice;
     struct box box = {.count = 1};
-    double least[12];
+    double least[ENDS];
     find_ends(unknowns, a, least);
     for (int b = 0; b < 3; b++) {
         const double low = least[6 + b], high = -least[9 + b];
@@ -53,8 +58,14 @@ struct box box_new(const struct unknowns *unknowns, int a)
             const int last = (int)(box.held[b][1] ? floor(high + slack) : ceil(high - slack));
             box.size[b] = last >= box.low[b] ? last - box.low[b] + 1 : 0;
         }
+        box.periodic[b] = lattice->periodic[b];
+        if (lattice->periodic[b]) {
+            box.low[b] = 0;
+            box.size[b] = lattice->size[b];
+        }
         box.count *= box.size[b];
     }
+    box.floats = least[ANY_HELD] > 0;
     return box;
 }
 

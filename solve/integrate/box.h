@@ -10,6 +10,8 @@
 struct box {
     int low[3], size[3];
     bool held[3][2]; /* whether there is something of the body below, above */
+    bool periodic[3];
+    bool floats; /* nothing is held of the component */
     int64_t count;
 };
 

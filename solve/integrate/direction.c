@@ -104,6 +104,8 @@ void direction_products(const struct unknowns *unknowns, int count, float *const
             add_products(left < BLOCK ? (int)left : BLOCK, unknowns->n_nodes, d[k] + from, y + from,
                          &sums[k]);
     }
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++)
+        for (int k = 0; k < count; k++) exact_sum_add(&sums[k], (double)d[k][i] * y[i]);
     exact_sum_finish(sums, count, products);
     free(sums);
 }

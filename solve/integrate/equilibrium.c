@@ -6,6 +6,7 @@
 #include "profile.h"
 #include "stable_step.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,8 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
                     scale * density * (body_volume(body, site) / body->volume) * stiff * stiff;
         }
     free(edge);
+    for (int64_t i = 0; i < unknowns->length - 3 * unknowns->n_nodes; i++)
+        bound[3 * unknowns->n_nodes + i] = 1 / e->mean_inverse[i][i];
     return bound;
 }
 
@@ -64,6 +67,36 @@ static double *weights_new(const struct body *body)
         for (int i = 0; i < body->owned.items[s].count; i++)
             weights[node++] = body->volumes[body->owned.items[s].site + i] / body->volume;
     return weights;
+}
+
+/* Against X_k of (macroscopic.3), of the elastic body of one material [N/m^4]: lambda d_ab d_cd + mu d_ac d_bd, of F
+ * as of a strain, for what turns the body is no unknown. */
+static double mean_stiffness(const struct equilibrium *e, const struct material *material, int k,
+                             int l)
+{
+    const struct macroscopic *m = e->unknowns.macroscopic;
+    const double mu = material->shear_modulus, lambda = material->bulk_modulus - 2 * mu / 3;
+    const bool diagonal = k / 3 == k % 3 && l / 3 == l % 3;
+    return (lambda * diagonal + mu * ((k == l) + (k == l && diagonal))) * m->volume /
+           (e->body->volume * m->period[k % 3] * m->period[l % 3]);
+}
+
+/* By Cholesky's factors. */
+static void find_mean_inverse(struct equilibrium *e, const struct material *material)
+{
+    const int n = e->unknowns.n_mean;
+    if (n == 0) return;
+    gsl_matrix *stiffness = gsl_matrix_alloc((size_t)n, (size_t)n);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            gsl_matrix_set(stiffness, (size_t)i, (size_t)k,
+                           mean_stiffness(e, material, e->unknowns.mean[i], e->unknowns.mean[k]));
+    gsl_linalg_cholesky_decomp1(stiffness);
+    gsl_linalg_cholesky_invert(stiffness);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            e->mean_inverse[i][k] = gsl_matrix_get(stiffness, (size_t)i, (size_t)k);
+    gsl_matrix_free(stiffness);
 }
 
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
@@ -91,6 +124,7 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                most_common_phase(body->lattice));
         e->transform = transform_new(&e->unknowns, &e->symbol);
     }
+    find_mean_inverse(e, &materials->items[most_common_phase(body->lattice)]);
     if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
     return e;
 }
@@ -192,6 +226,18 @@ HS_SIMD static void take_strip(int count, const double *const f[3], const double
     taken->largest = largest;
 }
 
+/* (macroscopic.3) */
+static void take_mean_unbalanced(const struct equilibrium *e, double *g)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const struct macroscopic *m = unknowns->macroscopic;
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) {
+        const int k = unknowns->mean[i - 3 * unknowns->n_nodes];
+        g[i] = (e->body->mean_stress[k] - m->target[k]) * m->volume / m->period[k % 3] /
+               e->body->volume;
+    }
+}
+
 /* bound: of the sum of squares. */
 static struct taken take_unbalanced(const struct equilibrium *e, double bound, double *g)
 {
@@ -214,6 +260,10 @@ static struct taken take_unbalanced(const struct equilibrium *e, double bound, d
         take_strip(body->owned.items[s].count, f, b, e->weights ? e->weights + at : whole, mask,
                    out, &taken);
     }
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
+        exact_sum_add(&taken.square, g[i] * g[i]);
+        taken.largest = fmax(taken.largest, g[i] * g[i]);
+    }
     return taken;
 }
 
@@ -221,7 +271,9 @@ static struct taken take_unbalanced(const struct equilibrium *e, double bound, d
  * the numbers, which saves a pass and a message: a bound too wide by 2^20 leaves more than 50 bits. */
 static void measure(struct equilibrium *e, double *g)
 {
-    const double nodes = 1.000001 * (double)e->body->n_nodes, guess = 0x1p20 * e->norm * e->norm;
+    const double nodes = 1.000001 * (double)(e->body->n_nodes + e->unknowns.n_mean),
+                 guess = 0x1p20 * e->norm * e->norm;
+    take_mean_unbalanced(e, g);
     struct taken taken = take_unbalanced(e, guess, g);
     double least[2] = {-taken.largest, -largest_reaction(e)}, squares[2];
     ranks_minimum(least, 2);
@@ -232,6 +284,9 @@ static void measure(struct equilibrium *e, double *g)
     exact_sum_finish(sums, 2, squares);
     e->norm = sqrt(squares[0]);
     e->reference = hypot(least[1] < 0 ? sqrt(squares[1]) : 0, e->loads);
+    if (e->boundary->macroscopic)
+        e->reference =
+            hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, e->body));
 }
 
 /* Whether any rank is asked to stop: from then on no method goes on. */
@@ -249,6 +304,7 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     struct body *body = e->body;
     look_for_stop(e);
     vector_put(&e->unknowns, x, body->u);
+    vector_put_mean(&e->unknowns, x, body->mean_gradient);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
     measure(e, g);
@@ -269,7 +325,14 @@ bool equilibrium_reached(const struct equilibrium *e)
 void equilibrium_precondition(struct equilibrium *e, const double *g, float *z)
 {
     const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
+    const int64_t n = e->unknowns.n_nodes;
     transform_apply(e->transform, g, z);
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
+        double sum = 0;
+        for (int64_t k = 3 * n; k < e->unknowns.length; k++)
+            sum += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
+        z[i] = (float)sum;
+    }
     for (int64_t i = 0; e->bound && i < e->unknowns.length; i++)
         z[i] += (float)(g[i] / e->bound[i]);
     profile_enter(e->body->profile, before);

@@ -15,11 +15,14 @@ enum { WIDTH = WAVES_WIDTH };
 
 struct transform {
     bool crowded;
+    bool coupled; /* the three components are inverted together */
     struct slabs slabs;
     struct placement *placement;
     struct waves *waves[3][3]; /* of a component; along a row, across rows, across planes */
-    float *inverse[3];         /* [tile][size[2]][WIDTH] of this rank's columns, WIDTH a tile */
-    float (*room)[WIDTH], (*other)[WIDTH]; /* [the longest axis] */
+    float
+        *inverse[SYMBOL_ENTRIES]; /* [tile][size[2]][WIDTH] of this rank's columns, WIDTH a tile */
+    float (*room)[WIDTH], (*other)[WIDTH]; /* [the longest axis], the second three times as long */
+    int longest;
 };
 
 static int64_t tiles(const struct slab *slab)
@@ -37,14 +40,17 @@ static void make_waves(struct transform *transform, const struct box *box, int a
          * they are put on fall into one. */
         const bool corners =
             lattice->corner && axis < lattice->dimensions && (n > 1 || low || high);
-        transform->waves[a][b] = waves_new(n, corners, low, high);
+        transform->waves[a][b] = box->periodic[axis]
+                                     ? waves_new_periodic(n, transform->coupled && axis == a)
+                                     : waves_new(n, corners, low, high);
     }
 }
 
 /* Of the rows across which this rank's columns lie; values as in symbol_evaluate. */
-static double *stiffness_new(const struct transform *transform, const struct symbol *symbol, int a,
-                             int first_row, int rows)
+static double *stiffness_new(const struct transform *transform, const struct symbol *symbol,
+                             int entry, int first_row, int rows)
 {
+    const int a = entry < 3 ? entry : 0; /* coupled components have the same wave numbers */
     const struct slab *slab = &transform->slabs.slab[a];
     const int *axis = transform->slabs.axis, counts[3] = {slab->size[0], rows, slab->size[2]};
     double *k[3], *values = memory_new((size_t)slab->size[0] * (size_t)rows * (size_t)slab->size[2],
@@ -56,12 +62,13 @@ static double *stiffness_new(const struct transform *transform, const struct sym
         for (int i = 0; i < counts[b]; i++)
             k[axis[b]][i] = waves_number(transform->waves[a][b], i + (b == 1 ? first_row : 0));
     }
-    symbol_evaluate(symbol, a, n, k, values);
+    symbol_evaluate(symbol, entry, n, k, values);
     for (int b = 0; b < 3; b++) free(k[b]);
     return values;
 }
 
-static void find_inverse(struct transform *transform, const struct symbol *symbol, int a)
+static void find_inverse(struct transform *transform, const struct symbol *symbol, int a,
+                         bool floats)
 {
     const struct slab *slab = &transform->slabs.slab[a];
     const int across_rows = transform->slabs.axis[1], planes = slab->size[2],
@@ -79,8 +86,77 @@ static void find_inverse(struct transform *transform, const struct symbol *symbo
             inverse[(c / WIDTH * planes + p) * WIDTH + c % WIDTH] =
                 (float)(1 / (fmax(stiffness[line * slab->size[0] + x], 0) + least));
         }
+    /* Forces on what is held nowhere have no sum but that of rounding. */
+    if (floats && slab->first == 0) inverse[0] = 0;
     transform->inverse[a] = inverse;
     free(stiffness);
+}
+
+/* 1, or -1 where the waves of a number are sines. */
+static double sign_of(int k, int n)
+{
+    return 2 * k >= n ? -1 : 1;
+}
+
+/* out: the inverse of a symmetric matrix, both in the order of the symbol's entries. */
+static void invert_symmetric(const double m[SYMBOL_ENTRIES], double out[SYMBOL_ENTRIES])
+{
+    const double xx = m[1] * m[2] - m[3] * m[3], xy = m[3] * m[4] - m[5] * m[2],
+                 xz = m[5] * m[3] - m[1] * m[4];
+    const double determinant = m[0] * xx + m[5] * xy + m[4] * xz;
+    const double minors[] = {
+        xx, m[0] * m[2] - m[4] * m[4], m[0] * m[1] - m[5] * m[5], m[4] * m[5] - m[0] * m[3], xz,
+        xy};
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) out[e] = minors[e] / determinant;
+}
+
+/* Where (symbol.2) takes a wave of one component to one of another, its sign is that of what a product of sines with it
+ * leaves: the waves of a component along its own axis are exchanged, so that those which answer to each other have the
+ * same place. */
+static void find_coupled(struct transform *transform, const struct symbol *symbol)
+{
+    const struct slab *slab = &transform->slabs.slab[0];
+    const int *axis = transform->slabs.axis, planes = slab->size[2],
+              first_row = (int)(slab->first / slab->size[0]),
+              rows = (int)((slab->first + slab->columns - 1) / slab->size[0]) + 1 - first_row;
+    double *stiffness[SYMBOL_ENTRIES];
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) {
+        stiffness[e] = stiffness_new(transform, symbol, e, first_row, rows);
+        transform->inverse[e] = memory_new((size_t)(tiles(slab) * planes) * WIDTH, sizeof(float));
+    }
+    for (int64_t c = 0; c < slab->columns; c++)
+        for (int p = 0; p < planes; p++) {
+            const int64_t x = (slab->first + c) % slab->size[0],
+                          row = (slab->first + c) / slab->size[0],
+                          line = axis[1] == 1 ? (int64_t)p * rows + row - first_row
+                                              : (row - first_row) * planes + p;
+            double sign[3], m[SYMBOL_ENTRIES], inverse[SYMBOL_ENTRIES];
+            sign[axis[0]] = sign_of((int)x, slab->size[0]);
+            sign[axis[1]] = sign_of((int)row, slab->size[1]);
+            sign[axis[2]] = sign_of(p, planes);
+            for (int e = 0; e < SYMBOL_ENTRIES; e++) {
+                const double value = stiffness[e][line * slab->size[0] + x];
+                const double own = e < 3 ? symbol->answer[e][0] : 0,
+                             least = own > 0 ? 3e-6 * own : 1;
+                m[e] =
+                    e < 3 ? fmax(value, 0) + least : -sign[(e + 1) % 3] * sign[(e + 2) % 3] * value;
+            }
+            invert_symmetric(m, inverse);
+            const bool whole = x == 0 && row == 0 && p == 0; /* a motion as a whole */
+            for (int e = 0; e < SYMBOL_ENTRIES; e++)
+                transform->inverse[e][(c / WIDTH * planes + p) * WIDTH + c % WIDTH] =
+                    whole ? 0 : (float)inverse[e];
+        }
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) free(stiffness[e]);
+}
+
+/* Of a body that is periodic along all of its axes, and held nowhere. */
+static bool is_coupled(const struct lattice *lattice, const struct box box[3])
+{
+    bool coupled = true;
+    for (int a = 0; a < 3; a++)
+        coupled = coupled && box[a].floats && (lattice->periodic[a] || a >= lattice->dimensions);
+    return coupled;
 }
 
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
@@ -89,17 +165,21 @@ struct transform *transform_new(const struct unknowns *unknowns, const struct sy
     struct box box[3];
     int longest = 0;
     for (int a = 0; a < 3; a++) box[a] = box_new(unknowns, a);
+    transform->coupled = is_coupled(unknowns->body->lattice, box);
     transform->slabs = slabs_new(box, unknowns->body->ranks);
     transform->placement = placement_new(unknowns, box, &transform->slabs);
     transform->crowded = placement_is_crowded(transform->placement);
     for (int a = 0; a < 3; a++) {
         if (box[a].count == 0) continue;
         make_waves(transform, &box[a], a, unknowns->body->lattice);
-        if (transform->slabs.slab[a].columns > 0) find_inverse(transform, symbol, a);
+        if (transform->slabs.slab[a].columns > 0 && !transform->coupled)
+            find_inverse(transform, symbol, a, box[a].floats);
         for (int b = 0; b < 3; b++) longest = box[a].size[b] > longest ? box[a].size[b] : longest;
     }
+    if (transform->coupled && transform->slabs.slab[0].columns > 0) find_coupled(transform, symbol);
+    transform->longest = longest;
     transform->room = memory_new((size_t)longest, sizeof *transform->room);
-    transform->other = memory_new((size_t)longest, sizeof *transform->other);
+    transform->other = memory_new(3 * (size_t)longest, sizeof *transform->other);
     return transform;
 }
 
@@ -107,8 +187,8 @@ void transform_free(struct transform *transform)
 {
     for (int a = 0; a < 3; a++) {
         for (int b = 0; b < 3; b++) waves_free(transform->waves[a][b]);
-        free(transform->inverse[a]);
     }
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) free(transform->inverse[e]);
     free(transform->room);
     free(transform->other);
     placement_free(transform->placement);
@@ -214,6 +294,47 @@ static void divide(struct transform *transform, int a)
     }
 }
 
+/* (xx, yy, zz, yz, zx, xy) times (x, y, z) */
+HS_SIMD static void multiply_coupled(int64_t count, const float *restrict xx,
+                                     const float *restrict yy, const float *restrict zz,
+                                     const float *restrict yz, const float *restrict zx,
+                                     const float *restrict xy, float *restrict x, float *restrict y,
+                                     float *restrict z)
+{
+    for (int64_t i = 0; i < count; i++) {
+        const float u = x[i], v = y[i], w = z[i];
+        x[i] = (xx[i] * u + xy[i] * v) + zx[i] * w;
+        y[i] = (xy[i] * u + yy[i] * v) + yz[i] * w;
+        z[i] = (zx[i] * u + yz[i] * v) + zz[i] * w;
+    }
+}
+
+/* The same of all components. */
+static void divide_coupled(struct transform *transform)
+{
+    const struct slab *slab = transform->slabs.slab;
+    const int n = slab->size[2];
+    for (int64_t tile = 0; tile < tiles(slab); tile++) {
+        const int64_t first = tile * WIDTH, left = slab->columns - first, at = tile * n * WIDTH;
+        const int lines = left < WIDTH ? (int)left : WIDTH;
+        float(*other[3])[WIDTH], **inverse = transform->inverse;
+        for (int a = 0; a < 3; a++) {
+            other[a] = transform->other + (int64_t)a * transform->longest;
+            for (int p = 0; p < n; p++)
+                load_row(lines, slab[a].turned[p] + first, transform->room[p], 0);
+            waves_transform(transform->waves[a][2], false, transform->room, other[a]);
+        }
+        multiply_coupled((int64_t)n * WIDTH, inverse[0] + at, inverse[1] + at, inverse[2] + at,
+                         inverse[3] + at, inverse[4] + at, inverse[5] + at, other[0][0],
+                         other[1][0], other[2][0]);
+        for (int a = 0; a < 3; a++) {
+            waves_transform(transform->waves[a][2], true, other[a], transform->room);
+            for (int p = 0; p < n; p++)
+                store_row(lines, slab[a].turned[p] + first, transform->room[p], 0);
+        }
+    }
+}
+
 void transform_apply(struct transform *transform, const double *r, float *z)
 {
     placement_put(transform->placement, r);
@@ -222,7 +343,8 @@ void transform_apply(struct transform *transform, const double *r, float *z)
         across_rows(transform, a, false);
     }
     slabs_turn(&transform->slabs);
-    for (int a = 0; a < 3; a++) divide(transform, a);
+    for (int a = 0; a < 3 && !transform->coupled; a++) divide(transform, a);
+    if (transform->coupled) divide_coupled(transform);
     slabs_turn_back(&transform->slabs);
     for (int a = 0; a < 3; a++) {
         across_rows(transform, a, true);

@@ -14,7 +14,7 @@ enum { SHORT = 2048, CHEAP = 400 };
 
 struct waves {
     int n;
-    bool corners, low, high;
+    bool corners, low, high, periodic, exchanged;
     double shift, period;       /* wave number k is pi (k + shift)/period */
     double offset;              /* of the first node from the low end, sites */
     float *norm;                /* [n] 1 over the root of the sum of squares of wave k */
@@ -25,19 +25,27 @@ struct waves {
 /* What a node counts in the sums over a wave: corners at free ends a half. */
 static double weight(const struct waves *waves, int j)
 {
+    if (waves->periodic) return 1;
     const bool end = (j == 0 && !waves->low) || (j == waves->n - 1 && !waves->high);
     return waves->corners && end ? 0.5 : 1;
 }
 
 double waves_number(const struct waves *waves, int k)
 {
+    if (waves->periodic) return 2 * M_PI * (2 * k < waves->n ? k : waves->n - k) / waves->n;
     return M_PI * (k + waves->shift) / waves->period;
+}
+
+bool waves_is_sine(const struct waves *waves, int k)
+{
+    if (waves->periodic && waves->exchanged) return k > 0 && 2 * k <= waves->n;
+    return waves->periodic ? 2 * k >= waves->n : waves->low;
 }
 
 static double wave(const struct waves *waves, int k, int j)
 {
     const double phase = waves_number(waves, k) * (j + waves->offset);
-    return waves->low ? sin(phase) : cos(phase);
+    return waves_is_sine(waves, k) ? sin(phase) : cos(phase);
 }
 
 static void fold_matrices(struct waves *waves)
@@ -80,6 +88,26 @@ static void make_plans(struct waves *waves)
     fftwf_free(to);
 }
 
+static void find_norms(struct waves *waves)
+{
+    const int n = waves->n;
+    waves->norm = memory_new((size_t)n, sizeof *waves->norm);
+    for (int k = 0; k < n; k++) {
+        double square = 0;
+        for (int j = 0; j < n; j++) square += weight(waves, j) * pow(wave(waves, k, j), 2);
+        waves->norm[k] = (float)(1 / sqrt(square));
+    }
+}
+
+struct waves *waves_new_periodic(int n, bool exchanged)
+{
+    struct waves *waves = memory_new(1, sizeof *waves);
+    *waves = (struct waves){.n = n, .periodic = true, .exchanged = exchanged, .offset = 0.5};
+    find_norms(waves);
+    fold_matrices(waves);
+    return waves;
+}
+
 struct waves *waves_new(int n, bool corners, bool low, bool high)
 {
     struct waves *waves = memory_new(1, sizeof *waves);
@@ -87,12 +115,7 @@ struct waves *waves_new(int n, bool corners, bool low, bool high)
     waves->shift = low && high ? 1 : low || high ? 0.5 : 0;
     waves->period = !corners ? n : low && high ? n + 1 : low || high ? n : n - 1;
     waves->offset = !corners ? 0.5 : low ? 1 : 0;
-    waves->norm = memory_new((size_t)n, sizeof *waves->norm);
-    for (int k = 0; k < n; k++) {
-        double square = 0;
-        for (int j = 0; j < n; j++) square += weight(waves, j) * pow(wave(waves, k, j), 2);
-        waves->norm[k] = (float)(1 / sqrt(square));
-    }
+    find_norms(waves);
     if (n <= SHORT) fold_matrices(waves);
     if (n <= SHORT && folding_cost(waves->folding[0]) <= (int64_t)CHEAP * n) return waves;
     forget_matrices(waves);
