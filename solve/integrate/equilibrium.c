@@ -241,6 +241,18 @@ HS_SIMD static void take_strip(int count, const double *const f[3], const double
     taken->largest = largest;
 }
 
+/* (macroscopic.3) */
+static void take_mean_unbalanced(const struct equilibrium *e, double *g)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const struct macroscopic *m = unknowns->macroscopic;
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) {
+        const int k = unknowns->mean[i - 3 * unknowns->n_nodes];
+        g[i] = (e->body->mean_stress[k] - m->target[k]) * m->volume / m->period[k % 3] /
+               e->body->volume;
+    }
+}
+
 /* bound: of the sum of squares. */
 static struct taken take_unbalanced(const struct equilibrium *e, double bound, double *g)
 {
@@ -262,6 +274,10 @@ static struct taken take_unbalanced(const struct equilibrium *e, double bound, d
         }
         take_strip(body->owned.items[s].count, f, b, e->weights ? e->weights + at : whole, mask,
                    out, &taken);
+    }
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
+        exact_sum_add(&taken.square, g[i] * g[i]);
+        taken.largest = fmax(taken.largest, g[i] * g[i]);
     }
     return taken;
 }
@@ -286,7 +302,9 @@ static double take_mean_unbalanced(const struct equilibrium *e, double *g)
  * the numbers, which saves a pass and a message: a bound too wide by 2^20 leaves more than 50 bits. */
 static void measure(struct equilibrium *e, double *g)
 {
-    const double nodes = 1.000001 * (double)e->body->n_nodes, guess = 0x1p20 * e->norm * e->norm;
+    const double nodes = 1.000001 * (double)(e->body->n_nodes + e->unknowns.n_mean),
+                 guess = 0x1p20 * e->norm * e->norm;
+    take_mean_unbalanced(e, g);
     struct taken taken = take_unbalanced(e, guess, g);
     double least[2] = {-taken.largest, -largest_reaction(e)}, squares[2];
     ranks_minimum(least, 2);
