@@ -42,7 +42,7 @@ turns() {
         NR % 2 && ($2 < 0.99 * s || $2 > 1.01 * s) {exit 1} END {exit NR != 7}' turns
     # at least 30 steps of each unloading; its slope is E
     hspost h.e --loops loops.csv -o /dev/null 2>said
-    [ "$(wc -l <loops.csv)" -eq 3 ]
+    [ "$(wc -l <loops.csv)" -eq 4 ]
     near "$(awk -F, 'NR == 2 {print $6}' loops.csv)" 100 1
     grep -q 'loop 2 at 1.98 %' said
 }
