@@ -15,8 +15,8 @@ enum row_kind {
 
 struct row {
     enum row_kind kind;
-    long line; /* from 1 */
-    int count;
+    long line;          /* from 1 */
+    int count, numbers; /* fields, and how many of them are numbers */
     char **fields; /* [count] without quotes and blanks around them; of a note the whole line */
     int *places;   /* [count] column of the text where the field begins, from 1 */
     char *own;     /* what the fields of a note taken as a row point into; else NULL */

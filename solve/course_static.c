@@ -83,6 +83,8 @@ static double time_to_row(const struct simulation *s)
     double next = INFINITY;
     for (int i = 0; i < s->scene.n_boundary; i++)
         next = fmin(next, value_next_row(&s->scene.boundary[i].value, time * (1 + met)));
+    for (int i = 0; i < s->scene.n_components; i++)
+        next = fmin(next, value_next_row(&s->scene.components[i].value, time * (1 + met)));
     return next - time;
 }
 

@@ -37,7 +37,8 @@ const struct section section_programme = {
         "A list of what is done one after the other, in place of end_strain: each entry has one of "
         "to_strain, unload_to, reload, loops_at and cycles.  As [{to_strain: 1 %}, {unload_to: 0 "
         "MPa}, {reload}, {to_strain: 2 %}], or [{loops_at: [1 %, 2 %]}, {to_strain: 3 %}].  The "
-        "grips go back and forth with the velocities, numbers, that boundary gives them; each turn "
+        "grips go back and forth with the velocities, numbers, that boundary gives them (periodic "
+        "bodies with the rate of xx of macroscopic); each turn "
         "is followed by at least 30 steps of the elastic strain that it undoes.",
     .keys = KEYS(rows)};
 

@@ -120,11 +120,11 @@ static double given(const struct boundary_set *set, int64_t i, double time)
 
 void boundary_turn(struct boundary *boundary, double sense)
 {
-    if (boundary->macroscopic) boundary->macroscopic->sense = sense;
     for (int b = 0; b < boundary->count; b++) {
         struct boundary_set *set = &boundary->sets[b];
         if (set->kind == SCENE_VELOCITY && set->value.kind == VALUE_CONSTANT) set->sense = sense;
     }
+    if (boundary->macroscopic) macroscopic_turn(boundary->macroscopic, sense);
 }
 
 /* At a full step a prescribed displacement has its mean velocity over the half steps beside it, which
@@ -348,8 +348,8 @@ void boundary_visit(struct boundary *boundary, struct body *body, double time,
 {
     for (int b = 0; b < boundary->count; b++) {
         struct boundary_set *s = &boundary->sets[b];
-        double values[] = {s->moved,           s->way,  s->speed, s->speed_before, s->reaction,
-                           s->reaction_before, s->sense};
+        double values[] = {s->moved,        s->way,      s->speed,
+                           s->speed_before, s->reaction, s->reaction_before};
         checkpoint_numbers(checkpoint, "motion and reaction of a set", values,
                            sizeof values / sizeof *values);
         s->moved = values[0];
@@ -358,7 +358,6 @@ void boundary_visit(struct boundary *boundary, struct body *body, double time,
         s->speed_before = values[3];
         s->reaction = values[4];
         s->reaction_before = values[5];
-        s->sense = values[6];
     }
     loads_visit(&boundary->loads, body, time, checkpoint);
     if (boundary->macroscopic) macroscopic_visit(boundary->macroscopic, body, checkpoint);

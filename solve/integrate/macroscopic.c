@@ -57,6 +57,11 @@ static double value_of(const struct macroscopic *m, int k, double time)
     return (turns ? m->sense : 1) * value_at(value, (const double[]){0, 0, 0}, time);
 }
 
+void macroscopic_turn(struct macroscopic *m, double sense)
+{
+    m->sense = sense;
+}
+
 void macroscopic_start(const struct macroscopic *m, struct body *body, double poissons_ratio,
                        double dt)
 {
@@ -185,7 +190,7 @@ double macroscopic_full_rate(const struct macroscopic *m)
 {
     const struct value *value = m->component[0].value;
     if (m->component[0].kind != MACROSCOPIC_RATE || !value) return 0;
-    return value->kind == VALUE_EXPRESSION ? 0 : value->number;
+    return value->kind == VALUE_CONSTANT || value->kind == VALUE_RAMP ? value->number : 0;
 }
 
 double macroscopic_ramp(const struct macroscopic *m)
