@@ -19,6 +19,13 @@
 # Options: CC=clang, WERROR=1 (warnings are errors), SANITIZE=1 (ASan and UBSan, own build tree).
 
 VERSION := 0.1.0
+# "0.1.0+12.g8e158c7", commits since the tag v0.1.0, or since the first, and the last one; ".changed" where the tree is not that
+# of the commit.  Without git, or outside of a repository of its own: "0.1.0".
+DESCRIBED := $(VERSION)$(shell [ -e .git ] && { \
+    count=$$(git rev-list --count HEAD ^v$(VERSION) 2>/dev/null || git rev-list --count HEAD 2>/dev/null) && \
+    hash=$$(git rev-parse --short HEAD 2>/dev/null) && \
+    { [ "$$count" -eq 0 ] || printf '+%s.g%s' "$$count" "$$hash"; } && \
+    { git diff --quiet HEAD 2>/dev/null || printf '.changed'; }; })
 PREFIX ?= /usr/local
 CC ?= cc
 CFLAGS ?=
@@ -62,6 +69,7 @@ ALL_CFLAGS = $(STANDARD) $(OPTIMISE) $(WARNINGS) $(SANITIZERS) $(LIB_CFLAGS) -Il
 ALL_LDFLAGS = $(SANITIZERS) $(LDFLAGS)
 
 PROGRAMS := hsgen hssolve hspost
+EXAMPLES := $(sort $(wildcard gen/examples/*.yaml))
 lib_SOURCES := $(sort $(wildcard lib/*.c))
 gen_SOURCES := $(sort $(filter-out gen/hsgen.c,$(wildcard gen/*.c)))
 solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/*/*.c solve/*/*/*.c)))
@@ -85,7 +93,14 @@ $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
 $(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/lib/canvas.o: ALL_CFLAGS += $(CAIRO_CFLAGS)
-$(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
+$(BUILD)/lib/version.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
+$(BUILD)/gen/examples.o: $(EXAMPLES)
+
+# The programs say the commit that they are made of; the tests, of which there are many, are not linked anew for each.
+$(BUILD)/version/%.o: lib/version.c Makefile
+	@mkdir -p $(@D)
+	@rm -f $(BUILD)/version/*.o
+	$(CC) $(ALL_CFLAGS) $(CPPFLAGS) -DHS_VERSION='"$(DESCRIBED)"' -c $< -o $@
 
 $(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -98,11 +113,11 @@ $(call archive,$(1)): $$(call object,$$($(1)_SOURCES))
 endef
 $(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
 
-$(BUILD)/bin/hsgen: $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
+$(BUILD)/bin/hsgen: $(BUILD)/version/$(DESCRIBED).o $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
 $(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
-$(BUILD)/bin/hssolve: $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
+$(BUILD)/bin/hssolve: $(BUILD)/version/$(DESCRIBED).o $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
 $(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS)
-$(BUILD)/bin/hspost: $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
+$(BUILD)/bin/hspost: $(BUILD)/version/$(DESCRIBED).o $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
 $(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS)
 
 $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
