@@ -97,10 +97,14 @@ $(BUILD)/lib/version.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
 $(BUILD)/gen/examples.o: $(EXAMPLES)
 
 # The programs say the commit that they are made of; the tests, of which there are many, are not linked anew for each.
-$(BUILD)/version/%.o: lib/version.c Makefile
-	@mkdir -p $(@D)
-	@rm -f $(BUILD)/version/*.o
+$(BUILD)/version/version.o: lib/version.c Makefile $(BUILD)/version/described
 	$(CC) $(ALL_CFLAGS) $(CPPFLAGS) -DHS_VERSION='"$(DESCRIBED)"' -c $< -o $@
+ifneq ($(DESCRIBED),$(file <$(BUILD)/version/described))
+.PHONY: $(BUILD)/version/described
+endif
+$(BUILD)/version/described:
+	@mkdir -p $(@D)
+	@printf '%s' '$(DESCRIBED)' >$@
 
 $(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -113,11 +117,11 @@ $(call archive,$(1)): $$(call object,$$($(1)_SOURCES))
 endef
 $(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
 
-$(BUILD)/bin/hsgen: $(BUILD)/version/$(DESCRIBED).o $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
+$(BUILD)/bin/hsgen: $(BUILD)/version/version.o $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
 $(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
-$(BUILD)/bin/hssolve: $(BUILD)/version/$(DESCRIBED).o $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
+$(BUILD)/bin/hssolve: $(BUILD)/version/version.o $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
 $(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS)
-$(BUILD)/bin/hspost: $(BUILD)/version/$(DESCRIBED).o $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
+$(BUILD)/bin/hspost: $(BUILD)/version/version.o $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
 $(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS)
 
 $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
