@@ -2,7 +2,8 @@
 #
 #   make                 programs in build/bin
 #   make check           all tests (under ten minutes on two cores)
-#   make install         DESTDIR and PREFIX as usual
+#   make install         DESTDIR and PREFIX as usual: programs, manual pages, examples, documents, completion of bash and zsh
+#   make html            the manual pages as HTML (mandoc)
 #   make stress          numerical stability, the long form (minutes)
 #   make faults          disks that fail and kills at each call of small runs (some ten minutes)
 #   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
@@ -81,7 +82,7 @@ SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
-.PHONY: all check check-unit check-cli check-physics check-format docs install uninstall clean format help \
+.PHONY: all check check-unit check-cli check-physics check-format docs html install uninstall clean format help \
         stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -227,21 +228,45 @@ check-format:
 	@if command -v $(CLANG_FORMAT) >/dev/null; then $(CLANG_FORMAT) --dry-run -Werror $(FORMATTED); \
 	else echo "check-format: skipped, no $(CLANG_FORMAT)" >&2; fi
 
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/man/man5
+# The manual pages as HTML, where there is mandoc.
+PAGES := $(sort $(wildcard docs/man/*.[15]))
+HTML := $(PAGES:docs/man/%=$(BUILD)/html/%.html)
+html: $(HTML)
+$(BUILD)/html/%.html: docs/man/%
+	@mkdir -p $(@D)
+	mandoc -T html -O man=%N.%S.html $< > $@
+
+SHARE := $(DESTDIR)$(PREFIX)/share
+DOCUMENTS := $(SHARE)/doc/hstools
+BASH_COMPLETIONS := $(SHARE)/bash-completion/completions
+ZSH_COMPLETIONS := $(SHARE)/zsh/site-functions
+install: all $(if $(shell command -v mandoc),html)
+	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/man/man5 $(DOCUMENTS)/examples $(DOCUMENTS)/docs/figures \
+	    $(DOCUMENTS)/html $(BASH_COMPLETIONS) $(ZSH_COMPLETIONS)
 	install -m 755 $(addprefix $(BUILD)/bin/,$(PROGRAMS)) $(DESTDIR)$(PREFIX)/bin
-	install -m 644 $(wildcard docs/man/*.1) $(DESTDIR)$(PREFIX)/share/man/man1
-	install -m 644 $(wildcard docs/man/*.5) $(DESTDIR)$(PREFIX)/share/man/man5
+	install -m 644 $(wildcard docs/man/*.1) $(SHARE)/man/man1
+	install -m 644 $(wildcard docs/man/*.5) $(SHARE)/man/man5
+	install -m 644 $(EXAMPLES) $(DOCUMENTS)/examples
+	install -m 644 README.md LICENSE CHANGELOG.md CITATION.cff codemeta.json $(DOCUMENTS)
+	install -m 644 $(wildcard docs/*.md) $(DOCUMENTS)/docs
+	install -m 644 $(wildcard docs/figures/*) $(DOCUMENTS)/docs/figures
+	$(if $(shell command -v mandoc),install -m 644 $(HTML) $(DOCUMENTS)/html)
+	for program in $(PROGRAMS); do \
+	    $(BUILD)/bin/$$program --completion bash > $(BASH_COMPLETIONS)/$$program && \
+	    $(BUILD)/bin/$$program --completion zsh > $(ZSH_COMPLETIONS)/_$$program || exit 1; \
+	done
 uninstall:
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/bin/,$(PROGRAMS))
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/share/man/man1/,$(notdir $(wildcard docs/man/*.1)))
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/share/man/man5/,$(notdir $(wildcard docs/man/*.5)))
+	rm -f $(addprefix $(SHARE)/man/man1/,$(notdir $(wildcard docs/man/*.1)))
+	rm -f $(addprefix $(SHARE)/man/man5/,$(notdir $(wildcard docs/man/*.5)))
+	rm -f $(addprefix $(BASH_COMPLETIONS)/,$(PROGRAMS)) $(addprefix $(ZSH_COMPLETIONS)/_,$(PROGRAMS))
+	rm -rf $(DOCUMENTS)
 
 clean:
 	rm -rf build
 
 help:
-	@sed -n '3,17s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,22s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
