@@ -2,7 +2,7 @@
 #ifndef HS_COMPLETION_H
 #define HS_COMPLETION_H
 
-#include "options.h"
+#include "option_row.h"
 
 /* A script for bash or zsh on standard output: the options of the rows, files where an argument is one.  Dies (exit 2) at
  * another shell. */

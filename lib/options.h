@@ -2,20 +2,9 @@
 #ifndef HS_OPTIONS_H
 #define HS_OPTIONS_H
 
-#include <stdbool.h>
+#include "option_row.h"
 
 struct section;
-
-/* One option.  argument = NULL: a flag, *flag becomes true.  Otherwise *value points at the
- * text given (the last one wins). */
-struct option_row {
-    char letter;          /* 'o' for -o, or 0 */
-    const char *name;     /* "output" for --output */
-    const char *argument; /* "FILE", or NULL for a flag */
-    const char *help;
-    bool *flag;
-    const char **value;
-};
 
 struct option_table {
     const char *program;  /* "hsgen" */
