@@ -23,8 +23,32 @@ static double gauge_length(const struct specimen *specimen, const struct domain 
 {
     int64_t layer[2];
     specimen_gauge_layers(specimen, layer);
-    if (specimen->angle == 0) return (double)(layer[1] - layer[0]) * specimen->spacing[0];
+    /* From a plane of symmetry on it is the half. */
+    if (specimen->angle == 0)
+        return (double)(layer[1] - layer[0]) * specimen->spacing[0] *
+               (specimen->symmetry[0] ? 0.5 : 1);
     return mean_along(specimen, domain, "gauge_right") - mean_along(specimen, domain, "gauge_left");
+}
+
+/* The axes as letters, and after what length (m) the body repeats along each. */
+static void set_periods(const struct recipe *recipe, struct attributes *attributes)
+{
+    static const char *const names[] = {"period_x_m", "period_y_m", "period_z_m"};
+    const struct cores_box box = recipe_box(recipe);
+    char axes[4];
+    if (*cores_axes(&box, axes) == '\0') return;
+    attributes_set_text(attributes, "periodic", axes);
+    for (int axis = 0; axis < 3; axis++)
+        if (box.periodic[axis]) attributes_set_number(attributes, names[axis], box.size[axis]);
+}
+
+static void set_symmetry(const struct specimen *specimen, struct attributes *attributes)
+{
+    char letters[4] = "";
+    int count = 0;
+    for (int axis = 0; axis < 3; axis++)
+        if (specimen->symmetry[axis]) letters[count++] = "xyz"[axis];
+    if (count > 0) attributes_set_text(attributes, "symmetry", letters);
 }
 
 static void set_attributes(const struct recipe *recipe, const struct structure *structure,
@@ -45,6 +69,8 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
     attributes_set_number(attributes, "section_m2", outline_section(specimen, structure->sites));
     if (specimen->gauge_length > 0)
         attributes_set_number(attributes, "gauge_length_m", gauge_length(specimen, domain));
+    set_periods(recipe, attributes);
+    set_symmetry(specimen, attributes);
     if (structure->sites->volume) attributes_set_text(attributes, "volumes", "cut");
     if (specimen->angle != 0) attributes_set_number(attributes, "angle_rad", specimen->angle);
     if (!recipe->topology->single_phase)

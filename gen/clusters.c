@@ -1,5 +1,6 @@
 #include "clusters.h"
 
+#include "forest.h"
 #include "memory.h"
 #include "steps.h"
 
@@ -11,21 +12,13 @@ const int clusters_offset[NEIGHBOURS_26][3] = {
     {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1},
 };
 
-static int32_t root_of(int32_t *parent, int32_t node)
-{
-    while (parent[node] != node) {
-        parent[node] = parent[parent[node]];
-        node = parent[node];
-    }
-    return node;
-}
-
 static bool is_member(const struct structure *structure, int64_t node, int phase)
 {
     return node >= 0 && structure->counted[node] && structure->phase[node] == phase;
 }
 
-static void join_neighbours(const struct structure *structure, int phase, int half, int32_t *parent)
+static void join_neighbours(const struct structure *structure, int phase, int half,
+                            struct forest *forest)
 {
     const struct sites *sites = structure->sites;
     for (int64_t node = 0; node < sites->n_nodes; node++) {
@@ -34,11 +27,13 @@ static void join_neighbours(const struct structure *structure, int phase, int ha
         sites_index(sites, node, at);
         for (int n = 0; n < half; n++) {
             const int *offset = clusters_offset[n];
-            int64_t other =
-                sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
+            const int64_t to[3] = {at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]};
+            const int64_t other = sites_at(sites, to[0], to[1], to[2]);
             if (!is_member(structure, other, phase)) continue;
-            int32_t a = root_of(parent, (int32_t)node), b = root_of(parent, (int32_t)other);
-            parent[a > b ? a : b] = a > b ? b : a;
+            int32_t around[3];
+            for (int axis = 0; axis < 3; axis++)
+                around[axis] = (int32_t)sites_around(sites, axis, to[axis]);
+            forest_join(forest, (int32_t)node, (int32_t)other, around);
         }
     }
 }
@@ -65,34 +60,49 @@ static void counted_ends(const struct structure *structure, double end[2][3])
     }
 }
 
+/* Ends that the node takes part in, a bit an end and axis.  Along a periodic axis there are none:
+ * there a way around the body counts as both. */
+static unsigned ends_at(const struct structure *structure, const struct forest *forest,
+                        int64_t node, double end[2][3])
+{
+    double at[3];
+    unsigned ends = 0;
+    sites_in_body(structure->sites, node, at);
+    for (int axis = 0; axis < 3; axis++) {
+        const unsigned bit = 1u << 2 * axis;
+        if (structure->sites->periodic[axis]) {
+            ends |= forest->closed[node][axis] ? 3 * bit : 0;
+            continue;
+        }
+        ends |= at[axis] < end[0][axis] ? bit : 0;
+        ends |= at[axis] > end[1][axis] ? 2 * bit : 0;
+    }
+    return ends;
+}
+
 struct clusters clusters_find(const struct structure *structure, int phase,
                               enum neighbourhood neighbourhood)
 {
     struct clusters clusters = {0};
     int64_t n_nodes = structure->sites->n_nodes;
-    int32_t *parent = memory_new((size_t)n_nodes, sizeof *parent);
+    const bool *periodic = structure->sites->periodic;
+    struct forest forest = forest_new(n_nodes, periodic[0] || periodic[1] || periodic[2]);
     int32_t *size = memory_new((size_t)n_nodes, sizeof *size);
-    uint8_t *reaches = memory_new((size_t)n_nodes, sizeof *reaches); /* a bit an end and axis */
-    for (int64_t node = 0; node < n_nodes; node++) parent[node] = (int32_t)node;
-    join_neighbours(structure, phase, (int)neighbourhood, parent);
+    uint8_t *reaches = memory_new((size_t)n_nodes, sizeof *reaches);
+    join_neighbours(structure, phase, (int)neighbourhood, &forest);
     double end[2][3];
     counted_ends(structure, end);
     for (int64_t node = 0; node < n_nodes; node++) {
         if (!is_member(structure, node, phase)) continue;
-        int32_t root = root_of(parent, (int32_t)node);
+        int32_t root = forest_root(&forest, (int32_t)node);
         clusters.nodes++;
         clusters.count += size[root]++ == 0;
         clusters.largest = size[root] > clusters.largest ? size[root] : clusters.largest;
-        double at[3];
-        sites_in_body(structure->sites, node, at);
-        for (int axis = 0; axis < 3; axis++) {
-            if (at[axis] < end[0][axis]) reaches[root] |= (uint8_t)(1u << 2 * axis);
-            if (at[axis] > end[1][axis]) reaches[root] |= (uint8_t)(2u << 2 * axis);
-        }
+        reaches[root] |= (uint8_t)ends_at(structure, &forest, node, end);
         for (int axis = 0; axis < 3; axis++)
             if ((reaches[root] >> (2 * axis) & 3) == 3) clusters.percolates[axis] = true;
     }
-    free(parent);
+    forest_free(&forest);
     free(size);
     free(reaches);
     return clusters;
@@ -104,10 +114,11 @@ static bool is_buried(const struct structure *structure, int64_t node, const int
     for (int n = 0; n < 6; n++) {
         const int *offset = clusters_offset[n % 3];
         int sign = n < 3 ? 1 : -1;
-        int64_t other = sites_at(structure->sites, at[0] + sign * offset[0],
-                                 at[1] + sign * offset[1], at[2] + sign * offset[2]);
+        const int64_t to[3] = {at[0] + sign * offset[0], at[1] + sign * offset[1],
+                               at[2] + sign * offset[2]};
+        const int64_t other = sites_at(structure->sites, to[0], to[1], to[2]);
         if (!is_member(structure, other, PHASE_CG) ||
-            structure->core[other] != structure->core[node])
+            !structure_one_core(structure, node, other, to))
             return false;
     }
     return true;
@@ -136,10 +147,10 @@ struct contact clusters_contact(const struct structure *structure, int limit)
             const bool touch = steps_touch(&steps[s]);
             if (!touch && (buried || film >= contact.film || film > furthest)) break;
             const int *offset = steps[s].offset;
-            int64_t other =
-                sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
+            const int64_t to[3] = {at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]};
+            const int64_t other = sites_at(sites, to[0], to[1], to[2]);
             if (!is_member(structure, other, PHASE_CG) ||
-                structure->core[other] == structure->core[node])
+                structure_one_core(structure, node, other, to))
                 continue;
             contact.touching += touch;
             contact.film = fmin(contact.film, film);

@@ -10,10 +10,12 @@
 enum neighbourhood { NEIGHBOURS_6 = 3, NEIGHBOURS_26 = 13 };
 
 struct clusters {
-    int64_t nodes;      /* of the phase in the counted region */
-    int64_t count;      /* of clusters */
-    int64_t largest;    /* nodes of the largest */
-    bool percolates[3]; /* one cluster reaches both ends of the counted region along x, y, z */
+    int64_t nodes;   /* of the phase in the counted region */
+    int64_t count;   /* of clusters */
+    int64_t largest; /* nodes of the largest */
+    /* One cluster reaches both ends of the counted region along x, y, z; of a periodic body, its
+     * own image there. */
+    bool percolates[3];
 };
 
 /* Clusters of a phase in the counted region (union-find over half the neighbours). */

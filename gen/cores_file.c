@@ -22,11 +22,13 @@ void cores_write(const struct cores *cores, const char *topology, const char *pa
     fprintf(output.stream, "%s\n", magic);
     fprintf(output.stream, "topology %s\n", topology);
     fprintf(output.stream, "core %s\n", shapes[cores->shape]);
-    fprintf(output.stream, "size_m %.17g %.17g %.17g\n", cores->size[0], cores->size[1],
-            cores->size[2]);
+    const struct cores_box *box = &cores->box;
+    fprintf(output.stream, "size_m %.17g %.17g %.17g\n", box->size[0], box->size[1], box->size[2]);
+    char axes[4];
+    if (*cores_axes(box, axes)) fprintf(output.stream, "periodic %s\n", axes);
     fprintf(output.stream, "distance_m %.17g\n", cores->distance);
-    fprintf(output.stream, "count %lld\n", (long long)cores->count);
-    for (int64_t c = 0; c < cores->count; c++)
+    fprintf(output.stream, "count %lld\n", (long long)cores->own);
+    for (int64_t c = 0; c < cores->own; c++)
         fprintf(output.stream, "%.17g %.17g %.17g %lld\n", cores->centre[c][0], cores->centre[c][1],
                 cores->centre[c][2], (long long)cores->order[c]);
     output_close(&output);
@@ -81,6 +83,21 @@ static void read_numbers(struct lines *lines, const char *key, int count, double
     if (*rest) refuse(lines, line, "no more on the line");
 }
 
+/* "periodic xz", where there is such a line. */
+static void read_periodic(struct lines *lines, struct cores_box *box)
+{
+    if (!lines->rest || strncmp(lines->rest, "periodic ", strlen("periodic ")) != 0) return;
+    const char *line = next_line(lines, "periodic"), *names = line + strlen("periodic ");
+    char axes[4];
+    for (int axis = 0; axis < 3; axis++) {
+        box->periodic[axis] = strchr(names, "xyz"[axis]) != NULL;
+        if (box->periodic[axis] && !(box->size[axis] > 0))
+            refuse(lines, line, "axes along which the size is positive");
+    }
+    if (*names == '\0' || strcmp(cores_axes(box, axes), names) != 0)
+        refuse(lines, line, "axes in their order, such as xyz or xz");
+}
+
 static void read_head(struct lines *lines, const char *topology, struct cores *cores)
 {
     const char *line = next_line(lines, magic);
@@ -90,7 +107,8 @@ static void read_head(struct lines *lines, const char *topology, struct cores *c
     cores->shape = strcmp(line, "core sphere") == 0 ? CORE_SPHERE : CORE_CELL;
     if (cores->shape == CORE_CELL && strcmp(line, "core cell") != 0)
         refuse(lines, line, "core cell, or core sphere");
-    read_numbers(lines, "size_m ", 3, cores->size);
+    read_numbers(lines, "size_m ", 3, cores->box.size);
+    read_periodic(lines, &cores->box);
     read_numbers(lines, "distance_m ", 1, &cores->distance);
     double count;
     read_numbers(lines, "count ", 1, &count);
@@ -126,7 +144,7 @@ struct cores cores_read(const char *path, const char *topology)
         read_numbers(&lines, "", 4, values);
         for (int axis = 0; axis < 3; axis++) {
             cores.centre[c][axis] = values[axis];
-            if (fabs(values[axis]) > 0.5 * cores.size[axis] + 100 * cores.distance)
+            if (fabs(values[axis]) > 0.5 * cores.box.size[axis] + 100 * cores.distance)
                 die_user("%s:%lld: the centre is more than 100 distances from the body", path,
                          (long long)lines.number);
         }
@@ -136,6 +154,6 @@ struct cores cores_read(const char *path, const char *topology)
         cores.order[c] = (int64_t)values[3];
     }
     free(text);
-    cores_index(&cores);
+    cores_finish(&cores, CORES_REACH * cores.distance);
     return cores;
 }

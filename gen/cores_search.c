@@ -108,6 +108,16 @@ static void visit_face(const struct cores *cores, const double point[3], int64_t
     place->depth = fmin(place->depth, depth);
 }
 
+/* What lies further than this from the point may be missing. */
+static void check_gap(const struct cores *cores, double radius)
+{
+    if (cores->original && radius > cores->reach)
+        die_user(
+            "the cores of the periodic body leave a gap of %g core distances: take a wider body, "
+            "more cores or another seed",
+            radius / cores->distance);
+}
+
 struct core_place cores_place(const struct cores *cores, const double point[3], int with_depth)
 {
     struct core_place place = {.core = 0, .distance = INFINITY, .depth = INFINITY};
@@ -122,12 +132,14 @@ struct core_place cores_place(const struct cores *cores, const double point[3], 
         visit_ring(cores, point, middle, ring, visit_nearest, &place);
         if (place.distance <= (double)ring * cores->distance) break;
     }
+    if (!with_depth) check_gap(cores, place.distance);
     if (!with_depth) return place;
     /* A centre at the distance r has its face at least (r - r0) / 2 away (triangle inequality). */
     for (int64_t ring = 0; ring <= last; ring++) {
         visit_ring(cores, point, middle, ring, visit_face, &place);
         if (place.distance + 2 * place.depth <= (double)ring * cores->distance) break;
     }
+    check_gap(cores, place.distance + 2 * place.depth);
     /* A single core fills all space. */
     place.depth = fmin(place.depth, 1e3 * cores->distance);
     return place;
@@ -137,8 +149,9 @@ static bool touches_body(const struct cores *cores, int64_t core, double radius)
 {
     double square = 0;
     for (int axis = 0; axis < 3; axis++) {
-        double out = fmax(0, fabs(cores->centre[core][axis]) - 0.5 * cores->size[axis]);
-        square += out * out;
+        double out = fmax(0, fabs(cores->centre[core][axis]) - 0.5 * cores->box.size[axis]);
+        square +=
+            cores->box.periodic[axis] ? 0 : out * out; /* there it touches an image of the body */
     }
     return square < radius * radius;
 }

@@ -2,6 +2,7 @@
 
 #include "memory.h"
 #include "outline.h"
+#include "symmetry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -94,14 +95,14 @@ static void merge_small_parts(struct cells *cells)
 
 static bool is_owned(const void *cells, int64_t site, const double point[3])
 {
-    (void)point;
-    return ((const struct cells *)cells)->owned[site] > 0;
+    const struct cells *c = cells;
+    return c->owned[site] > 0 && symmetry_keeps(c->specimen, point);
 }
 
 static bool is_inside(const void *specimen, int64_t site, const double point[3])
 {
     (void)site;
-    return outline_holds(specimen, point);
+    return outline_holds(specimen, point) && symmetry_keeps(specimen, point);
 }
 
 static struct sites cut_sites(const struct specimen *specimen)
@@ -135,5 +136,6 @@ struct sites fill_sites(const struct specimen *specimen)
                              : sites_new(specimen->count, specimen->spacing, is_inside, specimen);
     sites.turn[0] = cos(specimen->angle);
     sites.turn[1] = sin(specimen->angle);
+    for (int axis = 0; axis < 3; axis++) sites.periodic[axis] = specimen->periodic[axis];
     return sites;
 }

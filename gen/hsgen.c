@@ -84,7 +84,10 @@ static char *check_topology(const struct recipe *recipe, const struct findings *
 /* What cannot work is said before the work is done. */
 static void check_side_files(const struct arguments *c, const struct recipe *recipe)
 {
+    const bool *periodic = recipe->specimen.periodic;
     if (c->picture) picture_check_name(c->picture);
+    if (c->peridigm && (periodic[0] || periodic[1] || periodic[2]))
+        die_user("--peridigm %s: that format has no place for a periodic body", c->peridigm);
     if (c->cores && recipe->topology->single_phase)
         die_user("--cores %s: a homogeneous structure has no cores", c->cores);
 }
@@ -124,10 +127,12 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
-    char *cell = sites_cell(&sites);
-    note("%s: %lld x %lld x %lld sites of %s um, %lld nodes, %lld cores",
+    const struct cores_box box = recipe_box(recipe);
+    char *cell = sites_cell(&sites), along[4];
+    note("%s: %lld x %lld x %lld sites of %s um, %lld nodes, %lld cores%s%s",
          recipe->topology->deck.name, (long long)sites.count[0], (long long)sites.count[1],
-         (long long)sites.count[2], cell, (long long)sites.n_nodes, (long long)cores.count);
+         (long long)sites.count[2], cell, (long long)sites.n_nodes, (long long)cores.own,
+         *cores_axes(&box, along) ? ", periodic along " : "", along);
     free(cell);
     for (int i = 0; i < recipe->n_phases; i++) note("phase %s", recipe->phase_names[i]);
     for (int i = 0; i < domain.n_sets; i++)

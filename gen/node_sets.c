@@ -98,7 +98,7 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
 {
     const double end = specimen->size[0], grip = 0.5 * end - specimen->grip_length;
     if (specimen->grip_length > 0) {
-        add_slab(sites, "grip_left", -end, -grip, out);
+        if (!specimen->symmetry[0]) add_slab(sites, "grip_left", -end, -grip, out);
         add_slab(sites, "grip_right", grip, end, out);
     }
     if (specimen->gauge_length > 0) {
@@ -112,7 +112,8 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
             plane = sites_coordinate(sites, 0, layer[1]);
             half = 0.5 * half;
         }
-        add_slab(sites, "gauge_left", -plane - half, -plane + half, out);
+        if (!specimen->symmetry[0])
+            add_slab(sites, "gauge_left", -plane - half, -plane + half, out);
         add_slab(sites, "gauge_right", plane - half, plane + half, out);
     }
     if (sets.index == 0) return;

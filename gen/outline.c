@@ -264,7 +264,10 @@ double outline_section(const struct specimen *specimen, const struct sites *site
 {
     const bool gauge = specimen->gauge_length > 0;
     const double length = gauge ? specimen->gauge_length : specimen->size[0];
-    if (specimen->volumes == VOLUMES_CUT) return outline_between(specimen, length) / length;
+    const bool *half = specimen->symmetry;
+    if (specimen->volumes == VOLUMES_CUT)
+        return outline_between(specimen, length) / length * (half[1] ? 0.5 : 1) *
+               (half[2] ? 0.5 : 1);
     const bool turned = specimen->angle != 0;
     int64_t layer[2] = {0, sites->count[0] - 1}, between = 0;
     if (gauge) specimen_gauge_layers(specimen, layer);
@@ -275,6 +278,6 @@ double outline_section(const struct specimen *specimen, const struct sites *site
         between += turned ? fabs(at[0]) <= 0.5 * length : i >= layer[0] && i <= layer[1];
     }
     if (turned) return (double)between * sites_volume(sites, 0) / length;
-    return (double)between / (double)(layer[1] - layer[0] + 1) * sites->spacing[1] *
-           sites->spacing[2];
+    const double layers = (double)(layer[1] - layer[0] + 1) * (half[0] ? 0.5 : 1);
+    return (double)between / layers * sites->spacing[1] * sites->spacing[2];
 }

@@ -2,7 +2,9 @@
 
 #include "die.h"
 #include "exodus.h"
+#include "periodic.h"
 #include "sections.h"
+#include "symmetry.h"
 #include "topology.h"
 
 #include <math.h>
@@ -51,6 +53,16 @@ static const struct key rows[] = {
      .help = "whole: nodes whose centres are inside own their cells; cut: each owns the part of "
              "its cell that is "
              "inside, parts below 5 per cent given to a neighbour"},
+    {"periodic", KEY_NODE, MEMBER(periodic), .form = "list of x, y, z", .otherwise = "none",
+     .help = "axes along which the body goes on with its own image, as a representative cell does: "
+             "of a plate, of flat ones else z alone, of sheets x and y; along x without grips and "
+             "gauge.  Along these axes the size is a whole number of the cubic cells of the "
+             "lattice of cores"},
+    {"symmetry", KEY_NODE, MEMBER(symmetry), .form = "list of x, y, z", .otherwise = "none",
+     .help = "axes across which the middle of the specimen is a plane of symmetry: the part above "
+             "it is made, an eighth of a body with all three; across x without grip_left and "
+             "gauge_left.  Sizes and grips are those of the whole body, for which the part stands "
+             "with its images"},
     {"phases", KEY_SECTION, .section = &phases_section, .required = true, .users = TWO_PHASES,
      .help = "names of the two materials"},
     {"ufg_fraction", KEY_NUMBER, MEMBER(ufg_fraction), .unit = "1", .low = 1e-6, .high = 1 - 1e-6,
@@ -162,7 +174,9 @@ struct recipe recipe_read(const struct deck *deck)
     const int choice = keys_variant(domain, &domain_section);
     recipe.topology = topologies[choice];
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
+    periodic_read(domain, &recipe.specimen);
     specimen_read(&recipe.specimen, domain);
+    symmetry_read(domain, &recipe.specimen);
     recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
     check_names(domain, &recipe);
     if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);
@@ -171,17 +185,42 @@ struct recipe recipe_read(const struct deck *deck)
     return recipe;
 }
 
+struct cores_box recipe_box(const struct recipe *recipe)
+{
+    struct cores_box box;
+    specimen_extent(&recipe->specimen, box.size);
+    for (int axis = 0; axis < 3; axis++) box.periodic[axis] = recipe->specimen.periodic[axis];
+    return box;
+}
+
+/* Whether a file's cores are for this body. */
+static void check_box(const struct recipe *recipe, const struct cores_box *file)
+{
+    const struct cores_box box = recipe_box(recipe);
+    const double *size = file->size, rounding = 1e-9;
+    char axes[2][4];
+    if (strcmp(cores_axes(file, axes[0]), cores_axes(&box, axes[1])) != 0)
+        die_user(
+            "%s: the cores are for a body that is periodic along '%s', the deck's is along '%s'",
+            recipe->cores_file, axes[0], axes[1]);
+    for (int axis = 0; axis < 3; axis++) {
+        const double larger = box.size[axis] - size[axis];
+        if (larger > rounding * size[axis])
+            die_user("%s: the cores are for a body of %g x %g x %g m, the deck's is larger",
+                     recipe->cores_file, size[0], size[1], size[2]);
+        if (box.periodic[axis] && larger < -rounding * size[axis])
+            die_user("%s: the cores are for a body that repeats after %g m along %c, the deck's "
+                     "does after %g m",
+                     recipe->cores_file, size[axis], "xyz"[axis], box.size[axis]);
+    }
+}
+
 struct cores recipe_cores(struct recipe *recipe)
 {
     if (recipe->topology->single_phase) return (struct cores){0};
     if (!recipe->cores_file) return recipe->topology->place(recipe);
     struct cores cores = cores_read(recipe->cores_file, recipe->topology->deck.name);
-    double extent[3];
-    specimen_extent(&recipe->specimen, extent);
-    for (int axis = 0; axis < 3; axis++)
-        if (extent[axis] > cores.size[axis] * (1 + 1e-9))
-            die_user("%s: the cores are for a body of %g x %g x %g m, the deck's is larger",
-                     recipe->cores_file, cores.size[0], cores.size[1], cores.size[2]);
+    check_box(recipe, &cores.box);
     if (cores.distance < recipe->specimen.spacing[0] ||
         cores.distance > LONGEST_DISTANCE * recipe->specimen.spacing[0])
         die_user("%s: distance_m %g is not between 1 and %g spacings", recipe->cores_file,

@@ -31,15 +31,18 @@ struct recipe {
     double minimum_shell; /* spacings */
     bool override;
     int64_t seed;
-    struct deck_node size, gauge, grips, notch, hole,
+    struct deck_node symmetry, size, periodic, gauge, grips, notch, hole,
         sets; /* as the deck has them; index 0: none */
 };
 
 /* Reads the section `domain`; dies at the first thing that is wrong. */
 struct recipe recipe_read(const struct deck *deck);
 
+/* The box (m) that the microstructure fills. */
+struct cores_box recipe_box(const struct recipe *recipe);
+
 /* The cores, made or read; nothing in them where the structure has one phase.  The deck's size must
- * not be larger than that of the file. */
+ * not be larger than that of the file, and along periodic axes the same. */
 struct cores recipe_cores(struct recipe *recipe);
 
 #endif

@@ -18,6 +18,7 @@ struct sites {
     int64_t *site;  /* [n_nodes] */
     double *volume; /* [n_nodes] m^3; NULL: all own their cells */
     double turn[2]; /* cosine and sine of the angle from the lattice's x to the body's */
+    bool periodic[3]; /* along these axes the last layer's neighbour is the first one */
 };
 
 /* Says whether a node sits on the site, whose centre is the point (m, from the body's centre). */
@@ -49,10 +50,23 @@ int64_t sites_number(const int64_t count[3]);
 double sites_volume(const struct sites *sites, int64_t node);
 double sites_whole_volume(const struct sites *sites, const uint8_t *counted);
 
-/* Node at the indices, -1 outside the box or where the site is empty. */
+/* How often the way from the box to layer i along an axis goes around the body: 0 within it, 1 in
+ * its next image, -1 in the one before; 0 along axes that are not periodic. */
+static inline int64_t sites_around(const struct sites *sites, int axis, int64_t i)
+{
+    const int64_t count = sites->count[axis];
+    if (!sites->periodic[axis] || (i >= 0 && i < count)) return 0;
+    return i >= 0 ? i / count : -((count - 1 - i) / count);
+}
+
+/* Node at the indices, in a periodic body the one whose image is there; -1 outside or where the
+ * site is empty. */
 static inline int64_t sites_at(const struct sites *sites, int64_t i, int64_t j, int64_t k)
 {
     const int64_t *count = sites->count;
+    i -= count[0] * sites_around(sites, 0, i);
+    j -= count[1] * sites_around(sites, 1, j);
+    k -= count[2] * sites_around(sites, 2, k);
     if (i < 0 || j < 0 || k < 0 || i >= count[0] || j >= count[1] || k >= count[2]) return -1;
     return sites->node[i + count[0] * (j + count[1] * k)];
 }

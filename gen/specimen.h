@@ -23,9 +23,12 @@ struct specimen {
     int64_t dimensions; /* 2: a sheet; else 3 */
     double size[3];     /* m, along the body's x (loading), y, z */
     double spacing[3];  /* m, edges of a cell; the third of a sheet is its thickness */
-    int64_t count[3];   /* cells of the lattice, which hold the body */
-    double diameter;    /* m, of a round one, heads included */
-    double angle;       /* rad, about z, from the lattice's x to the body's */
+    bool symmetry
+        [3]; /* across these axes the middle is a plane of symmetry: the part above is made */
+    bool periodic[3]; /* along these axes the body goes on with its own image */
+    int64_t count[3]; /* cells of the lattice, which hold the body */
+    double diameter;  /* m, of a round one, heads included */
+    double angle;     /* rad, about z, from the lattice's x to the body's */
     enum specimen_volumes volumes;
     double gauge_length; /* m, between the gauge planes; 0: none asked for */
     double gauge_width;  /* m, of the parallel part between heads: along y, or its diameter */

@@ -26,9 +26,13 @@ double statistics_two_point(const struct structure *structure, int axis, int64_t
     int64_t stride = axis == 0 ? 1 : axis == 1 ? count[0] : count[0] * count[1];
     int64_t n_sites = count[0] * count[1] * count[2];
     int64_t pairs = 0, both = 0;
+    const int64_t last = sites->periodic[axis] ? count[axis] : count[axis] - lag;
+    if (sites->periodic[axis]) lag %= count[axis];
     for (int64_t line = 0; line < n_sites; line += stride * count[axis])
-        for (int64_t site = line; site < line + stride * (count[axis] - lag); site++) {
-            int64_t node = sites->node[site], other = sites->node[site + stride * lag];
+        for (int64_t site = line; site < line + stride * last; site++) {
+            int64_t to = site + stride * lag;
+            if (to >= line + stride * count[axis]) to -= stride * count[axis];
+            int64_t node = sites->node[site], other = sites->node[to];
             if (!is_counted(structure, node) || !is_counted(structure, other)) continue;
             pairs++;
             both += is_fine(structure, node) && is_fine(structure, other);
@@ -135,6 +139,29 @@ struct interface statistics_interface(const struct structure *structure, bool sh
 
 enum { FURTHEST_CORE = 12 }; /* edges of a cube of the cell's volume */
 
+/* A node, or an image of it, and where it was met. */
+struct place {
+    int64_t node, at[3];
+};
+
+static struct place place_at(const struct sites *sites, const int64_t from[3], const int offset[3])
+{
+    struct place place = {-1, {from[0] + offset[0], from[1] + offset[1], from[2] + offset[2]}};
+    place.node = sites_at(sites, place.at[0], place.at[1], place.at[2]);
+    return place;
+}
+
+static bool in_one_core(const struct structure *structure, const struct place *a,
+                        const struct place *b)
+{
+    /* Both moved back into the body together, so that the first lies in it. */
+    int64_t at[3];
+    for (int axis = 0; axis < 3; axis++)
+        at[axis] = b->at[axis] - structure->sites->count[axis] *
+                                     sites_around(structure->sites, axis, a->at[axis]);
+    return structure_one_core(structure, a->node, b->node, at);
+}
+
 /* 0 where the second core is too far. */
 static double shell_at(const struct structure *structure, int64_t node, const struct step *steps,
                        int n_steps)
@@ -142,13 +169,13 @@ static double shell_at(const struct structure *structure, int64_t node, const st
     const struct sites *sites = structure->sites;
     int64_t at[3];
     const struct step *first = NULL;
-    int32_t nearest = -1;
+    struct place nearest = {0};
     sites_index(sites, node, at);
     for (int s = 0; s < n_steps; s++) {
         const int *offset = steps[s].offset;
-        int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
-        if (!is_counted(structure, other) || is_fine(structure, other) ||
-            structure->core[other] == nearest)
+        const struct place there = place_at(sites, at, offset);
+        if (!is_counted(structure, there.node) || is_fine(structure, there.node) ||
+            (first && in_one_core(structure, &nearest, &there)))
             continue;
         if (first) {
             const int across[3] = {offset[0] - first->offset[0], offset[1] - first->offset[1],
@@ -156,7 +183,7 @@ static double shell_at(const struct structure *structure, int64_t node, const st
             return first->distance - steps_to(sites->spacing, across).edge + steps[s].distance;
         }
         first = &steps[s];
-        nearest = structure->core[other];
+        nearest = there;
     }
     return 0;
 }

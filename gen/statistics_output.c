@@ -48,6 +48,9 @@ static void print_size(const struct recipe *recipe, const struct sites *sites)
          (long long)sites->n_nodes, 1e9 * sites_whole_volume(sites, NULL),
          1e6 * outline_section(specimen, sites));
     free(cell);
+    const struct cores_box box = recipe_box(recipe);
+    char along[4];
+    if (*cores_axes(&box, along)) note("periodic along %s", along);
     if (specimen_is_block(specimen)) return;
     const double length = specimen->gauge_length > 0 ? specimen->gauge_length : specimen->size[0];
     note("nominal section of the gauge %.9g mm2, volume %.9g mm3; the lattice's is what runs",

@@ -40,7 +40,7 @@ static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
 struct structure structure_new(const struct recipe *recipe, const struct sites *sites,
                                const struct cores *cores)
 {
-    struct structure structure = {.sites = sites};
+    struct structure structure = {.sites = sites, .cores = cores};
     size_t n_nodes = (size_t)sites->n_nodes;
     structure.counted = specimen_counted(&recipe->specimen, sites);
     structure.phase = memory_new(n_nodes, sizeof *structure.phase);
@@ -58,6 +58,19 @@ void structure_free(struct structure *structure)
     free(structure->phase);
     free(structure->core);
     *structure = (struct structure){0};
+}
+
+bool structure_one_core(const struct structure *structure, int64_t node, int64_t other,
+                        const int64_t at[3])
+{
+    const int32_t a = structure->core[node], b = structure->core[other];
+    const struct cores *cores = structure->cores;
+    if (!cores || !cores->original) return a == b;
+    bool same = cores->original[a] == cores->original[b];
+    for (int axis = 0; axis < 3; axis++)
+        same = same && cores->image[a][axis] ==
+                           cores->image[b][axis] + sites_around(structure->sites, axis, at[axis]);
+    return same;
 }
 
 double structure_reach(const struct structure *structure)

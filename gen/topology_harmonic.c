@@ -9,6 +9,7 @@
  * x and y, of fcc one along the diagonals, with the same core distance. */
 #include "findings.h"
 #include "memory.h"
+#include "periodic.h"
 #include "recipe.h"
 #include "steps.h"
 #include "topology.h"
@@ -42,13 +43,14 @@ static void check(struct deck_node domain, struct recipe *recipe)
         deck_error(lattice,
                    "in two dimensions the cores lie on sc or fcc (square lattices along x or along "
                    "the diagonals); the section of bcc has no shell of even width");
+    recipe->distance = periodic_distance(domain, &recipe->specimen, lattices[recipe->lattice],
+                                         cores_lattice_edge(recipe->lattice), recipe->distance);
 }
 
 static struct cores place(const struct recipe *recipe)
 {
-    double size[3];
-    specimen_extent(&recipe->specimen, size);
-    return cores_lattice(recipe->lattice, recipe->shape, recipe->distance, recipe->jitter, size,
+    const struct cores_box box = recipe_box(recipe);
+    return cores_lattice(recipe->lattice, recipe->shape, recipe->distance, recipe->jitter, &box,
                          recipe->seed);
 }
 

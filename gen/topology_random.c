@@ -39,15 +39,14 @@ static void check(struct deck_node domain, struct recipe *recipe)
 
 static struct cores place(const struct recipe *recipe)
 {
-    double size[3];
-    specimen_extent(&recipe->specimen, size);
+    const struct cores_box box = recipe_box(recipe);
     if (recipe->shape == CORE_CELL) {
         double density = 1 / (recipe->distance * recipe->distance * recipe->distance);
-        return cores_random(CORE_CELL, density, 4 * recipe->distance, size, recipe->seed);
+        return cores_random(CORE_CELL, density, 4 * recipe->distance, &box, recipe->seed);
     }
     double volume = M_PI / 6 * recipe->diameter * recipe->diameter * recipe->diameter;
     double density = -log(recipe->ufg_fraction) / volume;
-    return cores_random(CORE_SPHERE, density, 2 * recipe->diameter, size, recipe->seed);
+    return cores_random(CORE_SPHERE, density, 2 * recipe->diameter, &box, recipe->seed);
 }
 
 static int64_t score(const struct recipe *recipe, const struct cores *cores, const double point[3],

@@ -22,6 +22,7 @@ static const struct key rows[] = {
     LIST(cracks, "hssolve: cracks that are there from the start"),
     LIST(boundary, "hssolve: what holds and loads the body"),
     LIST(initial, "hssolve: displacements and velocities at the start"),
+    LIST(macroscopic, "hssolve: how a periodic body is deformed as a whole"),
     SECTION(solver, "hssolve: how the run advances, and to where"),
     SECTION(output, "hssolve: histories, quantities and fields"),
     SECTION(post, "hspost: how a curve is evaluated"),

@@ -11,7 +11,8 @@
 /* A section that the deck does not have has the index 0. */
 struct sections {
     const char *title; /* NULL: none */
-    struct deck_node domain, materials, damage, cracks, boundary, initial, solver, output, post;
+    struct deck_node domain, materials, damage, cracks, boundary, initial, macroscopic, solver,
+        output, post;
     struct deck_node vary, refine, varied;
     struct choices choices; /* what post says, its title where it has none; else the defaults */
 };

@@ -284,10 +284,36 @@ static void refuse_lost(const struct simulation *s)
                s->scene.horizon, 100 * MOST_LOST);
 }
 
+static void check_periods(struct simulation *s)
+{
+    const struct lattice *lattice = &s->lattice;
+    const struct deck_node section = s->scene.periodic_load;
+    const bool mirror = lattice->mirror[0] || lattice->mirror[1] || lattice->mirror[2];
+    if (mirror && !s->materials.formulation->corners)
+        deck_error(deck_get(deck_root(s->deck), "materials"),
+                   "%s materials have no planes of symmetry: take corner",
+                   s->materials.formulation->name);
+    if (!lattice_is_periodic(lattice)) {
+        if (section.index)
+            deck_error(section, "the body is not periodic: domain.periodic says along which axes a "
+                                "body of hsgen is");
+        return;
+    }
+    if (!s->materials.formulation->mean_stress)
+        deck_error(deck_get(deck_root(s->deck), "materials"),
+                   "%s materials cannot be periodic: take corner", s->materials.formulation->name);
+    if (s->scene.type == SOLVER_hybrid)
+        deck_error(s->scene.solver, "a periodic body takes load steps or explicit ones, not both");
+    if (lattice->periodic[0] && s->ranks.rank == 0)
+        attributes_set_number(&s->domain.attributes, "section_m2",
+                              lattice_whole_volume(lattice) / lattice_period(lattice, 0));
+}
+
 static void build(struct simulation *s)
 {
     const struct offset *near;
     int n_near = model_near(s->model, &s->family, &near);
+    check_periods(s);
     profile_enter(s->profile, PART_PARTITION);
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
     body_profile(&s->body, s->profile);
@@ -330,14 +356,16 @@ static double time_to_strain(const struct simulation *s)
     const struct deck_node where = deck_get(s->scene.solver, "end_strain");
     const double rate = boundary_full_strain_rate(&s->boundary);
     if (!s->gauge)
-        deck_error(where, "end_strain needs a gauge: node sets gauge_left and gauge_right");
+        deck_error(where, "end_strain needs a gauge: node sets gauge_left and gauge_right, or a "
+                          "body that is periodic along x");
     if (!(rate > 0))
         deck_error(where,
                    "end_strain needs grips that move apart: two sets, one right of the other, with "
-                   "velocities along x that are numbers (strain rate %g 1/s)",
+                   "velocities along x that are numbers, or of a periodic body a rate of xx in "
+                   "macroscopic (strain rate %g 1/s)",
                    rate);
     /* By the ramp's end the grips have gone half of what they would at full speed. */
-    return s->scene.end_strain / rate + 0.5 * s->boundary.sets[s->boundary.right].value.ramp;
+    return s->scene.end_strain / rate + 0.5 * boundary_ramp(&s->boundary);
 }
 
 static double explicit_step(struct simulation *s)
@@ -399,6 +427,13 @@ static void plan_time(struct simulation *s)
     s->integration.local_damping = s->scene.local_damping;
 }
 
+static unsigned what_there_is(const struct simulation *s)
+{
+    const bool grips = boundary_has_grips(&s->boundary);
+    return (grips ? NEEDS_GRIPS : 0) | (grips || s->lattice.periodic[0] ? NEEDS_LOAD : 0) |
+           (s->gauge ? NEEDS_GAUGE : 0) | (s->boundary.macroscopic ? NEEDS_PERIODS : 0);
+}
+
 struct simulation *simulation_new(const struct arguments *arguments, struct ranks ranks)
 {
     struct simulation *s = memory_new(1, sizeof *s);
@@ -416,8 +451,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     if (s->lattice.corner && !frames) domain_forget_nodes(&s->domain);
     plan_time(s);
     s->recorder = recorder_new(own_domain(s), s->domain.n_phases, s->domain.phase_names, &s->scene,
-                               (boundary_has_grips(&s->boundary) ? NEEDS_GRIPS : 0) |
-                                   (s->gauge ? NEEDS_GAUGE : 0));
+                               what_there_is(s));
     if (frames) {
         if (ranks.rank == 0) {
             attributes_set_text(&s->domain.attributes, "solver_program", options_version());

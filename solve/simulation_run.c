@@ -79,9 +79,7 @@ double simulation_deformation(struct simulation *s)
 
 double simulation_grip_load(const struct simulation *s)
 {
-    if (!boundary_has_grips(&s->boundary)) return 0;
-    const struct boundary_set *sets = s->boundary.sets;
-    return 0.5 * (sets[s->boundary.right].reaction - sets[s->boundary.left].reaction);
+    return boundary_load(&s->boundary, &s->body);
 }
 
 void simulation_record(struct simulation *s)

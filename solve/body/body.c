@@ -43,6 +43,7 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     body.ghosts = grid_strips(&body.grid, SITE_NEAR, SITE_OWNED);
     body.volume = lattice->node_volume;
     body.n_nodes = lattice->n_nodes;
+    body.whole_volume = lattice_whole_volume(lattice);
     double *fields[9];
     box_fields_new(fields, 9, body.grid.n_sites);
     memcpy(body.u, fields, sizeof body.u);

@@ -26,6 +26,11 @@ struct body {
     struct profile *profile; /* NULL: none */
     struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
+    /* Of a periodic body, row by row: the mean displacement gradient, its rate [1/s], and where a formulation sums it up (model.h) the
+     * mean nominal stress of the last force [Pa]. */
+    double mean_gradient[9], mean_rate[9], mean_stress[9];
+    double whole_volume;           /* of a periodic body with its holes, m^3 */
+    struct exact_sum *stress_sums; /* [9] P V [J] of owned particles, in a force; else NULL */
     struct bonds *bonds;
     double volume;            /* of a node, m^3; of scattered ones their mean */
     double *volumes;          /* box field where they differ, else NULL */
@@ -38,7 +43,7 @@ struct body {
     struct integrity *integrity; /* NULL: no node degrades */
 
     /* Fields over the grid's box. */
-    double *u[3]; /* displacement, m */
+    double *u[3]; /* displacement, of a periodic body beyond that of the mean gradient, m */
     double *v[3]; /* velocity, m/s */
     union {
         double *f[3];        /* internal force density, N/m^3 */
@@ -89,12 +94,12 @@ static inline void body_particle_position(const struct body *body, int64_t site,
     lattice_particle(body->lattice, at, x);
 }
 
-/* A number of the site's node that is the same on every rank: its site in the lattice. */
+/* A number of the site's node that is the same on every rank: its site in the lattice, of an image that of its original. */
 static inline int64_t body_number(const struct body *body, int64_t site)
 {
     int at[3];
     grid_position(&body->grid, site, at);
-    return lattice_site(body->lattice, at[0], at[1], at[2]);
+    return lattice_site_of(body->lattice, at);
 }
 
 /* Volume of the node at a site [m^3]. */

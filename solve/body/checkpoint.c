@@ -99,8 +99,15 @@ static void write_rows(struct checkpoint *c, const char *name, struct rows *rows
     free(rows->words);
 }
 
-/* Where a key's numbers go on this rank; false: it has no copy of them. */
-typedef bool find_places(struct checkpoint *c, const void *of, int64_t key, double *places[]);
+/* Copies of a site that a rank may have: in a periodic body its images, a period up or down along each axis. */
+static int copies(const struct checkpoint *c)
+{
+    return lattice_is_periodic(c->body->lattice) ? 27 : 1;
+}
+
+/* Where a key's numbers go on this rank, of a copy; false: it has none. */
+typedef bool find_places(struct checkpoint *c, const void *of, int64_t key, int copy,
+                         double *places[]);
 
 static void read_rows(struct checkpoint *c, const char *name, int64_t width, find_places *find,
                       const void *of)
@@ -111,20 +118,28 @@ static void read_rows(struct checkpoint *c, const char *name, int64_t width, fin
         union checkpoint_word *words = checkpoint_file_block(c->file, width, &rows);
         for (int64_t r = 0; r < rows; r++) {
             const union checkpoint_word *word = words + r * (width + 1);
-            if (!find(c, of, word->key, places)) continue;
-            for (int64_t k = 0; k < width; k++) *places[k] = word[k + 1].number;
+            for (int copy = 0; copy < copies(c); copy++) {
+                if (!find(c, of, word->key, copy, places)) continue;
+                for (int64_t k = 0; k < width; k++) *places[k] = word[k + 1].number;
+            }
         }
         free(words);
     }
 }
 
-/* Box site of a site of the lattice; -1 where this rank does not look at it. */
-static int64_t own_site(const struct checkpoint *c, int64_t number)
+/* Box site of a copy of a site of the lattice, the first of which is itself; -1 where this rank does not look at it. */
+static int64_t own_site(const struct checkpoint *c, int64_t number, int copy)
 {
+    static const int shifts[] = {0, -1, 1};
+    const struct lattice *lattice = c->body->lattice;
     int at[3];
     if (number < 0 || number >= c->body->lattice->n_sites)
         checkpoint_file_refuse(c->file, "of another body: it has sites that this one has not");
-    lattice_position(c->body->lattice, number, at);
+    lattice_position(lattice, number, at);
+    for (int a = 0; a < 3; a++, copy /= 3) {
+        if (copy % 3 && !lattice->periodic[a]) return -1;
+        at[a] += shifts[copy % 3] * lattice->size[a];
+    }
     const int64_t site = grid_site(&c->body->grid, at);
     return site >= 0 && c->body->grid.flags[site] ? site : -1;
 }
@@ -136,10 +151,11 @@ struct field_list {
     int count;
 };
 
-static bool find_field(struct checkpoint *c, const void *of, int64_t key, double *places[])
+static bool find_field(struct checkpoint *c, const void *of, int64_t key, int copy,
+                       double *places[])
 {
     const struct field_list *list = of;
-    const int64_t site = own_site(c, key);
+    const int64_t site = own_site(c, key, copy);
     for (int k = 0; site >= 0 && k < list->count; k++) places[k] = list->fields[k] + site;
     return site >= 0;
 }
@@ -172,10 +188,11 @@ struct point_list {
     int64_t *strip_of; /* box field: 1 + number of the strip, 0: none */
 };
 
-static bool find_point(struct checkpoint *c, const void *of, int64_t key, double *places[])
+static bool find_point(struct checkpoint *c, const void *of, int64_t key, int copy,
+                       double *places[])
 {
     const struct point_list *list = of;
-    const int64_t site = own_site(c, key), strip = site < 0 ? 0 : list->strip_of[site];
+    const int64_t site = own_site(c, key, copy), strip = site < 0 ? 0 : list->strip_of[site];
     if (strip == 0) return false;
     const int point = (int)(site - list->strips->items[strip - 1].site);
     return list->place(list->owner, strip - 1, point, true, places);
@@ -276,14 +293,14 @@ struct bond_list {
 };
 
 /* A scattered strip has one lower end, which may have more of them. */
-static bool find_bond(struct checkpoint *c, const void *of, int64_t key, double *places[])
+static bool find_bond(struct checkpoint *c, const void *of, int64_t key, int copy, double *places[])
 {
     const struct bond_list *list = of;
     const struct bonds *bonds = c->body->bonds;
     const int64_t n = c->body->lattice->n_sites;
     const bool scattered = lattice_is_scattered(c->body->lattice);
-    const int64_t lower = own_site(c, scattered ? key / n : key % n),
-                  upper = scattered ? own_site(c, key % n) : -1;
+    const int64_t lower = own_site(c, scattered ? key / n : key % n, copy),
+                  upper = scattered ? own_site(c, key % n, copy) : -1;
     if (lower < 0 || (scattered && upper < 0)) return false;
     const struct bond_key wanted = {scattered ? -1 : key / n, lower, INT64_MAX};
     for (int64_t i = count_up_to(c, &wanted) - 1; i >= 0; i--) {

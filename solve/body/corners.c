@@ -33,7 +33,8 @@ struct lattice corners_lattice(const struct lattice *particles)
     lattice.n_sites = 1;
     for (int a = 0; a < 3; a++) {
         const bool flat = a == 2 && lattice.dimensions == 2;
-        lattice.size[a] += flat ? 0 : 1;
+        /* Along a periodic axis the last ones are images of the first. */
+        lattice.size[a] += flat || lattice.periodic[a] ? 0 : 1;
         lattice.origin[a] -= flat ? 0 : 0.5 * lattice.edge[a];
         lattice.n_sites *= lattice.size[a];
     }
@@ -109,7 +110,8 @@ static void fill_corner(struct body *body, const double density[], int64_t site)
         const int x = at[0] - step[0], y = at[1] - step[1], z = at[2] - step[2];
         const int phase = lattice_phase(lattice, x, y, z);
         if (phase == ABSENT) continue;
-        const double share = lattice_volume(lattice, lattice_site(lattice, x, y, z)) / each;
+        const int64_t particle = lattice_site_of(lattice, (const int[]){x, y, z});
+        const double share = lattice_volume(lattice, particle) / each;
         volume += share;
         mass += density[phase] * share;
     }

@@ -36,6 +36,7 @@ static void fill(struct grid *grid, const struct lattice *lattice, const struct 
             for (int x = 0; x < grid->size[0]; x++, site++) {
                 const int at[3] = {grid->origin[0] + x, grid->origin[1] + y, grid->origin[2] + z};
                 grid->phase[site] = lattice_phase(lattice, at[0], at[1], at[2]);
+                /* Images are nobody's own. */
                 if (!lattice_contains(lattice, at[0], at[1], at[2]) ||
                     !lattice_has_node(lattice, lattice_site(lattice, at[0], at[1], at[2])) ||
                     partition_owner(p, at[0], at[1], at[2]) != grid->rank)
@@ -179,7 +180,8 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
     allocate(&grid);
     fill(&grid, lattice, partition);
     if (lattice->corner) mark_corners(&grid, lattice);
-    if (lattice->corner || grid.n_owned == lattice->n_nodes) return grid;
+    const bool alone = grid.n_owned == lattice->n_nodes && !lattice_is_periodic(lattice);
+    if (lattice->corner || alone) return grid;
 
     mark_around(&grid, SITE_OWNED, bonds, n_bonds, SITE_NEAR);
     mark_around(&grid, SITE_OWNED, family->half, family->n_half, SITE_STRESSED);

@@ -1,4 +1,4 @@
-/* halo.h - values of sites that other ranks own. */
+/* halo.h - values of sites that other ranks own, and of images of sites in a periodic body. */
 #ifndef HS_HALO_H
 #define HS_HALO_H
 

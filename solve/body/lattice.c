@@ -112,6 +112,20 @@ int64_t lattice_nearest(const struct lattice *lattice, const double x[3])
     return lattice_site(lattice, at[0], at[1], at[2]);
 }
 
+double lattice_whole_volume(const struct lattice *lattice)
+{
+    bool whole = true;
+    double box = 1, particles = 0;
+    for (int a = 0; a < lattice->dimensions; a++) {
+        whole = whole && lattice->periodic[a];
+        box *= lattice_period(lattice, a);
+    }
+    if (whole) return lattice->dimensions == 2 ? box * lattice->thickness : box;
+    for (int64_t site = 0; site < lattice->n_sites; site++)
+        if (lattice->phase[site] != ABSENT) particles += lattice_volume(lattice, site);
+    return particles;
+}
+
 /* Whether a node lies on a site of its own, with the volume of a site; it takes the site. */
 static bool fit_node(const struct domain *domain, struct lattice *lattice, int64_t node)
 {
@@ -127,10 +141,42 @@ static bool fit_node(const struct domain *domain, struct lattice *lattice, int64
     return true;
 }
 
+/* The axes that a text of the domain names by their letters. */
+static void find_axes(const struct domain *domain, const char *name, bool axes[3])
+{
+    const char *letters = attributes_text(&domain->attributes, name);
+    for (int a = 0; letters && a < 3; a++) axes[a] = strchr(letters, 'x' + a) != NULL;
+}
+
+/* Along which axes the domain says that it is periodic, and across which it is mirrored; dies where its sites are not as
+ * many as its period has. */
+static void find_symmetry(const struct domain *domain, struct lattice *lattice)
+{
+    static const char *const names[] = {"period_x_m", "period_y_m", "period_z_m"};
+    find_axes(domain, "symmetry", lattice->mirror);
+    find_axes(domain, "periodic", lattice->periodic);
+    for (int a = 0; a < 3; a++) {
+        const double period = attributes_number(&domain->attributes, names[a], NAN),
+                     sites = period / lattice->edge[a];
+        if (lattice->periodic[a] && lattice->mirror[a])
+            die_user("the domain is periodic along %c and has a plane of symmetry across it, "
+                     "expected one of them",
+                     'x' + a);
+        /* A file from elsewhere has no more than its particles. */
+        if (!lattice->periodic[a] || isnan(period)) continue;
+        if (!(fabs(sites - lattice->size[a]) <= 1e-6 * lattice->size[a]))
+            die_user(
+                "the domain is periodic along %c after %g m, %g spacings, and has %d layers of "
+                "particles there, expected as many as spacings",
+                'x' + a, period, sites, lattice->size[a]);
+    }
+}
+
 bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
 {
     *lattice = (struct lattice){.n_nodes = domain->n_nodes, .n_particles = domain->n_nodes};
     bool fits = fit_box(domain, lattice);
+    if (fits) find_symmetry(domain, lattice);
     if (fits) {
         lattice->phase = memory_new((size_t)lattice->n_sites, 1);
         memset(lattice->phase, ABSENT, (size_t)lattice->n_sites);

@@ -5,6 +5,8 @@
  *
  * Scattered particles are kept as a row of sites, each with a position and a volume of its own.
  *
+ * A periodic body goes on beyond its sites: what lies there are images of them.
+ *
  * Where the unknowns are those of the corners of the particles' cells (corners.h), sites are corners: the nodes are
  * those that a particle has, and a particle is kept at the site of its lowest corner.  A mesh of hexahedra is a row of
  * such sites (mesh.h). */
@@ -23,6 +25,9 @@ enum { ABSENT = 255 };
 enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 
 struct lattice {
+    bool periodic
+        [3]; /* along these axes the body repeats itself after size sites: a site beyond is the image of one */
+    bool mirror[3]; /* across these axes the plane below the first layer is one of symmetry */
     int dimensions; /* 2: one layer of sites that has a thickness of its own; else 3 */
     int size[3];
     double spacing;     /* m; along x where edges differ */
@@ -86,11 +91,34 @@ static inline bool lattice_contains(const struct lattice *lattice, int x, int y,
     return x >= 0 && y >= 0 && z >= 0 && x < n[0] && y < n[1] && z < n[2];
 }
 
+/* The position among the sites of which this one is an image; itself where it is none. */
+static inline void lattice_original(const struct lattice *lattice, const int at[3], int original[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const int n = lattice->size[a];
+        original[a] = lattice->periodic[a] ? ((at[a] % n) + n) % n : at[a];
+    }
+}
+
+static inline bool lattice_is_periodic(const struct lattice *lattice)
+{
+    return lattice->periodic[0] || lattice->periodic[1] || lattice->periodic[2];
+}
+
+/* Site at any integer position, that of the original of an image; -1 outside. */
+static inline int64_t lattice_site_of(const struct lattice *lattice, const int at[3])
+{
+    int original[3];
+    lattice_original(lattice, at, original);
+    if (!lattice_contains(lattice, original[0], original[1], original[2])) return -1;
+    return lattice_site(lattice, original[0], original[1], original[2]);
+}
+
 /* Phase at any integer position, ABSENT outside. */
 static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y, int z)
 {
-    if (!lattice_contains(lattice, x, y, z)) return ABSENT;
-    return lattice->phase[lattice_site(lattice, x, y, z)];
+    const int64_t site = lattice_site_of(lattice, (const int[]){x, y, z});
+    return site < 0 ? ABSENT : lattice->phase[site];
 }
 
 /* Whether a site has a node. */
@@ -137,10 +165,14 @@ static inline double lattice_largest_face(const struct lattice *lattice)
 /* Site of corner k of the particle at a site. */
 static inline int64_t lattice_corner_site(const struct lattice *lattice, int64_t site, int k)
 {
-    int step[3];
+    int at[3], step[3];
     if (lattice->hexahedron) return lattice->hexahedron[8 * site + k];
     lattice_corner_step(k, step);
-    return site + lattice_site(lattice, step[0], step[1], step[2]);
+    if (!lattice_is_periodic(lattice))
+        return site + lattice_site(lattice, step[0], step[1], step[2]);
+    lattice_position(lattice, site, at);
+    for (int a = 0; a < 3; a++) at[a] += step[a];
+    return lattice_site_of(lattice, at);
 }
 
 /* Whether its sites are a row, each with a position of its own. */
@@ -154,6 +186,16 @@ static inline bool lattice_is_scattered(const struct lattice *lattice)
 {
     return lattice_is_row(lattice) && !lattice->hexahedron;
 }
+
+/* Length after which a body repeats itself along a periodic axis [m]. */
+static inline double lattice_period(const struct lattice *lattice, int axis)
+{
+    return lattice->size[axis] * lattice->edge[axis];
+}
+
+/* Volume of a body that is periodic along all of its axes, with what holes it has; of another one that of its particles
+ * [m^3]. */
+double lattice_whole_volume(const struct lattice *lattice);
 
 /* Distance of the outermost positions along an axis, and the middle between them [m]. */
 static inline double lattice_extent(const struct lattice *lattice, int axis)

@@ -33,8 +33,14 @@ static idx_t *particles_per_cell(const struct partition *p, const struct lattice
     return count;
 }
 
-static void add_neighbours(struct cell_graph *graph, const struct partition *p, const idx_t *vertex,
-                           const int at[3])
+/* Whether the cells go on beyond this one along an axis, on the other side of a periodic body. */
+static bool wraps(const struct lattice *lattice, const struct partition *p, int axis)
+{
+    return lattice->periodic[axis] && p->cells[axis] > 2;
+}
+
+static void add_neighbours(struct cell_graph *graph, const struct partition *p,
+                           const struct lattice *lattice, const idx_t *vertex, const int at[3])
 {
     static const idx_t shared[4] = {0, 9, 3, 1}; /* by face, edge, corner */
     idx_t end = graph->start[graph->n];
@@ -42,7 +48,10 @@ static void add_neighbours(struct cell_graph *graph, const struct partition *p, 
         for (int dy = -1; dy <= 1; dy++)
             for (int dx = -1; dx <= 1; dx++) {
                 int to[3] = {at[0] + dx, at[1] + dy, at[2] + dz}, inside = 1;
-                for (int a = 0; a < 3; a++) inside &= to[a] >= 0 && to[a] < p->cells[a];
+                for (int a = 0; a < 3; a++) {
+                    if (wraps(lattice, p, a)) to[a] = (to[a] + p->cells[a]) % p->cells[a];
+                    inside &= to[a] >= 0 && to[a] < p->cells[a];
+                }
                 if (!inside || !(dx || dy || dz)) continue;
                 idx_t v = vertex[((int64_t)to[2] * p->cells[1] + to[1]) * p->cells[0] + to[0]];
                 if (v < 0) continue;
@@ -70,7 +79,7 @@ static struct cell_graph graph_new(const struct partition *p, const struct latti
                 if (vertex[c] < 0) continue;
                 graph.weight[graph.n] = count[c];
                 graph.cell[graph.n] = c;
-                add_neighbours(&graph, p, vertex, (int[]){x, y, z});
+                add_neighbours(&graph, p, lattice, vertex, (int[]){x, y, z});
             }
     free(count);
     free(vertex);

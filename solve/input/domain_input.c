@@ -85,6 +85,23 @@ static bool take_cells(struct domain *domain, const struct deck *deck)
     return true;
 }
 
+/* That a body from elsewhere repeats itself after its particles, or is the half of one, along the axes that the deck
+ * names. */
+static void take_axes(struct domain *domain, const struct deck *deck, const char *key)
+{
+    static const char *const axes[] = {"x", "y", "z", NULL};
+    const struct deck_node said = said_of_domain(deck, key);
+    char letters[4] = "";
+    if (said.index == 0 || attributes_text(&domain->attributes, key)) return;
+    for (int i = 0; i < deck_count(said); i++) {
+        const int axis = keys_choice(deck_item(said, i), axes);
+        if (strchr(letters, *axes[axis]))
+            deck_error(deck_item(said, i), "%s is said twice", axes[axis]);
+        strcat(letters, axes[axis]);
+    }
+    attributes_set_text(&domain->attributes, key, letters);
+}
+
 /* Of scattered particles the deck may say what a spacing is to mean. */
 static void take_spacing(struct domain *domain, const struct deck *deck)
 {
@@ -129,6 +146,8 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     spool_close(&input);
     if (!*deck) *deck = deck_inside(domain, shown);
     take_dimensions(domain, *deck);
+    if (text) take_axes(domain, *deck, "periodic");
+    if (text) take_axes(domain, *deck, "symmetry");
     const bool cells = text && take_cells(domain, *deck), lattice = domain_sort(domain);
     if (cells && !lattice)
         deck_error(said_of_domain(*deck, "spacing"),

@@ -67,6 +67,22 @@ struct scene_entry {
     struct deck_node where;
 };
 
+/* What an entry of macroscopic prescribes. */
+enum macroscopic_kind {
+    MACROSCOPIC_RATE,
+    MACROSCOPIC_STRAIN,
+    MACROSCOPIC_STRESS,
+    MACROSCOPIC_KINDS
+};
+
+struct scene_component {
+    struct deck_node where;
+    int component; /* 3 row + column */
+    enum macroscopic_kind kind;
+    struct value value; /* 1/s, 1, Pa */
+};
+extern const char *const scene_components[]; /* names, ended by NULL */
+
 /* How the values of a quantity at the selected nodes become one number. */
 enum scene_reduction { REDUCE_SUM, REDUCE_MEAN, REDUCE_MINIMUM, REDUCE_MAXIMUM };
 
@@ -111,6 +127,9 @@ struct scene {
     enum plane plane;
     int n_boundary, n_initial;
     struct scene_entry *boundary, *initial;
+    struct deck_node periodic_load; /* the section macroscopic; index 0: none */
+    int n_components;
+    struct scene_component *components;
     double end_strain, end_time; /* s */
     int64_t end_steps;           /* one of the three; the others are 0 */
     double end_load; /* share of the largest load below which a broken body ends the run; 0: none */
@@ -138,9 +157,11 @@ struct scene scene_read(struct deck *deck);
 
 /* The parts of scene_read that have files of their own; output.index may be 0. */
 void scene_read_entries(struct scene *scene, struct deck_node root);
+void scene_read_macroscopic(struct scene *scene, struct deck_node list);
 void scene_read_output(struct scene *scene, struct deck_node output);
 
-extern const struct section section_solver, section_boundary, section_initial, section_output;
+extern const struct section section_solver, section_boundary, section_initial, section_macroscopic,
+    section_output;
 
 /* Finds the nodes of every selection: the particles of the domain, or of what moves and loads the body the nodes, if
  * those are corners: all that the particles of a set or block have, or those that lie in the place.  nodes: positions

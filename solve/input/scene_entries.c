@@ -113,6 +113,7 @@ void scene_read_entries(struct scene *scene, struct deck_node root)
 {
     scene->boundary = read_list(deck_find(root, "boundary"), false, &scene->n_boundary);
     scene->initial = read_list(deck_find(root, "initial"), true, &scene->n_initial);
+    scene_read_macroscopic(scene, deck_find(root, "macroscopic"));
     if (scene->start == START_RAMP) add_ramp(scene);
 }
 
@@ -209,6 +210,9 @@ void scene_try(const struct scene *scene, const struct domain *nodes, double end
 {
     try_entries(scene->boundary, scene->n_boundary, nodes, end_time);
     try_entries(scene->initial, scene->n_initial, nodes, end_time);
+    const double zero = 0, *const anywhere[] = {&zero, &zero, &zero};
+    for (int i = 0; i < scene->n_components; i++)
+        value_try(&scene->components[i].value, 1, NULL, anywhere, end_time);
 }
 
 static void free_nodes(struct scene_nodes *nodes)
@@ -230,6 +234,8 @@ void scene_free(struct scene *scene)
 {
     free_entries(scene->boundary, scene->n_boundary);
     free_entries(scene->initial, scene->n_initial);
+    for (int i = 0; i < scene->n_components; i++) value_free(&scene->components[i].value);
+    free(scene->components);
     for (int i = 0; i < scene->n_quantities; i++) free_nodes(&scene->quantities[i].nodes);
     free(scene->quantities);
     free(scene->fields.variables);

@@ -2,6 +2,7 @@
 
 #include "checkpoint.h"
 #include "memory.h"
+#include "mirror.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -39,16 +40,49 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
     return set;
 }
 
+/* Holds the nodes of each plane of symmetry. */
+static void add_mirrors(struct boundary *boundary, const struct scene *scene,
+                        const struct body *body, double largest_stress)
+{
+    const struct lattice *lattice = body->lattice;
+    for (int a = 0; a < 3; a++) {
+        int64_t count, any;
+        if (!lattice->mirror[a]) continue;
+        int64_t *nodes = mirror_nodes(scene, body, a, &count);
+        any = count;
+        ranks_share(&any, sizeof any);
+        if (any > 0) {
+            struct boundary_set *set = &boundary->sets[boundary->count++];
+            *set = (struct boundary_set){.where = scene->solver,
+                                         .direction = a,
+                                         .kind = SCENE_DISPLACEMENT,
+                                         .members = members_of_nodes(body, nodes, count)};
+            set->inner = set->members.high_x;
+            set->zero = exact_sum_new((double)set->members.n_all * largest_stress *
+                                      lattice_largest_face(lattice));
+        }
+        free(nodes);
+    }
+}
+
+/* Whether the body has no ends along x. */
+static bool is_stretched(const struct boundary *boundary)
+{
+    return boundary->macroscopic && boundary->macroscopic->axis[0];
+}
+
 struct boundary boundary_new(const struct scene *scene, struct body *body, double largest_stress)
 {
     struct boundary boundary = {
-        .sets = memory_new((size_t)scene->n_boundary, sizeof(struct boundary_set))};
+        .sets = memory_new((size_t)scene->n_boundary + 3, sizeof(struct boundary_set))};
     for (int i = 0; i < scene->n_boundary; i++)
         if (scene_holds(scene->boundary[i].kind))
             boundary.sets[boundary.count++] = set_new(&scene->boundary[i], body, largest_stress);
+    add_mirrors(&boundary, scene, body, largest_stress);
     boundary_mark(&boundary, body);
     find_grips(&boundary);
     boundary.loads = loads_new(scene, body);
+    boundary.macroscopic = macroscopic_new(scene, body);
     return boundary;
 }
 
@@ -61,6 +95,7 @@ void boundary_free(struct boundary *boundary)
     free(boundary->sets);
     free(boundary->held);
     loads_free(&boundary->loads);
+    free(boundary->macroscopic);
     *boundary = (struct boundary){0};
 }
 
@@ -125,6 +160,7 @@ void boundary_stop(struct boundary *boundary)
 
 void boundary_set_ways(struct boundary *boundary, struct body *body, double time, double dt)
 {
+    if (boundary->macroscopic) macroscopic_set_ways(boundary->macroscopic, body, time, dt);
     for (int b = 0; b < boundary->count; b++) {
         struct boundary_set *set = &boundary->sets[b];
         const bool moved = set->kind == SCENE_DISPLACEMENT;
@@ -157,6 +193,44 @@ void boundary_reactions(const struct boundary *boundary, const struct body *body
         for (int64_t i = 0; i < set->members.count; i++)
             exact_sum_add(&sums[b], reaction(body, set->direction, set->members.sites[i]));
     }
+}
+
+int boundary_holds(const struct boundary *boundary)
+{
+    const struct macroscopic *m = boundary->macroscopic;
+    int count = boundary->count;
+    for (int k = 0; m && k < COMPONENTS; k++) count += m->component[k].given;
+    return count;
+}
+
+void boundary_forces(const struct boundary *boundary, const struct body *body, double *forces)
+{
+    const struct macroscopic *m = boundary->macroscopic;
+    if (boundary->count > 0) {
+        struct exact_sum *sums = memory_new((size_t)boundary->count, sizeof *sums);
+        boundary_reactions(boundary, body, sums);
+        exact_sum_finish(sums, boundary->count, forces);
+        free(sums);
+    }
+    forces += boundary->count;
+    for (int k = 0; m && k < COMPONENTS; k++)
+        if (m->component[k].given) *forces++ = macroscopic_force(m, body, k);
+}
+
+void boundary_ways(const struct boundary *boundary, double *ways)
+{
+    const struct macroscopic *m = boundary->macroscopic;
+    for (int b = 0; b < boundary->count; b++) *ways++ = boundary->sets[b].way;
+    for (int k = 0; m && k < COMPONENTS; k++)
+        if (m->component[k].given) *ways++ = macroscopic_way(m, k);
+}
+
+double boundary_load(const struct boundary *boundary, const struct body *body)
+{
+    if (is_stretched(boundary)) return macroscopic_force(boundary->macroscopic, body, 0);
+    if (!boundary_has_grips(boundary)) return 0;
+    const struct boundary_set *sets = boundary->sets;
+    return 0.5 * (sets[boundary->right].reaction - sets[boundary->left].reaction);
 }
 
 void boundary_add_set_work(const struct boundary *boundary, const struct body *body,
@@ -195,9 +269,16 @@ static double full_rate(const struct boundary *boundary)
 
 double boundary_full_strain_rate(const struct boundary *boundary)
 {
+    if (is_stretched(boundary)) return macroscopic_full_rate(boundary->macroscopic);
     if (!boundary_has_grips(boundary)) return 0;
     const double rate = full_rate(boundary);
     return isfinite(rate) ? rate : 0;
+}
+
+double boundary_ramp(const struct boundary *boundary)
+{
+    if (is_stretched(boundary)) return macroscopic_ramp(boundary->macroscopic);
+    return boundary_has_grips(boundary) ? boundary->sets[boundary->right].value.ramp : 0;
 }
 
 /* Whether the grips gain speeds that are numbers in the same way. */
@@ -224,6 +305,7 @@ double boundary_strain_rate(const struct boundary *boundary, double time, double
 void boundary_affine_start(const struct boundary *boundary, struct body *body,
                            double poissons_ratio, double dt)
 {
+    if (boundary->macroscopic) macroscopic_start(boundary->macroscopic, body, poissons_ratio, dt);
     if (!boundary_has_grips(boundary)) return;
     const struct boundary_set *left = &boundary->sets[boundary->left];
     const struct boundary_set *right = &boundary->sets[boundary->right];
@@ -264,4 +346,5 @@ void boundary_visit(struct boundary *boundary, struct body *body, double time,
         s->reaction_before = values[5];
     }
     loads_visit(&boundary->loads, body, time, checkpoint);
+    if (boundary->macroscopic) macroscopic_visit(boundary->macroscopic, body, checkpoint);
 }

@@ -7,6 +7,7 @@
 #define HS_BOUNDARY_H
 
 #include "loads.h"
+#include "macroscopic.h"
 #include "members.h"
 #include "scene.h"
 
@@ -35,6 +36,7 @@ struct boundary {
      * there are not two, one beside the other. */
     int left, right;
     struct loads loads;
+    struct macroscopic *macroscopic; /* of a periodic body; else NULL */
 };
 
 /* scene: resolved on rank 0.  largest_stress [Pa] bounds the reactions.  Collective. */
@@ -59,6 +61,15 @@ void boundary_set_ways(struct boundary *boundary, struct body *body, double time
 void boundary_reactions(const struct boundary *boundary, const struct body *body,
                         struct exact_sum *sums);
 
+/* What holds the body, as generalised forces [N] and the ways of a step along them [m]: sets, then the given components
+ * of a mean gradient.  forces: of the force that is in the body.  forces: Collective. */
+int boundary_holds(const struct boundary *boundary);
+void boundary_forces(const struct boundary *boundary, const struct body *body, double *forces);
+void boundary_ways(const struct boundary *boundary, double *ways);
+
+/* Tensile force along x [N]: the mean of both grips, or that of the mean stress; 0 without. */
+double boundary_load(const struct boundary *boundary, const struct body *body);
+
 /* Adds the work, in this share of a step [s] at body->v, of the loads and of the sets with a motion that
  * depends on place; that of the others follows from their reactions. */
 void boundary_add_work(const struct boundary *boundary, const struct body *body, double duration,
@@ -82,8 +93,11 @@ double boundary_speed(const struct boundary_set *set, double time, double dt);
 
 /* Strain rate between the grips at a time between steps [1/s]; 0 without grips. */
 double boundary_strain_rate(const struct boundary *boundary, double time, double dt);
-/* Strain rate between the grips at full speed [1/s]; 0 where the grips' velocities are not given as numbers. */
+/* Strain rate between the grips, or of a periodic body, at full speed [1/s]; 0 where it is not given by numbers. */
 double boundary_full_strain_rate(const struct boundary *boundary);
+
+/* Time in which velocities that are numbers are reached [s]. */
+double boundary_ramp(const struct boundary *boundary);
 
 static inline bool boundary_has_grips(const struct boundary *boundary)
 {

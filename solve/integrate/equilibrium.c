@@ -6,6 +6,7 @@
 #include "profile.h"
 #include "stable_step.h"
 
+#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +54,39 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
                     scale * density * (body_volume(body, site) / body->volume) * stiff * stiff;
         }
     free(edge);
+    for (int64_t i = 0; i < unknowns->length - 3 * unknowns->n_nodes; i++)
+        bound[3 * unknowns->n_nodes + i] = 1 / e->mean_inverse[i][i];
     return bound;
+}
+
+/* Against X_k of (macroscopic.3), of the elastic body of one material [N/m^4]: lambda d_ab d_cd + mu d_ac d_bd, of F
+ * as of a strain, for what turns the body is no unknown. */
+static double mean_stiffness(const struct equilibrium *e, const struct material *material, int k,
+                             int l)
+{
+    const struct macroscopic *m = e->unknowns.macroscopic;
+    const double mu = material->shear_modulus, lambda = material->bulk_modulus - 2 * mu / 3;
+    const bool diagonal = k / 3 == k % 3 && l / 3 == l % 3;
+    return (lambda * diagonal + mu * ((k == l) + (k == l && diagonal))) * m->volume /
+           (e->body->volume * m->period[k % 3] * m->period[l % 3]);
+}
+
+/* By Cholesky's factors. */
+static void find_mean_inverse(struct equilibrium *e, const struct material *material)
+{
+    const int n = e->unknowns.n_mean;
+    if (n == 0) return;
+    gsl_matrix *stiffness = gsl_matrix_alloc((size_t)n, (size_t)n);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            gsl_matrix_set(stiffness, (size_t)i, (size_t)k,
+                           mean_stiffness(e, material, e->unknowns.mean[i], e->unknowns.mean[k]));
+    gsl_linalg_cholesky_decomp1(stiffness);
+    gsl_linalg_cholesky_invert(stiffness);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++)
+            e->mean_inverse[i][k] = gsl_matrix_get(stiffness, (size_t)i, (size_t)k);
+    gsl_matrix_free(stiffness);
 }
 
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
@@ -80,6 +113,7 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                most_common_phase(body->lattice));
         e->transform = transform_new(&e->unknowns, &e->symbol);
     }
+    find_mean_inverse(e, &materials->items[most_common_phase(body->lattice)]);
     if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
     return e;
 }
@@ -169,6 +203,18 @@ static void take_unbalanced(const struct equilibrium *e, double *g)
     }
 }
 
+/* (macroscopic.3) */
+static void take_mean_unbalanced(const struct equilibrium *e, double *g)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const struct macroscopic *m = unknowns->macroscopic;
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) {
+        const int k = unknowns->mean[i - 3 * unknowns->n_nodes];
+        g[i] = (e->body->mean_stress[k] - m->target[k]) * m->volume / m->period[k % 3] /
+               e->body->volume;
+    }
+}
+
 /* Whether any rank is asked to stop: from then on no method goes on. */
 static void look_for_stop(struct equilibrium *e)
 {
@@ -184,11 +230,15 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     struct body *body = e->body;
     look_for_stop(e);
     vector_put(&e->unknowns, x, body->u);
+    vector_put_mean(&e->unknowns, x, body->mean_gradient);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
     take_unbalanced(e, g);
+    take_mean_unbalanced(e, g);
     e->norm = vector_norm(&e->unknowns, g);
     e->reference = hypot(reactions(e), e->loads);
+    if (e->boundary->macroscopic)
+        e->reference = hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, body));
     return e->norm;
 }
 
@@ -206,7 +256,13 @@ bool equilibrium_reached(const struct equilibrium *e)
 void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
 {
     const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
+    const int64_t n = e->unknowns.n_nodes;
     transform_apply(e->transform, g, z);
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
+        z[i] = 0;
+        for (int64_t k = 3 * n; k < e->unknowns.length; k++)
+            z[i] += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
+    }
     for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
     profile_enter(e->body->profile, before);
 }

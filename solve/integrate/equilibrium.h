@@ -3,6 +3,8 @@
  *   g(u) = - (f(u) + b) V / mean V = 0 at the free components                          (equilibrium.1)
  *   residual = |g_free| / (|g_held|^2 + |b_free|^2)^1/2                                (equilibrium.2)
  *
+ * Of a periodic body the mean stress counts among the held (macroscopic.h).
+ *
  * What a falling body still carries is no measure of its forces: the denominator of (equilibrium.2) is at least a
  * hundredth of the largest one so far, and what a strain of 1e-7 throughout would cause.
  *
@@ -46,14 +48,17 @@ struct equilibrium {
     struct unknowns unknowns;
     struct symbol symbol;
     struct transform *transform; /* NULL: the method does not precondition */
-    double *bound;               /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
-    struct members held;         /* nodes with held components */
-    double *x, *g;               /* m, N/m^3 */
-    double norm, reference;      /* of g; of (equilibrium.2) */
-    double largest;              /* reference at any equilibrium so far */
-    double loads;                /* |b_free| */
-    int64_t evaluations;         /* of this solution so far */
-    int64_t last;                /* evaluation at which a method gives up */
+    double
+        mean_inverse[COMPONENTS]
+                    [COMPONENTS]; /* of the stiffness against the mean gradient's unknowns, m^4/N */
+    double *bound;                /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
+    struct members held;          /* nodes with held components */
+    double *x, *g;                /* m, N/m^3 */
+    double norm, reference;       /* of g; of (equilibrium.2) */
+    double largest;               /* reference at any equilibrium so far */
+    double loads;                 /* |b_free| */
+    int64_t evaluations;          /* of this solution so far */
+    int64_t last;                 /* evaluation at which a method gives up */
     /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
     const struct stop *stop;
     bool cut; /* it was, and what it leaves is nothing */

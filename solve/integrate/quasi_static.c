@@ -38,6 +38,7 @@ struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double la
         q->load_before[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
     }
     vector_take(&equilibrium->unknowns, body->v, 1, q->rate);
+    vector_take_mean(&equilibrium->unknowns, body->mean_rate, q->rate);
     body_clear(body, body->v, 3);
     return q;
 }
@@ -56,7 +57,7 @@ void quasi_static_free(struct quasi_static *q)
     free(q);
 }
 
-static void keep_held(const struct quasi_static *q, bool restore)
+static void keep_held(struct quasi_static *q, bool restore)
 {
     const struct members *held = &q->equilibrium->held;
     for (int64_t i = 0; i < held->count; i++)
@@ -68,6 +69,8 @@ static void keep_held(const struct quasi_static *q, bool restore)
             else
                 *kept = *u;
         }
+    double *mean = q->equilibrium->body->mean_gradient;
+    memcpy(restore ? mean : q->mean_before, restore ? q->mean_before : mean, sizeof q->mean_before);
 }
 
 static void keep_forces(const struct quasi_static *q)
@@ -114,6 +117,7 @@ static bool try_step(struct quasi_static *q, double dt)
     e->integration->force_time = time + dt;
     loads_set(&e->boundary->loads, body, time + dt);
     boundary_set_ways(e->boundary, body, time, dt);
+    if (e->boundary->macroscopic) macroscopic_move(e->boundary->macroscopic, body);
     for (int64_t i = 0; i < e->held.count; i++)
         for (int a = 0; a < 3; a++)
             if (e->boundary->held[e->held.sites[i]] >> a & 1)
@@ -190,6 +194,7 @@ bool quasi_static_step(struct quasi_static *q)
     double dt = e->integration->dt, share;
     step_error_start(&q->error, e->boundary, e->body);
     vector_take(&e->unknowns, e->body->u, 1, q->before);
+    vector_take_mean(&e->unknowns, e->body->mean_gradient, q->before);
     keep_held(q, false);
     keep_forces(q);
     while ((share = solve_step(q, dt)) < 1) {
@@ -199,6 +204,7 @@ bool quasi_static_step(struct quasi_static *q)
         dt *= share;
         if (dt < q->smallest) {
             vector_put(&e->unknowns, q->before, e->body->u);
+            vector_put_mean(&e->unknowns, q->before, e->body->mean_gradient);
             body_clear(e->body, e->body->v, 3);
             e->integration->force_time = e->integration->time;
             loads_set(&e->boundary->loads, e->body, e->integration->time);
@@ -214,6 +220,7 @@ bool quasi_static_step(struct quasi_static *q)
 void quasi_static_velocities(const struct quasi_static *q)
 {
     vector_put(&q->equilibrium->unknowns, q->rate, q->equilibrium->body->v);
+    vector_put_mean(&q->equilibrium->unknowns, q->rate, q->equilibrium->body->mean_rate);
 }
 
 double quasi_static_settle(struct quasi_static *q)
@@ -221,6 +228,7 @@ double quasi_static_settle(struct quasi_static *q)
     struct equilibrium *e = q->equilibrium;
     const double before = energy_internal(&e->integration->balance);
     vector_take(&e->unknowns, e->body->u, 1, e->x);
+    vector_take_mean(&e->unknowns, e->body->mean_gradient, e->x);
     /* There is no smaller step to take: more evaluations are all that helps, as long as they do. */
     for (double residual = INFINITY; !equilibrium_solve(e); residual = equilibrium_residual(e))
         if (e->cut || !(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;
@@ -274,6 +282,10 @@ void quasi_static_visit(struct quasi_static *q, struct checkpoint *checkpoint)
         rates.first[s + 1] = rates.first[s] + owned->items[s].count;
     checkpoint_points(checkpoint, "rate of the last load step", owned, 3, place_rate, &rates);
     checkpoint_integer(checkpoint, "load steps tried in vain", &q->refused);
+    double mean_rate[COMPONENTS] = {0};
+    vector_put_mean(&q->equilibrium->unknowns, q->rate, mean_rate);
+    checkpoint_numbers(checkpoint, "mean rate of the last load step", mean_rate, COMPONENTS);
+    vector_take_mean(&q->equilibrium->unknowns, mean_rate, q->rate);
     step_error_visit(&q->error, checkpoint);
     equilibrium_visit(q->equilibrium, checkpoint);
     free(rates.first);

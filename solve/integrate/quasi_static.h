@@ -15,9 +15,10 @@ struct quasi_static {
     struct equilibrium *equilibrium;
     double largest, smallest; /* steps, s */
     struct step_error error;
-    double *rate;        /* motion of the last step, the guess for the next, m/s */
-    double *before;      /* x at the start of the step */
-    double *held_before; /* u of equilibrium->held, three a node */
+    double *rate;                   /* motion of the last step, the guess for the next, m/s */
+    double *before;                 /* x at the start of the step */
+    double *held_before;            /* u of equilibrium->held, three a node */
+    double mean_before[COMPONENTS]; /* mean gradient */
     double *force_before[3], *load_before[3]; /* box fields, where work depends on place */
     int64_t refused;                          /* steps tried in vain */
 };

@@ -14,7 +14,7 @@ static const double SHARE = 0.5;      /* of what is left of the accuracy, for on
 
 struct step_error step_error_new(double accuracy, const struct boundary *boundary)
 {
-    struct step_error e = {.accuracy = accuracy, .count = boundary->count};
+    struct step_error e = {.accuracy = accuracy, .count = boundary_holds(boundary)};
     double **const arrays[] = {&e.force, &e.now, &e.change, &e.way, &e.stiffest, &e.stiffest_way};
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
         *arrays[k] = memory_new((size_t)e.count, sizeof(double));
@@ -34,10 +34,7 @@ void step_error_free(struct step_error *e)
 static void find_forces(struct step_error *e, const struct boundary *boundary,
                         const struct body *body)
 {
-    struct exact_sum *sums = memory_new((size_t)e->count, sizeof *sums);
-    boundary_reactions(boundary, body, sums);
-    exact_sum_finish(sums, e->count, e->now);
-    free(sums);
+    boundary_forces(boundary, body, e->now);
 }
 
 void step_error_start(struct step_error *e, const struct boundary *boundary,
@@ -59,11 +56,6 @@ static double product(int count, const double *a, const double *b)
 static double norm(int count, const double *a)
 {
     return sqrt(product(count, a, a));
-}
-
-static void take_ways(const struct boundary *boundary, double *way)
-{
-    for (int b = 0; b < boundary->count; b++) way[b] = boundary->sets[b].way;
 }
 
 /* Share of a step's length at which its error, of the second order, takes its share of what is left. */
@@ -96,7 +88,7 @@ double step_error_room(struct step_error *e, const struct boundary *boundary,
     find_forces(e, boundary, body);
     if (!e->predicts) return INFINITY;
     double *way = memory_new((size_t)e->count, sizeof *way);
-    take_ways(boundary, way);
+    boundary_ways(boundary, way);
     const double far = norm(e->count, way), force = norm(e->count, e->now);
     if (far > 0) e->local = PART * fmax(missed(e, way) - UNBALANCED * tolerance * force, 0);
     free(way);
@@ -107,7 +99,7 @@ double step_error_take(struct step_error *e, const struct boundary *boundary)
 {
     if (!(e->accuracy > 0) || e->count == 0) return INFINITY;
     const size_t bytes = (size_t)e->count * sizeof(double);
-    take_ways(boundary, e->way);
+    boundary_ways(boundary, e->way);
     for (int b = 0; b < e->count; b++) e->change[b] = e->now[b] - e->force[b];
     memcpy(e->force, e->now, bytes);
     const double way = norm(e->count, e->way), force = norm(e->count, e->force);

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A block whose middle node and all that answer to it have whole families. */
 static struct lattice block_new(const struct lattice *like, int reach, int phase)
@@ -15,6 +16,8 @@ static struct lattice block_new(const struct lattice *like, int reach, int phase
     block.volume = NULL;
     block.corner = NULL;
     block.hexahedron = NULL;
+    memset(block.periodic, 0, sizeof block.periodic);
+    memset(block.mirror, 0, sizeof block.mirror);
     for (int a = 0; a < 3; a++) block.point[a] = NULL;
     block.n_sites = 1;
     for (int a = 0; a < 3; a++) {
@@ -35,8 +38,15 @@ static int64_t corner(const struct symbol *symbol, int x, int y, int z)
     return ((int64_t)z * (symbol->reach[1] + 1) + y) * (symbol->reach[0] + 1) + x;
 }
 
+/* The entry of the components a and b. */
+static int entry_of(int a, int b)
+{
+    return a == b ? a : 6 - a - b;
+}
+
+/* What moving a node along a has for its answer along b. */
 static void push(const struct symbol *symbol, struct model *model, struct body *body, int a,
-                 double *answer)
+                 double *const answer[3])
 {
     int middle[3];
     for (int b = 0; b < 3; b++) middle[b] = body->lattice->size[b] / 2;
@@ -49,8 +59,9 @@ static void push(const struct symbol *symbol, struct model *model, struct body *
             for (int y = 0; y <= symbol->reach[1]; y++)
                 for (int x = 0; x <= symbol->reach[0]; x++) {
                     const int step[3] = {x, y, z};
-                    answer[corner(symbol, x, y, z)] -=
-                        0.5 * sign * body->f[a][site + grid_shift(&body->grid, step)] / way;
+                    for (int b = a; b < 3; b++)
+                        answer[b][corner(symbol, x, y, z)] -=
+                            0.5 * sign * body->f[b][site + grid_shift(&body->grid, step)] / way;
                 }
     }
     body->u[a][site] = 0;
@@ -80,9 +91,11 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
     }
     struct bonds *bonds = bonds_new(&body);
     model_start(model, &body, bonds);
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) symbol.answer[e] = memory_new(size, sizeof(double));
     for (int a = 0; a < 3; a++) {
-        symbol.answer[a] = memory_new(size, sizeof(double));
-        push(&symbol, model, &body, a, symbol.answer[a]);
+        double *answers[3];
+        for (int b = 0; b < 3; b++) answers[b] = symbol.answer[entry_of(a, b)];
+        push(&symbol, model, &body, a, answers);
     }
     model_free(model);
     bonds_free(bonds);
@@ -93,22 +106,22 @@ struct symbol symbol_new(struct deck_node solver, const struct family *family,
 
 void symbol_free(struct symbol *symbol)
 {
-    for (int a = 0; a < 3; a++) free(symbol->answer[a]);
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) free(symbol->answer[e]);
     *symbol = (struct symbol){{0}, {0}};
 }
 
-/* cosines[n (reach + 1)]: cos(k r), twice where r stands for -r, too. */
-static double *cosines_new(int n, const double *k, int reach)
+/* waves[n (reach + 1)]: cos(k r) or sin(k r), twice where r stands for -r, too. */
+static double *waves_of(int n, const double *k, int reach, bool sine)
 {
-    double *cosines = memory_new((size_t)n * ((size_t)reach + 1), sizeof *cosines);
+    double *waves = memory_new((size_t)n * ((size_t)reach + 1), sizeof *waves);
     for (int i = 0; i < n; i++)
         for (int r = 0; r <= reach; r++)
-            cosines[i * (reach + 1) + r] = (r > 0 ? 2 : 1) * cos(k[i] * r);
-    return cosines;
+            waves[i * (reach + 1) + r] = (r > 0 ? 2 : 1) * (sine ? sin(k[i] * r) : cos(k[i] * r));
+    return waves;
 }
 
-/* out[(o n + i) inner + j] = sum over r of cosines[i][r] in[(o (reach + 1) + r) inner + j] */
-static void contract(int64_t outer, int n, int reach, int64_t inner, const double *cosines,
+/* out[(o n + i) inner + j] = sum over r of waves[i][r] in[(o (reach + 1) + r) inner + j] */
+static void contract(int64_t outer, int n, int reach, int64_t inner, const double *waves,
                      const double *in, double *out)
 {
     for (int64_t o = 0; o < outer; o++)
@@ -116,28 +129,29 @@ static void contract(int64_t outer, int n, int reach, int64_t inner, const doubl
             double *row = out + (o * n + i) * inner;
             for (int64_t j = 0; j < inner; j++) row[j] = 0;
             for (int r = 0; r <= reach; r++) {
-                const double c = cosines[i * (reach + 1) + r],
+                const double c = waves[i * (reach + 1) + r],
                              *from = in + (o * (reach + 1) + r) * inner;
                 for (int64_t j = 0; j < inner; j++) row[j] += c * from[j];
             }
         }
 }
 
-void symbol_evaluate(const struct symbol *symbol, int a, const int n[3], double *const k[3],
+void symbol_evaluate(const struct symbol *symbol, int entry, const int n[3], double *const k[3],
                      double *values)
 {
     const int *reach = symbol->reach;
     const int64_t plane = (int64_t)n[0] * n[1];
-    double *cosines[3],
+    double *waves[3],
         *lines =
             memory_new((size_t)n[0] * (size_t)((reach[1] + 1) * (reach[2] + 1)), sizeof *lines),
         *planes = memory_new((size_t)plane * (size_t)(reach[2] + 1), sizeof *planes);
-    for (int b = 0; b < 3; b++) cosines[b] = cosines_new(n[b], k[b], reach[b]);
-    contract((int64_t)(reach[1] + 1) * (reach[2] + 1), n[0], reach[0], 1, cosines[0],
-             symbol->answer[a], lines);
-    contract(reach[2] + 1, n[1], reach[1], n[0], cosines[1], lines, planes);
-    contract(1, n[2], reach[2], plane, cosines[2], planes, values);
-    for (int b = 0; b < 3; b++) free(cosines[b]);
+    for (int b = 0; b < 3; b++)
+        waves[b] = waves_of(n[b], k[b], reach[b], entry >= 3 && b != entry - 3);
+    contract((int64_t)(reach[1] + 1) * (reach[2] + 1), n[0], reach[0], 1, waves[0],
+             symbol->answer[entry], lines);
+    contract(reach[2] + 1, n[1], reach[1], n[0], waves[1], lines, planes);
+    contract(1, n[2], reach[2], plane, waves[2], planes, values);
+    for (int b = 0; b < 3; b++) free(waves[b]);
     free(lines);
     free(planes);
 }

@@ -1,228 +1,198 @@
 #include "transform.h"
 
-#include "collection.h"
+#include "box.h"
 #include "memory.h"
+#include "placement.h"
+#include "simd.h"
+#include "slabs.h"
 #include "waves.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The box around the free components along one axis, on the rank whose work it is. */
-struct box {
-    int dimensions, low[3], size[3];
-    bool corners;
-    bool held[3][2]; /* whether there is something of the body below, above */
-    int64_t count;
-    float *values, *room, *inverse; /* [count] */
-    struct waves *waves[3];
-    int each;       /* places of a node: 1, of a mesh 8 */
-    int64_t *place; /* [each n_nodes] in the box, or -1 */
-    float *weight;  /* [each n_nodes] of a mesh; NULL: 1 */
-    double *all;    /* [n_nodes] as the ranks have them, one rank behind the other */
-    int64_t *
-        order; /* [n_nodes] of a row, where places are shared: which of them is at a site; else NULL */
-};
+enum { WIDTH = WAVES_WIDTH };
 
 struct transform {
-    const struct unknowns *unknowns;
-    struct collection *collection;
-    int root[3];
     bool crowded;
-    struct box box[3];
+    bool coupled; /* the three components are inverted together */
+    struct slabs slabs;
+    struct placement *placement;
+    struct waves *waves[3][3]; /* of a component; along a row, across rows, across planes */
+    float
+        *inverse[SYMBOL_ENTRIES]; /* [tile][size[2]][WIDTH] of this rank's columns, WIDTH a tile */
+    float (*room)[WIDTH], (*other)[WIDTH]; /* [the longest axis], the second three times as long */
+    int longest;
 };
 
-/* Place of a site in the lattice; of scattered particles the nearest in one of their mean distance, of a mesh's node where
- * it lies in such a one. */
-static void find_position(const struct lattice *lattice, int64_t site, double at[3])
+static int64_t tiles(const struct slab *slab)
 {
-    int place[3];
-    lattice_position(lattice, site, place);
+    return (slab->columns + WIDTH - 1) / WIDTH;
+}
+
+static void make_waves(struct transform *transform, const struct box *box, int a,
+                       const struct lattice *lattice)
+{
     for (int b = 0; b < 3; b++) {
-        at[b] = place[b];
-        if (!lattice_is_row(lattice)) continue;
-        at[b] = (lattice->point[b][site] - lattice->origin[b]) / lattice->spacing;
-        if (!lattice->hexahedron) at[b] = floor(at[b] + 0.5);
-    }
-}
-
-/* Free nodes between places count for those on either side, but for what lies where the body is held. */
-static void find_box(struct box *box, const struct lattice *lattice, const int64_t *sites,
-                     int64_t n, const double *free)
-{
-    static const double slack = 1e-6; /* spacings, of places of a mesh */
-    double low[3], high[3], body_low[3], body_high[3];
-    for (int b = 0; b < 3; b++) {
-        low[b] = body_low[b] = INFINITY;
-        high[b] = body_high[b] = -INFINITY;
-    }
-    for (int64_t i = 0; i < n; i++) {
-        double at[3];
-        find_position(lattice, sites[i], at);
-        for (int b = 0; b < 3; b++) {
-            body_low[b] = fmin(body_low[b], at[b]);
-            body_high[b] = fmax(body_high[b], at[b]);
-            if (!(free[i] > 0)) continue;
-            low[b] = fmin(low[b], at[b]);
-            high[b] = fmax(high[b], at[b]);
-        }
-    }
-    box->count = 1;
-    box->corners = lattice->corner != NULL;
-    box->dimensions = lattice->dimensions;
-    for (int b = 0; b < 3; b++) {
-        box->held[b][0] = body_low[b] < low[b] - slack;
-        box->held[b][1] = body_high[b] > high[b] + slack;
-        box->size[b] = 0;
-        if (low[b] <= high[b]) {
-            box->low[b] = (int)(box->held[b][0] ? ceil(low[b] - slack) : floor(low[b] + slack));
-            const int last =
-                (int)(box->held[b][1] ? floor(high[b] + slack) : ceil(high[b] - slack));
-            box->size[b] = last >= box->low[b] ? last - box->low[b] + 1 : 0;
-        }
-        box->count *= box->size[b];
-    }
-}
-
-/* Place in the box; -1 outside of it. */
-static int64_t place_in(const struct box *box, const int at[3])
-{
-    int64_t place = 0;
-    for (int b = 2; b >= 0; b--) {
-        const int step = at[b] - box->low[b];
-        if (step < 0 || step >= box->size[b]) return -1;
-        place = place * box->size[b] + step;
-    }
-    return place;
-}
-
-/* The places around each free node of a mesh, with the weights of linear interpolation. */
-static void find_places_around(struct box *box, const struct lattice *lattice, const int64_t *sites,
-                               int64_t n, const double *free_nodes)
-{
-    box->each = 8;
-    box->place = memory_new(8 * (size_t)n, sizeof *box->place);
-    box->weight = memory_new(8 * (size_t)n, sizeof *box->weight);
-    for (int64_t i = 0; i < n; i++) {
-        double at[3];
-        find_position(lattice, sites[i], at);
-        for (int k = 0; k < 8; k++) {
-            int place[3];
-            double weight = 1;
-            for (int b = 0; b < 3; b++) {
-                const double below = floor(at[b]), share = at[b] - below;
-                place[b] = (int)below + (k >> b & 1);
-                weight *= k >> b & 1 ? share : 1 - share;
-            }
-            box->place[8 * i + k] = free_nodes[i] > 0 ? place_in(box, place) : -1;
-            box->weight[8 * i + k] = (float)weight;
-        }
-    }
-}
-
-/* Whether two nodes have one place. */
-static bool find_places(struct box *box, const struct lattice *lattice, const int64_t *sites,
-                        int64_t n, const double *free_nodes)
-{
-    bool *taken = memory_new((size_t)box->count + 1, sizeof *taken), crowded = false;
-    box->each = 1;
-    box->place = memory_new((size_t)n, sizeof *box->place);
-    for (int64_t i = 0; i < n; i++) {
-        double at[3];
-        find_position(lattice, sites[i], at);
-        box->place[i] = -1;
-        if (!(free_nodes[i] > 0)) continue;
-        const int64_t place = place_in(box, (const int[]){(int)at[0], (int)at[1], (int)at[2]});
-        crowded |= taken[place];
-        taken[place] = true;
-        box->place[i] = place;
-    }
-    free(taken);
-    return crowded;
-}
-
-static void find_inverse(struct box *box, const struct symbol *symbol, int a)
-{
-    double *k[3], *stiffness = memory_new((size_t)box->count, sizeof *stiffness);
-    int64_t inner = 1;
-    for (int b = 0; b < 3; b++) {
-        const int n = box->size[b];
+        const int axis = transform->slabs.axis[b], n = box->size[axis];
+        const bool low = box->held[axis][0], high = box->held[axis][1];
         /* Across the one layer of a plane there are no corners, and those of a mesh that is flatter than the lattice
          * they are put on fall into one. */
         const bool corners =
-            box->corners && b < box->dimensions && (n > 1 || box->held[b][0] || box->held[b][1]);
-        box->waves[b] = waves_new(n, inner, corners, box->held[b][0], box->held[b][1]);
-        inner *= n;
-        k[b] = memory_new((size_t)n, sizeof *k[b]);
-        for (int i = 0; i < n; i++) k[b][i] = waves_number(box->waves[b], i);
+            lattice->corner && axis < lattice->dimensions && (n > 1 || low || high);
+        transform->waves[a][b] = box->periodic[axis]
+                                     ? waves_new_periodic(n, transform->coupled && axis == a)
+                                     : waves_new(n, corners, low, high);
     }
-    box->values = memory_new((size_t)box->count, sizeof *box->values);
-    box->room = memory_new((size_t)box->count, sizeof *box->room);
-    box->inverse = memory_new((size_t)box->count, sizeof *box->inverse);
-    symbol_evaluate(symbol, a, box->size, k, stiffness);
+}
+
+/* Of the rows across which this rank's columns lie; values as in symbol_evaluate. */
+static double *stiffness_new(const struct transform *transform, const struct symbol *symbol,
+                             int entry, int first_row, int rows)
+{
+    const int a = entry < 3 ? entry : 0; /* coupled components have the same wave numbers */
+    const struct slab *slab = &transform->slabs.slab[a];
+    const int *axis = transform->slabs.axis, counts[3] = {slab->size[0], rows, slab->size[2]};
+    double *k[3], *values = memory_new((size_t)slab->size[0] * (size_t)rows * (size_t)slab->size[2],
+                                       sizeof *values);
+    int n[3];
+    for (int b = 0; b < 3; b++) {
+        n[axis[b]] = counts[b];
+        k[axis[b]] = memory_new((size_t)counts[b], sizeof *k[0]);
+        for (int i = 0; i < counts[b]; i++)
+            k[axis[b]][i] = waves_number(transform->waves[a][b], i + (b == 1 ? first_row : 0));
+    }
+    symbol_evaluate(symbol, entry, n, k, values);
+    for (int b = 0; b < 3; b++) free(k[b]);
+    return values;
+}
+
+static void find_inverse(struct transform *transform, const struct symbol *symbol, int a,
+                         bool floats)
+{
+    const struct slab *slab = &transform->slabs.slab[a];
+    const int across_rows = transform->slabs.axis[1], planes = slab->size[2],
+              first_row = (int)(slab->first / slab->size[0]),
+              rows = (int)((slab->first + slab->columns - 1) / slab->size[0]) + 1 - first_row;
+    double *stiffness = stiffness_new(transform, symbol, a, first_row, rows);
     /* Motions of the whole body, and across a layer, have no stiffness of their own. */
     const double own = symbol->answer[a][0], least = own > 0 ? 3e-6 * own : 1;
-    for (int64_t i = 0; i < box->count; i++)
-        box->inverse[i] = (float)(1 / (fmax(stiffness[i], 0) + least));
-    for (int b = 0; b < 3; b++) free(k[b]);
+    float *inverse = memory_new((size_t)(tiles(slab) * planes) * WIDTH, sizeof *inverse);
+    for (int64_t c = 0; c < slab->columns; c++)
+        for (int p = 0; p < planes; p++) {
+            const int64_t x = (slab->first + c) % slab->size[0],
+                          row = (slab->first + c) / slab->size[0] - first_row,
+                          line = across_rows == 1 ? (int64_t)p * rows + row : row * planes + p;
+            inverse[(c / WIDTH * planes + p) * WIDTH + c % WIDTH] =
+                (float)(1 / (fmax(stiffness[line * slab->size[0] + x], 0) + least));
+        }
+    /* Forces on what is held nowhere have no sum but that of rounding. */
+    if (floats && slab->first == 0) inverse[0] = 0;
+    transform->inverse[a] = inverse;
     free(stiffness);
 }
 
-static int64_t *order_of(const int64_t *sites, int64_t n)
+/* 1, or -1 where the waves of a number are sines. */
+static double sign_of(int k, int n)
 {
-    int64_t *order = memory_new((size_t)n, sizeof *order);
-    for (int64_t i = 0; i < n; i++) order[sites[i]] = i;
-    return order;
+    return 2 * k >= n ? -1 : 1;
+}
+
+/* out: the inverse of a symmetric matrix, both in the order of the symbol's entries. */
+static void invert_symmetric(const double m[SYMBOL_ENTRIES], double out[SYMBOL_ENTRIES])
+{
+    const double xx = m[1] * m[2] - m[3] * m[3], xy = m[3] * m[4] - m[5] * m[2],
+                 xz = m[5] * m[3] - m[1] * m[4];
+    const double determinant = m[0] * xx + m[5] * xy + m[4] * xz;
+    const double minors[] = {
+        xx, m[0] * m[2] - m[4] * m[4], m[0] * m[1] - m[5] * m[5], m[4] * m[5] - m[0] * m[3], xz,
+        xy};
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) out[e] = minors[e] / determinant;
+}
+
+/* Where (symbol.2) takes a wave of one component to one of another, its sign is that of what a product of sines with it
+ * leaves: the waves of a component along its own axis are exchanged, so that those which answer to each other have the
+ * same place. */
+static void find_coupled(struct transform *transform, const struct symbol *symbol)
+{
+    const struct slab *slab = &transform->slabs.slab[0];
+    const int *axis = transform->slabs.axis, planes = slab->size[2],
+              first_row = (int)(slab->first / slab->size[0]),
+              rows = (int)((slab->first + slab->columns - 1) / slab->size[0]) + 1 - first_row;
+    double *stiffness[SYMBOL_ENTRIES];
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) {
+        stiffness[e] = stiffness_new(transform, symbol, e, first_row, rows);
+        transform->inverse[e] = memory_new((size_t)(tiles(slab) * planes) * WIDTH, sizeof(float));
+    }
+    for (int64_t c = 0; c < slab->columns; c++)
+        for (int p = 0; p < planes; p++) {
+            const int64_t x = (slab->first + c) % slab->size[0],
+                          row = (slab->first + c) / slab->size[0],
+                          line = axis[1] == 1 ? (int64_t)p * rows + row - first_row
+                                              : (row - first_row) * planes + p;
+            double sign[3], m[SYMBOL_ENTRIES], inverse[SYMBOL_ENTRIES];
+            sign[axis[0]] = sign_of((int)x, slab->size[0]);
+            sign[axis[1]] = sign_of((int)row, slab->size[1]);
+            sign[axis[2]] = sign_of(p, planes);
+            for (int e = 0; e < SYMBOL_ENTRIES; e++) {
+                const double value = stiffness[e][line * slab->size[0] + x];
+                const double own = e < 3 ? symbol->answer[e][0] : 0,
+                             least = own > 0 ? 3e-6 * own : 1;
+                m[e] =
+                    e < 3 ? fmax(value, 0) + least : -sign[(e + 1) % 3] * sign[(e + 2) % 3] * value;
+            }
+            invert_symmetric(m, inverse);
+            const bool whole = x == 0 && row == 0 && p == 0; /* a motion as a whole */
+            for (int e = 0; e < SYMBOL_ENTRIES; e++)
+                transform->inverse[e][(c / WIDTH * planes + p) * WIDTH + c % WIDTH] =
+                    whole ? 0 : (float)inverse[e];
+        }
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) free(stiffness[e]);
+}
+
+/* Of a body that is periodic along all of its axes, and held nowhere. */
+static bool is_coupled(const struct lattice *lattice, const struct box box[3])
+{
+    bool coupled = true;
+    for (int a = 0; a < 3; a++)
+        coupled = coupled && box[a].floats && (lattice->periodic[a] || a >= lattice->dimensions);
+    return coupled;
 }
 
 struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
 {
     struct transform *transform = memory_new(1, sizeof *transform);
-    const struct body *body = unknowns->body;
-    const size_t nodes = (size_t)body->n_nodes;
-    transform->unknowns = unknowns;
-    transform->collection = collection_new(body);
-    const int64_t *sites = collection_sites(transform->collection);
-    bool crowded = false;
+    struct box box[3];
+    int longest = 0;
+    for (int a = 0; a < 3; a++) box[a] = box_new(unknowns, a);
+    transform->coupled = is_coupled(unknowns->body->lattice, box);
+    transform->slabs = slabs_new(box, unknowns->body->ranks);
+    transform->placement = placement_new(unknowns, box, &transform->slabs);
+    transform->crowded = placement_is_crowded(transform->placement);
     for (int a = 0; a < 3; a++) {
-        struct box *box = &transform->box[a];
-        double *free_nodes = memory_new(nodes, sizeof *free_nodes);
-        transform->root[a] = a % body->ranks.size;
-        collection_gather(transform->collection, transform->root[a],
-                          unknowns->free + a * unknowns->n_nodes, free_nodes);
-        if (body->ranks.rank == transform->root[a]) {
-            find_box(box, body->lattice, sites, body->n_nodes, free_nodes);
-            crowded |= body->lattice->hexahedron != NULL;
-            if (body->lattice->hexahedron)
-                find_places_around(box, body->lattice, sites, body->n_nodes, free_nodes);
-            else
-                crowded |= find_places(box, body->lattice, sites, body->n_nodes, free_nodes);
-            box->all = memory_new(nodes, sizeof *box->all);
-            if (lattice_is_row(body->lattice)) box->order = order_of(sites, body->n_nodes);
-            if (box->count > 0) find_inverse(box, symbol, a);
-        }
-        free(free_nodes);
+        if (box[a].count == 0) continue;
+        make_waves(transform, &box[a], a, unknowns->body->lattice);
+        if (transform->slabs.slab[a].columns > 0 && !transform->coupled)
+            find_inverse(transform, symbol, a, box[a].floats);
+        for (int b = 0; b < 3; b++) longest = box[a].size[b] > longest ? box[a].size[b] : longest;
     }
-    double least = crowded ? -1 : 0;
-    ranks_minimum(&least, 1);
-    transform->crowded = least < 0;
+    if (transform->coupled && transform->slabs.slab[0].columns > 0) find_coupled(transform, symbol);
+    transform->longest = longest;
+    transform->room = memory_new((size_t)longest, sizeof *transform->room);
+    transform->other = memory_new(3 * (size_t)longest, sizeof *transform->other);
     return transform;
 }
 
 void transform_free(struct transform *transform)
 {
     for (int a = 0; a < 3; a++) {
-        struct box *box = &transform->box[a];
-        for (int b = 0; b < 3; b++) waves_free(box->waves[b]);
-        free(box->values);
-        free(box->room);
-        free(box->inverse);
-        free(box->place);
-        free(box->weight);
-        free(box->order);
-        free(box->all);
+        for (int b = 0; b < 3; b++) waves_free(transform->waves[a][b]);
     }
-    collection_free(transform->collection);
+    for (int e = 0; e < SYMBOL_ENTRIES; e++) free(transform->inverse[e]);
+    free(transform->room);
+    free(transform->other);
+    placement_free(transform->placement);
+    slabs_free(&transform->slabs);
     free(transform);
 }
 
@@ -231,64 +201,156 @@ bool transform_is_crowded(const struct transform *transform)
     return transform->crowded;
 }
 
-static int64_t outer_of(const struct box *box, int axis)
+/* WIDTH lines, or fewer, next to each other into their lanes, and back. */
+HS_SIMD static void load_rows(int lines, int n, const float *restrict values,
+                              float (*restrict room)[WIDTH])
 {
-    int64_t outer = 1;
-    for (int b = axis + 1; b < 3; b++) outer *= box->size[b];
-    return outer;
+    for (int i = 0; i < n; i++)
+        for (int l = 0; l < lines; l++) room[i][l] = values[(int64_t)l * n + i];
+}
+HS_SIMD static void store_rows(int lines, int n, float *restrict values,
+                               const float (*restrict room)[WIDTH])
+{
+    for (int l = 0; l < lines; l++)
+        for (int i = 0; i < n; i++) values[(int64_t)l * n + i] = room[i][l];
 }
 
-/* Values of the nodes to the box, and back.  Those that share a place are summed in the order of their sites. */
-static void put_in(const struct box *box, int64_t n, float *values)
+static void along_rows(struct transform *transform, int a, bool back)
 {
-    memset(values, 0, (size_t)box->count * sizeof *values);
-    for (int64_t site = 0; site < n; site++) {
-        const int64_t i = box->order ? box->order[site] : site;
-        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
-            if (box->place[k] >= 0)
-                values[box->place[k]] += (box->weight ? box->weight[k] : 1) * (float)box->all[i];
+    const struct slab *slab = &transform->slabs.slab[a];
+    const int n = slab->size[0];
+    const int64_t count = (int64_t)slab->planes * slab->size[1];
+    for (int64_t line = 0; line < count; line += WIDTH) {
+        const int lines = count - line < WIDTH ? (int)(count - line) : WIDTH;
+        float *values = slab->values + line * n;
+        load_rows(lines, n, values, transform->room);
+        waves_transform(transform->waves[a][0], back, transform->room, transform->other);
+        store_rows(lines, n, values, (const float(*)[WIDTH])transform->other);
     }
 }
 
-static void take_out(const struct box *box, int64_t n, const float *values)
+/* lines numbers of each of n rows that lie stride apart into the lanes from the first on, and back. */
+static void load_lines(int lines, int n, int64_t stride, const float *values, float (*room)[WIDTH],
+                       int first)
 {
-    for (int64_t i = 0; i < n; i++) {
-        box->all[i] = 0;
-        for (int64_t k = box->each * i; k < box->each * (i + 1); k++)
-            if (box->place[k] >= 0)
-                box->all[i] += (box->weight ? box->weight[k] : 1) * values[box->place[k]];
+    if (lines == WIDTH)
+        for (int i = 0; i < n; i++) memcpy(room[i], values + i * stride, sizeof room[i]);
+    else
+        for (int i = 0; i < n; i++)
+            memcpy(room[i] + first, values + i * stride, (size_t)lines * sizeof(float));
+}
+static void store_lines(int lines, int n, int64_t stride, float *values, const float (*room)[WIDTH],
+                        int first)
+{
+    if (lines == WIDTH)
+        for (int i = 0; i < n; i++) memcpy(values + i * stride, room[i], sizeof room[i]);
+    else
+        for (int i = 0; i < n; i++)
+            memcpy(values + i * stride, room[i] + first, (size_t)lines * sizeof(float));
+}
+
+/* Lines of several planes share lanes. */
+static void across_rows(struct transform *transform, int a, bool back)
+{
+    const struct slab *slab = &transform->slabs.slab[a];
+    const int n = slab->size[1], wide = slab->size[0];
+    const int64_t count = (int64_t)slab->planes * wide;
+    for (int64_t line = 0; line < count; line += WIDTH)
+        for (int storing = 0; storing < 2; storing++) {
+            for (int64_t at = line; at < count && at < line + WIDTH;) {
+                const int64_t plane = at / wide, x = at % wide;
+                const int first = (int)(at - line),
+                          lines = (int)(wide - x < WIDTH - first ? wide - x : WIDTH - first);
+                float *values = slab->values + plane * slab->plane + x;
+                if (storing)
+                    store_lines(lines, n, wide, values, (const float(*)[WIDTH])transform->other,
+                                first);
+                else
+                    load_lines(lines, n, wide, values, transform->room, first);
+                at += lines;
+            }
+            if (!storing)
+                waves_transform(transform->waves[a][1], back, transform->room, transform->other);
+        }
+}
+
+HS_SIMD static void multiply(int64_t count, const float *restrict by, float *restrict values)
+{
+    for (int64_t i = 0; i < count; i++) values[i] *= by[i];
+}
+
+/* Across the planes, over the stiffness, and back. */
+static void divide(struct transform *transform, int a)
+{
+    const struct slab *slab = &transform->slabs.slab[a];
+    const struct waves *waves = transform->waves[a][2];
+    const int n = slab->size[2];
+    for (int64_t tile = 0; tile < tiles(slab); tile++) {
+        const int64_t first = tile * WIDTH, left = slab->columns - first;
+        const size_t bytes = (size_t)(left < WIDTH ? left : WIDTH) * sizeof(float);
+        for (int p = 0; p < n; p++) memcpy(transform->room[p], slab->turned[p] + first, bytes);
+        waves_transform(waves, false, transform->room, transform->other);
+        multiply((int64_t)n * WIDTH, transform->inverse[a] + tile * n * WIDTH, transform->other[0]);
+        waves_transform(waves, true, transform->other, transform->room);
+        for (int p = 0; p < n; p++) memcpy(slab->turned[p] + first, transform->room[p], bytes);
     }
 }
 
-static void invert(struct box *box, int64_t n)
+/* (xx, yy, zz, yz, zx, xy) times (x, y, z) */
+HS_SIMD static void multiply_coupled(int64_t count, const float *restrict xx,
+                                     const float *restrict yy, const float *restrict zz,
+                                     const float *restrict yz, const float *restrict zx,
+                                     const float *restrict xy, float *restrict x, float *restrict y,
+                                     float *restrict z)
 {
-    float *values = box->values, *room = box->room;
-    if (box->count == 0) {
-        memset(box->all, 0, (size_t)n * sizeof *box->all);
-        return;
+    for (int64_t i = 0; i < count; i++) {
+        const float u = x[i], v = y[i], w = z[i];
+        x[i] = (xx[i] * u + xy[i] * v) + zx[i] * w;
+        y[i] = (xy[i] * u + yy[i] * v) + yz[i] * w;
+        z[i] = (zx[i] * u + yz[i] * v) + zz[i] * w;
     }
-    put_in(box, n, values);
-    for (int step = 0; step < 6; step++) {
-        const int b = step < 3 ? step : 5 - step;
-        float *result = waves_transform(box->waves[b], step >= 3, outer_of(box, b), values, room);
-        room = result == values ? room : values;
-        values = result;
-        for (int64_t i = 0; step == 2 && i < box->count; i++) values[i] *= box->inverse[i];
+}
+
+/* The same of all components. */
+static void divide_coupled(struct transform *transform)
+{
+    const struct slab *slab = transform->slabs.slab;
+    const int n = slab->size[2];
+    for (int64_t tile = 0; tile < tiles(slab); tile++) {
+        const int64_t first = tile * WIDTH, left = slab->columns - first, at = tile * n * WIDTH;
+        const size_t bytes = (size_t)(left < WIDTH ? left : WIDTH) * sizeof(float);
+        float(*other[3])[WIDTH], **inverse = transform->inverse;
+        for (int a = 0; a < 3; a++) {
+            other[a] = transform->other + (int64_t)a * transform->longest;
+            for (int p = 0; p < n; p++)
+                memcpy(transform->room[p], slab[a].turned[p] + first, bytes);
+            waves_transform(transform->waves[a][2], false, transform->room, other[a]);
+        }
+        multiply_coupled((int64_t)n * WIDTH, inverse[0] + at, inverse[1] + at, inverse[2] + at,
+                         inverse[3] + at, inverse[4] + at, inverse[5] + at, other[0][0],
+                         other[1][0], other[2][0]);
+        for (int a = 0; a < 3; a++) {
+            waves_transform(transform->waves[a][2], true, other[a], transform->room);
+            for (int p = 0; p < n; p++)
+                memcpy(slab[a].turned[p] + first, transform->room[p], bytes);
+        }
     }
-    take_out(box, n, values);
 }
 
 void transform_apply(struct transform *transform, const double *r, double *z)
 {
-    const struct unknowns *unknowns = transform->unknowns;
-    const int64_t n = unknowns->n_nodes;
-    for (int a = 0; a < 3; a++)
-        collection_gather(transform->collection, transform->root[a], r + a * n,
-                          transform->box[a].all);
-    for (int a = 0; a < 3; a++)
-        if (unknowns->body->ranks.rank == transform->root[a])
-            invert(&transform->box[a], unknowns->body->n_nodes);
-    for (int a = 0; a < 3; a++)
-        collection_scatter(transform->collection, transform->root[a], transform->box[a].all,
-                           z + a * n);
+    placement_put(transform->placement, r);
+    for (int a = 0; a < 3; a++) {
+        along_rows(transform, a, false);
+        across_rows(transform, a, false);
+    }
+    slabs_turn(&transform->slabs);
+    for (int a = 0; a < 3 && !transform->coupled; a++) divide(transform, a);
+    if (transform->coupled) divide_coupled(transform);
+    slabs_turn_back(&transform->slabs);
+    for (int a = 0; a < 3; a++) {
+        across_rows(transform, a, true);
+        along_rows(transform, a, true);
+    }
+    placement_take(transform->placement, z);
 }

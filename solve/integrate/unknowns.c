@@ -10,7 +10,10 @@
 struct unknowns unknowns_new(struct body *body, const struct boundary *boundary)
 {
     struct unknowns unknowns = {.body = body, .n_nodes = body->grid.n_owned};
-    unknowns.length = 3 * unknowns.n_nodes;
+    unknowns.macroscopic = boundary->macroscopic;
+    for (int k = 0; unknowns.macroscopic && k < COMPONENTS; k++)
+        if (!unknowns.macroscopic->component[k].given) unknowns.mean[unknowns.n_mean++] = k;
+    unknowns.length = 3 * unknowns.n_nodes + (body->ranks.rank == 0 ? unknowns.n_mean : 0);
     unknowns.free = vector_new(&unknowns);
     int64_t node = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
@@ -19,6 +22,7 @@ struct unknowns unknowns_new(struct body *body, const struct boundary *boundary)
                 const int held = boundary->held[body->owned.items[s].site + i] >> a & 1;
                 unknowns.free[a * unknowns.n_nodes + node] = held ? 0 : 1;
             }
+    for (int64_t i = 3 * unknowns.n_nodes; i < unknowns.length; i++) unknowns.free[i] = 1;
     return unknowns;
 }
 
@@ -58,6 +62,7 @@ void vector_take(const struct unknowns *unknowns, double *const fields[3], doubl
             scale_masked(owned->items[s].count, fields[a] + owned->items[s].site, scale,
                          unknowns->free + at, vector + at);
     }
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) vector[i] = 0;
 }
 
 void vector_put(const struct unknowns *unknowns, const double *vector, double *const fields[3])
@@ -68,6 +73,29 @@ void vector_put(const struct unknowns *unknowns, const double *vector, double *c
         for (int64_t s = 0; s < owned->count; at += owned->items[s++].count)
             choose(owned->items[s].count, vector + at, unknowns->free + at,
                    fields[a] + owned->items[s].site);
+    }
+}
+
+void vector_take_mean(const struct unknowns *unknowns, const double mean_gradient[COMPONENTS],
+                      double *vector)
+{
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) {
+        const int k = unknowns->mean[i - 3 * unknowns->n_nodes];
+        vector[i] = unknowns->macroscopic->period[k % 3] * mean_gradient[k];
+    }
+}
+
+void vector_put_mean(const struct unknowns *unknowns, const double *vector,
+                     double mean_gradient[COMPONENTS])
+{
+    double values[COMPONENTS] = {0};
+    if (unknowns->n_mean == 0) return;
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++)
+        values[i - 3 * unknowns->n_nodes] = vector[i];
+    ranks_share(values, (size_t)unknowns->n_mean * sizeof *values);
+    for (int i = 0; i < unknowns->n_mean; i++) {
+        const int k = unknowns->mean[i];
+        mean_gradient[k] = values[i] / unknowns->macroscopic->period[k % 3];
     }
 }
 
@@ -179,17 +207,22 @@ void vector_products(const struct unknowns *unknowns, int count, double *const x
     free(sums);
 }
 
+/* Numbers of a vector on all ranks, and a little more. */
+static double count_all(const struct unknowns *unknowns)
+{
+    return 1.000001 * (3 * (double)unknowns->body->n_nodes + unknowns->n_mean);
+}
+
 double vector_bound(const struct unknowns *unknowns, double largest)
 {
-    return sqrt(3.000001 * (double)unknowns->body->n_nodes) * largest;
+    return sqrt(count_all(unknowns)) * largest;
 }
 
 double vector_norm(const struct unknowns *unknowns, const double *x)
 {
     const double largest = vector_largest(unknowns, x);
     if (!(largest > 0)) return largest;
-    struct exact_sum sum =
-        exact_sum_new(3.000001 * (double)unknowns->body->n_nodes * largest * largest);
+    struct exact_sum sum = exact_sum_new(count_all(unknowns) * largest * largest);
     for (int64_t from = 0; from < unknowns->length; from += BLOCK)
         add_products(&sum, block_length(unknowns, from), x + from, x + from);
     double square;

@@ -1,7 +1,8 @@
 /* unknowns.h - the displacement components that an equilibrium leaves free, as vectors.
  *
  * A vector holds three numbers for each node that the rank owns, component by component in the order of
- * body->owned; held components are zero.  Products have the same bits on any number of ranks. */
+ * body->owned; held components are zero.  Behind them rank 0 has, of a periodic body, those of the mean displacement
+ * gradient whose stress is given (macroscopic.3).  Products have the same bits on any number of ranks. */
 #ifndef HS_UNKNOWNS_H
 #define HS_UNKNOWNS_H
 
@@ -9,8 +10,10 @@
 
 struct unknowns {
     struct body *body;
-    int64_t n_nodes, length; /* of this rank; length = 3 n_nodes */
-    double *free;            /* [length] 1, or 0 where the component is held */
+    const struct macroscopic *macroscopic; /* NULL: the body is not periodic */
+    int64_t n_nodes, length; /* of this rank; length = 3 n_nodes and those of the mean gradient */
+    int n_mean, mean[COMPONENTS]; /* of all ranks: which of its components are unknown */
+    double *free;                 /* [length] 1, or 0 where the component is held */
 };
 
 struct unknowns unknowns_new(struct body *body, const struct boundary *boundary);
@@ -23,6 +26,13 @@ void vector_take(const struct unknowns *unknowns, double *const fields[3], doubl
                  double *vector);
 /* The free components of the fields become those of the vector. */
 void vector_put(const struct unknowns *unknowns, const double *vector, double *const fields[3]);
+
+/* The mean gradient's part of vectors, on rank 0: that of body->mean_gradient, or of a rate; and back on all ranks.
+ * The second is collective. */
+void vector_take_mean(const struct unknowns *unknowns, const double mean_gradient[COMPONENTS],
+                      double *vector);
+void vector_put_mean(const struct unknowns *unknowns, const double *vector,
+                     double mean_gradient[COMPONENTS]);
 
 /* y += a x */
 void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y);

@@ -54,7 +54,20 @@ void model_start(struct model *model, const struct body *body, struct bonds *bon
 void model_force(struct model *model, struct body *body, struct force_mode mode,
                  struct force_energy *energy)
 {
+    struct exact_sum sums[9];
+    if (!lattice_is_periodic(body->lattice)) {
+        model->formulation->force(model->self, body, mode, energy);
+        return;
+    }
+    /* No mean stress of a metal exceeds ten times its modulus. */
+    const double volume = (double)body->lattice->n_particles * body->volume,
+                 bound = 10 * volume * materials_stiffest(model->materials);
+    for (int k = 0; k < 9; k++) sums[k] = exact_sum_new(bound);
+    body->stress_sums = sums;
     model->formulation->force(model->self, body, mode, energy);
+    body->stress_sums = NULL;
+    exact_sum_finish(sums, 9, body->mean_stress);
+    for (int k = 0; k < 9; k++) body->mean_stress[k] /= body->whole_volume;
 }
 
 void model_prepare(struct model *model, struct body *body, int rows)

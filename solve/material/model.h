@@ -50,6 +50,8 @@ struct formulation {
     double horizon;        /* the same, in spacings; 0: a deck names one */
     double scattered;      /* the same among scattered particles */
     bool
+        mean_stress; /* its force adds to stress_sums what the mean stress of a periodic body is made of */
+    bool
         corners; /* the corners of the particles' cells are the nodes (corners.h); it has no bonds */
     const char *const *keys; /* of the deck's solver section that only some formulations have */
     /* Reads what the deck's solver section says to it. */

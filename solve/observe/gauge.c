@@ -9,10 +9,10 @@
 
 struct gauge {
     int n_phases;
-    struct members left, right;
-    double from, to;  /* x of the planes, m */
-    double *fraction; /* [n_phases] */
-    double *volume;   /* [n_phases] of the nodes between the planes, in mean volumes */
+    struct members left, right; /* of a periodic body empty */
+    double from, to;            /* x of the planes, m */
+    double *fraction;           /* [n_phases] */
+    double *volume;             /* [n_phases] of the nodes between the planes, in mean volumes */
     double *layer; /* [layers] volume of the particles of the body in each layer, in mean volumes */
 };
 
@@ -68,17 +68,33 @@ static void count_phases(struct gauge *gauge, const struct body *body)
     for (int p = 0; p < gauge->n_phases; p++) gauge->fraction[p] = gauge->volume[p] / all;
 }
 
+/* A body that is periodic along x is a gauge as a whole; a plane of symmetry is the left one. */
+static void find_planes(struct gauge *gauge, const struct body *body, const struct domain *domain)
+{
+    const struct lattice *lattice = body->lattice;
+    if (lattice->periodic[0]) {
+        gauge->from = lattice->origin[0];
+        gauge->to = lattice->origin[0] + lattice_period(lattice, 0);
+        return;
+    }
+    gauge->right = members_new(body, domain, "gauge_right");
+    if (lattice->mirror[0])
+        gauge->from = lattice->origin[0];
+    else {
+        gauge->left = members_new(body, domain, "gauge_left");
+        gauge->from = gauge->left.mean_x;
+    }
+    gauge->to = gauge->right.mean_x;
+}
+
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
 {
     bool wanted = domain && (domain_set(domain, "gauge_left") || domain_set(domain, "gauge_right"));
     ranks_share(&wanted, sizeof wanted);
-    if (!wanted) return NULL;
+    if (!wanted && !body->lattice->periodic[0]) return NULL;
     struct gauge *gauge = memory_new(1, sizeof *gauge);
     gauge->n_phases = n_phases;
-    gauge->left = members_new(body, domain, "gauge_left");
-    gauge->right = members_new(body, domain, "gauge_right");
-    gauge->from = gauge->left.mean_x;
-    gauge->to = gauge->right.mean_x;
+    find_planes(gauge, body, domain);
     if (!(gauge->to > gauge->from))
         die_user("the gauge planes are not apart: gauge_left at x = %g m, gauge_right at %g m",
                  gauge->from, gauge->to);
@@ -110,20 +126,37 @@ double gauge_fraction(const struct gauge *gauge, int phase)
     return gauge->fraction[phase];
 }
 
+/* A node in a plane of symmetry stands for one, others for two. */
+static double images_of(const struct body *body, int64_t site)
+{
+    double images = 1;
+    int at[3];
+    grid_position(&body->grid, site, at);
+    for (int a = 0; a < 3; a++)
+        if (body->lattice->mirror[a] && at[a] > 0) images *= 2;
+    return images;
+}
+
 struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body)
 {
     const struct members *sets[2] = {&gauge->left, &gauge->right};
     const double reach = 100 * (lattice_extent(body->lattice, 0) + body->lattice->spacing);
-    struct exact_sum sums[2];
+    struct exact_sum sums[4];
+    if (body->lattice->periodic[0])
+        return (struct gauge_planes){0, body->mean_gradient[0] * gauge_length(gauge)};
     for (int k = 0; k < 2; k++) {
-        sums[k] = exact_sum_new((double)sets[k]->n_all * reach);
-        for (int64_t i = 0; i < sets[k]->count; i++)
-            exact_sum_add(&sums[k], body->u[0][sets[k]->sites[i]]);
+        sums[k] = exact_sum_new(8 * (double)sets[k]->n_all * reach);
+        sums[2 + k] = exact_sum_new(8 * (double)sets[k]->n_all);
+        for (int64_t i = 0; i < sets[k]->count; i++) {
+            const double images = images_of(body, sets[k]->sites[i]);
+            exact_sum_add(&sums[k], images * body->u[0][sets[k]->sites[i]]);
+            exact_sum_add(&sums[2 + k], images);
+        }
     }
-    double values[2];
-    exact_sum_finish(sums, 2, values);
-    return (struct gauge_planes){values[0] / (double)gauge->left.n_all,
-                                 values[1] / (double)gauge->right.n_all};
+    double values[4];
+    exact_sum_finish(sums, 4, values);
+    const bool fixed = body->lattice->mirror[0]; /* the left plane */
+    return (struct gauge_planes){fixed ? 0 : values[0] / values[2], values[1] / values[3]};
 }
 
 static const double *member(const struct node_state *node, size_t offset)

@@ -7,8 +7,8 @@
 
 struct gauge;
 
-/* From the node sets gauge_left and gauge_right; NULL where there is neither, dies where one is missing.
- * Collective. */
+/* From the node sets gauge_left and gauge_right, of a body that is periodic along x the whole of it; NULL where there is
+ * neither, dies where one set is missing.  Collective. */
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases);
 void gauge_free(struct gauge *gauge);
 

@@ -44,10 +44,12 @@ static void add_test(struct list *columns, const struct record *record)
     const struct energy_balance *energy = &record->integration->balance;
     const double internal = energy_internal(energy), per_internal = internal > 0 ? 1 / internal : 0;
     const struct record_column rows[] = {
-        {"force_left", "N", NEEDS_GRIPS, left->reaction,
-         "axial force that the left grip exerts on the specimen, along +x: below 0 in tension"},
-        {"force_right", "N", NEEDS_GRIPS, right->reaction,
-         "axial force that the right grip exerts on the specimen: above 0 in tension"},
+        {"force_left", "N", NEEDS_LOAD, record->force_left,
+         "axial force that the left grip exerts on the specimen, along +x: below 0 in tension; of "
+         "a body periodic along x minus the next"},
+        {"force_right", "N", NEEDS_LOAD, record->force_right,
+         "axial force that the right grip exerts on the specimen: above 0 in tension; of a body "
+         "periodic along x the mean stress xx times its section, volume over period"},
         {"extension", "m", NEEDS_GAUGE, planes.right - planes.left,
          "growth of the distance of the gauge planes"},
         {"grip_extension", "m", NEEDS_GRIPS, right->moved - left->moved,
@@ -107,11 +109,36 @@ static void add_run(struct list *columns, const struct record *record)
     add_columns(columns, COUNT(rows), rows);
 }
 
+/* Of a periodic body. */
+static void add_macroscopic(struct list *columns, const struct record *record)
+{
+    static const char *const gradients[] = {"mean_gradient_xx", "mean_gradient_xy",
+                                            "mean_gradient_xz", "mean_gradient_yx",
+                                            "mean_gradient_yy", "mean_gradient_yz",
+                                            "mean_gradient_zx", "mean_gradient_zy",
+                                            "mean_gradient_zz"},
+                             *const stresses[] = {
+                                 "mean_stress_xx", "mean_stress_xy", "mean_stress_xz",
+                                 "mean_stress_yx", "mean_stress_yy", "mean_stress_yz",
+                                 "mean_stress_zx", "mean_stress_zy", "mean_stress_zz"};
+    struct record_column rows[2 * COMPONENTS];
+    for (int k = 0; k < COMPONENTS; k++) {
+        rows[k] =
+            (struct record_column){gradients[k], "1", NEEDS_PERIODS, record->body->mean_gradient[k],
+                                   "of a periodic body: this component of the mean F - 1"};
+        rows[COMPONENTS + k] = (struct record_column){
+            stresses[k], "Pa", NEEDS_PERIODS, record->body->mean_stress[k],
+            "of a periodic body: mean nominal (first Piola-Kirchhoff) stress over its volume"};
+    }
+    add_columns(columns, COUNT(rows), rows);
+}
+
 struct record_column *record_columns(const struct record *record, unsigned has, int *count)
 {
     struct list columns = {.has = has};
     add_test(&columns, record);
     add_run(&columns, record);
+    add_macroscopic(&columns, record);
     *count = columns.count;
     return columns.items;
 }
@@ -127,7 +154,8 @@ const struct section *record_section(void)
     static struct section section = {
         .path = "output.history",
         .help = "The columns of a history, which are no keys. Those of forces and grip_extension "
-                "need two grips, those of the gauge, its phases and sections the node sets "
+                "need two grips or a body periodic along x, those of the mean stress and gradient "
+                "a periodic body, those of the gauge, its phases and sections the node sets "
                 "gauge_left and gauge_right; without them they are absent. Behind them stand "
                 "output.quantities."};
     const struct record empty = record_empty();

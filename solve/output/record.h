@@ -11,7 +11,7 @@
 #include "keys.h"
 
 /* Columns of a tension test are there where the scene has what they measure. */
-enum { NEEDS_GRIPS = 1, NEEDS_GAUGE = 2 };
+enum { NEEDS_GRIPS = 1, NEEDS_GAUGE = 2, NEEDS_PERIODS = 4, NEEDS_LOAD = 8 };
 
 struct record_column {
     const char *name;
@@ -26,6 +26,7 @@ struct record {
     const struct integration *integration;
     const struct body *body;
     const struct boundary_set *left, *right; /* the grips */
+    double force_left, force_right;          /* N */
     struct gauge_planes planes;
     struct gauge_section section;
     double unsteady; /* kinetic energy beyond the uniform stretching, J */

@@ -115,6 +115,11 @@ double recorder_take(struct recorder *recorder, const struct gauge *gauge,
     if (boundary_has_grips(boundary)) {
         record.left = &boundary->sets[boundary->left];
         record.right = &boundary->sets[boundary->right];
+        record.force_left = record.left->reaction;
+        record.force_right = record.right->reaction;
+    } else {
+        record.force_right = boundary_load(boundary, body);
+        record.force_left = -record.force_right;
     }
     measure(gauge, quantities, integration->moving, model, body, &record, means, means + n_means);
     if (integration->moving) record.unsteady = damping_unsteady_energy(integration, body, boundary);

@@ -12,9 +12,8 @@ static const struct key rows[] = {
 
 static struct cores place(const struct recipe *recipe)
 {
-    double size[3];
-    specimen_extent(&recipe->specimen, size);
-    return cores_lattice(LATTICE_SC, CORE_CELL, recipe->distance, 0, size, recipe->seed);
+    const struct cores_box box = recipe_box(recipe);
+    return cores_lattice(LATTICE_SC, CORE_CELL, recipe->distance, 0, &box, recipe->seed);
 }
 
 static int64_t score(const struct recipe *recipe, const struct cores *cores, const double point[3],

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 static const double size[3] = {1e-3, 5e-4, 2e-4};
+static const struct cores_box body = {{1e-3, 5e-4, 2e-4}, {false}};
 
 /* Nearest centre and nearest face of its cell, by looking at all of them. */
 static struct core_place look_at_all(const struct cores *cores, const double point[3])
@@ -41,11 +42,11 @@ static void search_finds_what_looking_at_all_finds(void **state)
 {
     (void)state;
     struct cores sets[] = {
-        cores_lattice(LATTICE_SC, CORE_CELL, 9e-5, 0, size, 1),
-        cores_lattice(LATTICE_BCC, CORE_CELL, 7e-5, 0.3, size, 2),
-        cores_lattice(LATTICE_FCC, CORE_CELL, 1.1e-4, 0.05, size, 3),
-        cores_random(CORE_CELL, 2e12, 3e-4, size, 4),
-        cores_random(CORE_SPHERE, 5e11, 0, size, 5),
+        cores_lattice(LATTICE_SC, CORE_CELL, 9e-5, 0, &body, 1),
+        cores_lattice(LATTICE_BCC, CORE_CELL, 7e-5, 0.3, &body, 2),
+        cores_lattice(LATTICE_FCC, CORE_CELL, 1.1e-4, 0.05, &body, 3),
+        cores_random(CORE_CELL, 2e12, 3e-4, &body, 4),
+        cores_random(CORE_SPHERE, 5e11, 0, &body, 5),
     };
     struct random_stream *stream = random_new(1, "points");
     for (int s = 0; s < 5; s++) {
@@ -68,10 +69,10 @@ static void lattices_have_their_neighbours(void **state)
 {
     (void)state;
     const double per_cell[] = {1, 2, 4}, edge[] = {1, 2 / sqrt(3), sqrt(2)};
-    const double block[3] = {1e-3, 1e-3, 1e-3};
+    const struct cores_box block = {{1e-3, 1e-3, 1e-3}, {false}};
     for (int lattice = 0; lattice < 3; lattice++) {
         struct cores cores =
-            cores_lattice((enum core_lattice)lattice, CORE_SPHERE, 1e-4, 0, block, 1);
+            cores_lattice((enum core_lattice)lattice, CORE_SPHERE, 1e-4, 0, &block, 1);
         assert_near(cores_nearest_pair(&cores, 1e-4), 1e-4, 1e-15);
         /* Centres inside a cube of 1 mm: its volume times the density, give or take half a cell's
          * layer on each of the six faces. */
@@ -89,7 +90,7 @@ static void lattices_have_their_neighbours(void **state)
 static void orders_are_permutations(void **state)
 {
     (void)state;
-    struct cores cores = cores_random(CORE_CELL, 1e12, 1e-4, size, 9);
+    struct cores cores = cores_random(CORE_CELL, 1e12, 1e-4, &body, 9);
     uint8_t *seen = memory_new((size_t)cores.count, 1);
     int64_t fixed = 0;
     for (int64_t c = 0; c < cores.count; c++) {

@@ -143,6 +143,11 @@ static void load_rows(const struct corner *model, const struct body *body,
     }
 }
 
+HS_SIMD static void add_mean(int count, double mean, double *restrict H)
+{
+    for (int i = 0; i < count; i++) H[i] += mean;
+}
+
 /* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry nothing are switched
  * off. */
 static void load(const struct corner *model, const struct body *body, const struct strip *strip,
@@ -154,6 +159,9 @@ static void load(const struct corner *model, const struct body *body, const stru
         hexahedra_load(model->hexahedra, strip, points, cells);
     else
         load_rows(model, body, strip, points, cells);
+    if (lattice_is_periodic(body->lattice))
+        for (int k = 0; k < TENSOR; k++)
+            add_mean(strip->count, body->mean_gradient[k], points->H[k]);
     if (!integrity || integrity->whole) return;
     for (int i = 0; i < strip->count; i++)
         if (!(integrity->node[strip->site + i] > 0)) points_switch_off(points, i);
@@ -225,6 +233,18 @@ static void sum_energies(const struct body *body, const struct cells *cells, dou
     exact_sum_add_strip(&energy->plastic, strip->count, points->dissipated, share);
 }
 
+/* (macroscopic.2): A is conjugate to the gradient, of the residual, too. */
+static void sum_stress(const struct body *body, const struct cells *cells)
+{
+    const struct strip *strip = cells->strip;
+    for (int k = 0; k < TENSOR; k++) {
+        double terms[LANES];
+        memcpy(terms, cells->A[k] + PAD, (size_t)strip->count * sizeof *terms);
+        body_only_owned(body, strip->site, strip->count, terms);
+        exact_sum_add_strip(&body->stress_sums[k], strip->count, terms, 1);
+    }
+}
+
 static void strip_force(struct corner *model, struct body *body, const struct strip *strip,
                         struct force_mode mode, struct force_energy *energy)
 {
@@ -246,6 +266,7 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     if (body->lattice->dimensions == 2) memset(cells.m, 0, sizeof cells.m);
     if (mode.energy) sum_energies(body, &cells, share, energy);
     model->residual->add(model->self, body, &cells, flow, mode, energy);
+    if (body->stress_sums) sum_stress(body, &cells);
     if (mode.record)
         for (int i = 0; i < strip->count; i++)
             model->nominal[strip->site + i] = cells.A[0][PAD + i] / cells.volume[i];
@@ -315,6 +336,7 @@ const struct formulation formulation_corner = {
     .stress_of = STRESS_OF_NODES,
     .influence = "constant",
     .horizon = 0.8660254037844386,
+    .mean_stress = true,
     .corners = true,
     .keys = (const char *const[]){"residual", "coincident_nodes", NULL},
     .read = corner_read,

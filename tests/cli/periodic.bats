@@ -1,0 +1,138 @@
+# Periodic bodies from hsgen, from the outside.
+
+bats_require_minimum_version 1.5.0
+
+setup() {
+    cd "$BATS_TEST_TMPDIR"
+    cat >cell.yaml <<'DECK'
+title: Cell of the tests
+domain:
+  specimen: plate
+  size: [0.16 mm, 0.16 mm, 0.16 mm]
+  spacing: 5 um
+  periodic: [x, y, z]
+  topology: harmonic
+  phases: {cg: CG, ufg: UFG}
+  lattice: fcc
+  core_distance: 0.1131 mm
+  ufg_fraction: 0.40
+DECK
+    sed '/lattice/d; s/harmonic/random/; s/core_distance: .*/core_distance: 60 um/' cell.yaml >random.yaml
+}
+
+statistic() { awk -F, -v q="$2" -v a="$3" '$1 == q && $2 == a { print $4; exit }' "$1"; }
+attribute() { ncdump -h "$1" | sed -n "s/.*:hs_$2 = \(.*\) ;/\1/p"; }
+
+# refused DECK TEXT...: with exit code 2, where it stands, and each of these texts.
+refused() {
+    run hsgen "$1" -o never.g
+    [ "$status" -eq 2 ]
+    [ ! -e never.g ]
+    shift
+    for text in "$@"; do [[ $output == *"$text"* ]] || { echo "$output"; return 1; }; done
+}
+
+@test "a cell is written with its axes and periods, its fraction to the node, without sets" {
+    hsgen cell.yaml -o cell.g -s cell.csv 2>said
+    grep -q 'core distance taken as 113.137085 um (said: 113.1 um)' said
+    grep -q 'periodic along xyz' said
+    [ "$(attribute cell.g periodic)" = '"xyz"' ]
+    for axis in x y z; do [ "$(attribute cell.g period_${axis}_m)" = 0.00016 ]; done
+    run ! grep -q 'num_node_sets' <(ncdump -h cell.g)
+    # 32768 nodes: round(0.4 * 32768) of them
+    awk -v found="$(statistic cell.csv ufg_fraction_nodes '')" 'BEGIN { exit !((d = found - 13107 / 32768) < 1e-9 && d > -1e-9) }'
+    for axis in x y z; do [ "$(statistic cell.csv percolates_ufg $axis)" = 1 ]; done
+    # what does not go on around the body is not written
+    sed '/periodic/d' cell.yaml | hsgen -q -o open.g
+    [ -z "$(attribute open.g periodic)$(attribute open.g period_x_m)" ]
+}
+
+@test "axes along which a body ends keep their grips and gauge" {
+    sed 's/size: .*/size: [0.8 mm, 0.16 mm, 0.16 mm]/; s/\[x, y, z\]/[z, y]/' cell.yaml >bar.yaml
+    printf '  grips: {length: 50 um, phase: structure}\n  gauge: {length: 0.4 mm}\n' >>bar.yaml
+    hsgen -q bar.yaml -o bar.g
+    [ "$(attribute bar.g periodic)" = '"yz"' ]
+    [ -z "$(attribute bar.g period_x_m)" ]
+    ncdump -h bar.g | grep -q 'num_node_sets = 4'
+}
+
+@test "cores go through their file, and only into the body that they are for" {
+    hsgen -q random.yaml -c cells.cores -o one.g --override
+    grep -qx 'periodic xyz' cells.cores
+    # (160 um / 60 um)^3 = 18.96
+    grep -qx 'count 19' cells.cores
+    sed '/core_distance/s/.*/  cores: cells.cores/' random.yaml >again.yaml
+    hsgen -q again.yaml -o two.g --override
+    cmp <(ncdump one.g | sed -n '/^data:/,$p' | grep -v info_records) <(ncdump two.g | sed -n '/^data:/,$p' | grep -v info_records) ||
+        diff <(ncdump -v connect1 one.g | sed -n '/connect1 =/,$p') <(ncdump -v connect1 two.g | sed -n '/connect1 =/,$p')
+    sed 's/\[x, y, z\]/[x, y]/' again.yaml >other.yaml
+    refused other.yaml "for a body that is periodic along 'xyz', the deck's is along 'xy'"
+    sed 's/size: .*/size: [0.15 mm, 0.16 mm, 0.16 mm]/' again.yaml >other.yaml
+    refused other.yaml "repeats after 0.00016 m along x, the deck's does after 0.00015 m"
+    sed 's/^periodic .*/periodic zx/' cells.cores >wrong.cores
+    sed 's/cells.cores/wrong.cores/' again.yaml >other.yaml
+    refused other.yaml "wrong.cores:5: found 'periodic zx', expected axes in their order"
+}
+
+@test "what cannot go on around is refused by what it is" {
+    { cat cell.yaml; echo '  grips: {length: 20 um, phase: structure}'; } >deck.yaml
+    refused deck.yaml "deck.yaml:12:10:" "periodic along x has no ends to be held" "leave out 'grips'"
+    { cat cell.yaml; echo '  gauge: {length: 80 um}'; } >deck.yaml
+    refused deck.yaml "deck.yaml:12:10:" "leave out 'gauge'"
+    { cat cell.yaml; echo '  notch: {radius: 20 um, depth: 20 um}'; } >deck.yaml
+    refused deck.yaml "a notched body is periodic along z at most"
+    { cat cell.yaml; echo '  hole: {diameter: 40 um}'; } >deck.yaml
+    refused deck.yaml "a body with a hole is periodic along z at most"
+    { cat cell.yaml; echo '  angle: 30 degree'; } >deck.yaml
+    refused deck.yaml "a body turned against the lattice is periodic along z at most"
+    sed 's/specimen: plate/specimen: rod/' cell.yaml >deck.yaml
+    refused deck.yaml "deck.yaml:6:13:" "a round body is not periodic"
+    sed 's/specimen: plate/specimen: dogbone/; s/\[x, y, z\]/[y]/' cell.yaml >deck.yaml
+    refused deck.yaml "a dogbone is not everywhere as wide"
+    sed 's/specimen: plate/&\n  dimensions: 2/' cell.yaml >deck.yaml
+    refused deck.yaml "a sheet is one layer thick"
+    sed 's/\[x, y, z\]/[x, w]/' cell.yaml >deck.yaml
+    refused deck.yaml "deck.yaml:6:17:" "'w'" "x, y, z"
+    sed 's/\[x, y, z\]/[x, y, x]/' cell.yaml >deck.yaml
+    refused deck.yaml "deck.yaml:6:20:" "x is in the list already"
+    sed 's/\[x, y, z\]/xyz/' cell.yaml >deck.yaml
+    refused deck.yaml "periodic is a list of axes: [x, y, z], or some of them"
+    sed 's/\[x, y, z\]/[]/' cell.yaml >deck.yaml
+    refused deck.yaml "periodic is a list of axes"
+    run hsgen cell.yaml -o never.g --peridigm text
+    [ "$status" -eq 2 ]
+    [[ $output == *"no place for a periodic body"* ]]
+}
+
+@test "a flat body of any outline goes on along z" {
+    cat >bone.yaml <<'DECK'
+domain:
+  specimen: dogbone
+  size: [0.8 mm, 0.2 mm, 30 um]
+  spacing: 10 um
+  periodic: [z]
+  topology: homogeneous
+  phase: Ni
+  gauge: {length: 0.3 mm, width: 0.1 mm, fillet: 0.12 mm}
+DECK
+    hsgen -q bone.yaml -o bone.g
+    [ "$(attribute bone.g periodic)" = '"z"' ]
+    [ "$(attribute bone.g period_z_m)" = 3e-05 ] || [ "$(attribute bone.g period_z_m)" = 3.e-05 ]
+}
+
+@test "a size that holds no whole cells is refused with the sizes and distances that would do" {
+    sed 's/0.1131 mm/0.12 mm/' cell.yaml >deck.yaml
+    refused deck.yaml "deck.yaml:10:18:" "repeats along each axis after 1.41421356 core distances (fcc)" \
+        "use the core_distance 0.000113137085 m (1 cells)"
+    # the distance that it names does
+    sed -i 's/0.12 mm/0.000113137085 m/' deck.yaml
+    hsgen -q deck.yaml -o cell.g
+    sed 's/size: .*/size: [0.16 mm, 0.16 mm, 0.24 mm]/' cell.yaml >deck.yaml
+    refused deck.yaml "deck.yaml:4:28:" "0.00024 m along z are 1.500000 cells of 0.00016 m; use 0.00016 m or 0.00032 m"
+}
+
+@test "what would be made is said before" {
+    run hsgen --check cell.yaml
+    [ "$status" -eq 0 ]
+    [[ $output == *"32 x 32 x 32 sites of 5 um, 32768 nodes, 4 cores, periodic along xyz"* ]]
+}

@@ -1,0 +1,371 @@
+# Periodic bodies and planes of symmetry, through the programs: laminates, Hill's exact bulk modulus, bounds, cells against
+# cells of them, ranks, restart, and what is refused.
+
+bats_require_minimum_version 1.5.0
+
+load ../columns
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+# body NAME NX NY NZ EXPRESSION: NAME.txt, particles of 10 um, of block 1 where the expression in i, j, k is true, else 2
+body() {
+    awk -v nx="$2" -v ny="$3" -v nz="$4" 'BEGIN {
+        for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++)
+            printf "%.9g %.9g %.9g %d 1e-15\n", (i + 0.5) * 1e-5, (j + 0.5) * 1e-5, (k + 0.5) * 1e-5, ('"$5"') ? 1 : 2
+    }' >"$1.txt"
+}
+
+# deck NAME AXES MATERIAL1 MATERIAL2 MACROSCOPIC SOLVER
+deck() {
+    cat >"$1.yaml" <<END
+domain: {periodic: [$2], spacing: 10 um}
+materials:
+  block_1: {model: corner, density: 8900, $3}
+  block_2: {model: corner, density: 8900, $4}
+macroscopic: [$5]
+solver: {$6}
+END
+}
+
+# solve NAME BODY [OPTIONS]: NAME.e
+solve() {
+    hssolve -q --deck "$1.yaml" -i "$2.txt" --history "$1.e" "${@:3}"
+}
+
+# near A B TOLERANCE: relative
+near() {
+    awk -v a="$1" -v b="$2" -v most="$3" 'BEGIN {
+        d = (a - b) / b; if (d < 0) d = -d
+        if (!(d <= most)) { printf "%.12g is not %.12g within %g: off by %.3g\n", a, b, most, d; exit 1 } }'
+}
+
+last() { columns "$@" | tail -1; }
+
+linear_1='youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 180 MPa, modulus: 4 GPa}'
+linear_2='youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 1260 MPa, modulus: 2 GPa}'
+voce_1='youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
+voce_2='youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}'
+soft='law: elastic, youngs_modulus: 20 GPa, poissons_ratio: 0.3'
+hard='law: elastic, youngs_modulus: 200 GPa, poissons_ratio: 0.2'
+tension='{component: xx, rate: 1 1/s}'
+confined='{component: xx, rate: 1 1/s}, {component: yy, strain: 0}, {component: zz, strain: 0}, {component: xy, strain: 0}, {component: xz, strain: 0}, {component: yz, strain: 0}'
+
+# confined_stress: P_xx of J2 in logarithmic strain with linear hardening under F = diag(stretch, 1, 1), of two layers:
+# awk's functions P(stretch, layer), exact, with the Hencky energy: tau = K e + 2/3 q, q = 2 mu e before and
+# yield + modulus p beyond the yield, p = (2 mu e - yield)/(3 mu + modulus).
+confined_stress='
+    function P(f, layer,  e, q, p) {
+        e = log(f); q = 2 * mu * e
+        if (q > yield[layer]) { p = (q - yield[layer]) / (3 * mu + slope[layer]); q = yield[layer] + slope[layer] * p }
+        return (K * e + 2 / 3 * q) / f
+    }
+    BEGIN {
+        E = 210e9; nu = 0.31; mu = E / 2 / (1 + nu); K = E / 3 / (1 - 2 * nu)
+        yield[1] = 180e6; slope[1] = 4e9; yield[2] = 1260e6; slope[2] = 2e9'
+
+# Both are exact for corners: each layer is uniform.  What is left is the residual's tolerance, 1e-8, and in shear the square of
+# the strain.
+@test "laminates beside each other, of two flow stresses, sheared along: mean of the layers' stresses to 1e-5" {
+    body layers 2 8 2 'j < 3'
+    deck parallel 'x, y, z' "$linear_1" "$linear_2" '{component: xz, rate: 1 1/s}' 'end_time: 2.5e-3, tolerance: 1e-8'
+    solve parallel layers
+    near "$(last parallel.e mean_stress_xz_Pa)" "$(awk 'BEGIN {
+        mu = 210e9 / 2.62; g = 2.5e-3; p = (sqrt(3) * mu * g - 180e6) / (3 * mu + 4e9)
+        printf "%.12g", 0.375 * (180e6 + 4e9 * p) / sqrt(3) + 0.625 * mu * g }')" 1e-5
+}
+
+@test "laminates behind each other, confined: the stress that stretches both layers to the mean, to 1e-6" {
+    body layers 8 2 2 'i < 3'
+    deck series 'x, y, z' "$linear_1" "$linear_2" "$confined" 'end_strain: 0.02, tolerance: 1e-8, accuracy: 1e-4'
+    solve series layers
+    read -r strain stress < <(last series.e mean_gradient_xx mean_stress_xx_Pa)
+    near "$stress" "$(awk -v f="$strain" "$confined_stress"'
+        low = 0; high = 1
+        for (n = 0; n < 100; n++) { # stretch of layer 1
+            x = (low + high) / 2; other = (f - 0.375 * x) / 0.625
+            if (P(1 + x, 1) < P(1 + other, 2)) low = x; else high = x
+        }
+        printf "%.12g", P(1 + x, 1) }')" 1e-6
+}
+
+# Backus, J. Geophys. Res. 67 (1962) 4427: moduli of isotropic layers across x; in small strain, which 1e-6 is.
+@test "elastic laminates at contrast 10, across and along their layers: Backus' moduli to 1e-5" {
+    body layers 8 2 2 'i < 3'
+    deck across 'x, y, z' "$soft" "$hard" "$tension" 'end_strain: 1e-6, step: 1e-6, tolerance: 1e-8'
+    deck along 'x, y, z' "$soft" "$hard" '{component: yy, rate: 1 1/s}' 'end_time: 1e-6, step: 1e-6, tolerance: 1e-8'
+    solve across layers
+    solve along layers
+    read -r strain stress < <(last across.e mean_gradient_xx mean_stress_xx_Pa)
+    read -r other_strain other_stress < <(last along.e mean_gradient_yy mean_stress_yy_Pa)
+    read -r E_across E_along < <(awk 'BEGIN {
+        E[1] = 20e9; nu[1] = 0.3; E[2] = 200e9; nu[2] = 0.2; c[1] = 0.375; c[2] = 0.625
+        for (i = 1; i <= 2; i++) {
+            l = E[i] * nu[i] / (1 + nu[i]) / (1 - 2 * nu[i]); m = E[i] / 2 / (1 + nu[i]); w = l + 2 * m
+            a += c[i] / w; b += c[i] * l / w; d += c[i] * 4 * m * (l + m) / w; g += c[i] * 2 * m * l / w
+        }
+        C11 = 1 / a; C12 = b / a; C22 = d + b * b / a; C23 = g + b * b / a
+        # Tension along y: xx and zz free of stress.
+        det = C11 * C22 - C12 * C12; x = (-C12 * C22 + C23 * C12) / det; z = (-C11 * C23 + C12 * C12) / det
+        printf "%.12g %.12g\n", C11 - 2 * C12 * C12 / (C22 + C23), C22 + C12 * x + C23 * z }')
+    near "$(awk "BEGIN { printf \"%.12g\", $stress / $strain }")" "$E_across" 1e-5
+    near "$(awk "BEGIN { printf \"%.12g\", $other_stress / $other_strain }")" "$E_along" 1e-5
+}
+
+# Hill, J. Mech. Phys. Solids 11 (1963) 357: of equal shear moduli the bulk modulus is known for any structure.  What is left
+# is the error of the voxels: 1.2 per cent at 8 particles to the cell, falling with them by the 1.5th power or so.
+@test "two phases of one shear modulus: Hill's bulk modulus within 0.5 % at 16, an error that falls by 2 and more at 32" {
+    one='law: elastic, youngs_modulus: 26.6666666666667 GPa, poissons_ratio: 0.333333333333333' # K 26.67 GPa, mu 10 GPa
+    two='law: elastic, youngs_modulus: 29.4117647058824 GPa, poissons_ratio: 0.470588235294118' # K 166.7 GPa, mu 10 GPa
+    all='{component: xx, rate: 1 1/s}, {component: yy, rate: 1 1/s}, {component: zz, rate: 1 1/s}'
+    for n in 16 32; do
+        body cube $n $n $n "i < $n * 3 / 4 && j < $n * 3 / 4 && k < $n * 3 / 4"
+        deck hill$n 'x, y, z' "$one" "$two" "$all" 'end_strain: 1e-6, step: 1e-6, tolerance: 1e-7'
+        solve hill$n cube
+        read -r strain stress < <(last hill$n.e mean_gradient_xx mean_stress_xx_Pa)
+        error[n]=$(awk -v K="$(awk "BEGIN { printf \"%.12g\", $stress / 3 / $strain }")" 'BEGIN {
+            mu = 10e9; K1 = 26.6666666666667e9 / 3 / (1 - 2 / 3); K2 = 29.4117647058824e9 / 3 / (1 - 2 * 0.470588235294118)
+            c1 = 27 / 64; exact = K1 + (1 - c1) / (1 / (K2 - K1) + c1 / (K1 + 4 * mu / 3))
+            printf "%.6g", K / exact - 1 }')
+    done
+    echo "errors ${error[16]} ${error[32]}"
+    awk -v coarse="${error[16]}" -v fine="${error[32]}" 'BEGIN {
+        exit !(coarse * coarse < 0.005 ^ 2 && 2 * fine < coarse && fine > 0 || 2 * fine > coarse && fine < 0) }'
+}
+
+# Hashin, Shtrikman, J. Mech. Phys. Solids 11 (1963) 127; spheres at a tenth of the volume are next to the lower bound, from
+# which the error of the voxels takes them.
+@test "spheres at contrast 10: bulk modulus between Hashin's and Shtrikman's bounds, nearer to the lower one from 16 to 32" {
+    all='{component: xx, rate: 1 1/s}, {component: yy, rate: 1 1/s}, {component: zz, rate: 1 1/s}'
+    for n in 16 32; do
+        body sphere $n $n $n "(i - $n / 2 + 0.5) ^ 2 + (j - $n / 2 + 0.5) ^ 2 + (k - $n / 2 + 0.5) ^ 2 < ($n * 5 / 16) ^ 2"
+        deck spheres 'x, y, z' "$hard" "$soft" "$all" 'end_strain: 1e-6, step: 1e-6, tolerance: 1e-7'
+        solve spheres sphere
+        read -r strain stress < <(last spheres.e mean_gradient_xx mean_stress_xx_Pa)
+        above[n]=$(awk -v K="$(awk "BEGIN { printf \"%.12g\", $stress / 3 / $strain }")" \
+            -v c="$(awk '{ n += $4 == 1 } END { print n / NR }' sphere.txt)" 'BEGIN {
+            Km = 20e9 / 3 / 0.4; Gm = 20e9 / 2.6; Ki = 200e9 / 3 / 0.6; Gi = 200e9 / 2.4
+            low = Km + c / (1 / (Ki - Km) + (1 - c) / (Km + 4 * Gm / 3))
+            high = Ki + (1 - c) / (1 / (Km - Ki) + c / (Ki + 4 * Gi / 3))
+            printf "%.6g", (K - low) / (high - low) }')
+    done
+    echo "share of the way from the lower to the upper bound: ${above[16]} ${above[32]}"
+    awk -v coarse="${above[16]}" -v fine="${above[32]}" 'BEGIN { exit !(0 < fine && 1.5 * fine < coarse && coarse < 0.1) }'
+}
+
+@test "a cell, three times three times three of it, and one cut elsewhere carry the same stress to 1e-8" {
+    sphere='(x - 3.5) ^ 2 + (y - 3.5) ^ 2 + (z - 3.5) ^ 2 < 7'
+    body one 8 8 8 "(x = i) * 0 + (y = j) * 0 + (z = k) * 0 + ($sphere)"
+    body cut 8 8 8 "(x = (i + 3) % 8) * 0 + (y = (j + 5) % 8) * 0 + (z = (k + 1) % 8) * 0 + ($sphere)"
+    body many 24 24 24 "(x = i % 8) * 0 + (y = j % 8) * 0 + (z = k % 8) * 0 + ($sphere)"
+    for name in one cut many; do
+        deck $name 'x, y, z' "$voce_1" "$voce_2" "$tension" 'end_steps: 6, step: 0.001, tolerance: 1e-10'
+        solve $name $name
+    done
+    read -r stress side < <(last one.e mean_stress_xx_Pa mean_gradient_yy)
+    for name in cut many; do
+        read -r other_stress other_side < <(last $name.e mean_stress_xx_Pa mean_gradient_yy)
+        near "$other_stress" "$stress" 1e-8
+        near "$other_side" "$side" 1e-7
+    done
+}
+
+@test "cells of hsgen, bcc and fcc: their mean stress is uniaxial, their phases' stresses add up to it, the work to the energy" {
+    for lattice in bcc:0.0866025403784 fcc:0.0707106781187; do
+        cat >cell.yaml <<END
+domain: {specimen: plate, size: [0.1 mm, 0.1 mm, 0.1 mm], spacing: 12.5 um, periodic: [x, y, z], topology: harmonic, phases: {cg: CG, ufg: UFG}, lattice: ${lattice%:*}, core: cell, core_distance: ${lattice#*:} mm, ufg_fraction: 0.4, minimum_shell: 1 spacings, seed: 1, override: true}
+materials:
+  CG: {model: corner, density: 8900, $voce_1}
+  UFG: {model: corner, density: 8900, $voce_2}
+macroscopic: [$tension]
+solver: {end_strain: 0.02, accuracy: 1e-4, tolerance: 1e-6}
+END
+        hsgen -q cell.yaml | hssolve -q --history cell.e
+        read -r stress yy zz xy cg ufg drift < <(last cell.e mean_stress_xx_Pa mean_stress_yy_Pa mean_stress_zz_Pa \
+            mean_stress_xy_Pa CG_stress_Pa UFG_stress_Pa energy_drift)
+        awk "BEGIN { m = 1e-6 * $stress; exit !($yy < m && $yy > -m && $zz < m && $zz > -m && $xy < m && $xy > -m) }"
+        fraction=$(ncdump -p 9,17 -h cell.e | grep -o 'phase_CG_fraction = [0-9.]*' | cut -d' ' -f3)
+        near "$(awk "BEGIN { printf \"%.12g\", $fraction * $cg + (1 - $fraction) * $ufg }")" "$stress" 1e-9
+        awk "BEGIN { exit !($drift < 2e-5 && $drift > -2e-5) }" # of trapezoids over load steps
+        hspost -q cell.e >curve.csv
+        near "$(tail -1 curve.csv | cut -d, -f6)" "$(awk "BEGIN { printf \"%.12g\", $stress / 1e6 }")" 1e-9
+    done
+}
+
+@test "mean stresses that are given are there, and shear is sheared" {
+    body sphere 8 8 8 '(i - 3.5) ^ 2 + (j - 3.5) ^ 2 + (k - 3.5) ^ 2 < 7'
+    deck given 'x, y, z' "$hard" "$soft" '{component: xx, stress: {ramp: 1 s, to: 30 MPa}}, {component: yy, stress: "-1e7*t"}, {component: xy, rate: 1e-4 1/s}' \
+        'end_time: 1, step: 0.25, tolerance: 1e-8'
+    solve given sphere
+    read -r xx yy zz shear turn < <(last given.e mean_stress_xx_Pa mean_stress_yy_Pa mean_stress_zz_Pa mean_gradient_xy mean_gradient_yx)
+    near "$xx" 30e6 1e-6
+    near "$yy" -10e6 1e-6
+    awk "BEGIN { exit !($zz < 30 && $zz > -30) }"
+    near "$shear" 1e-4 1e-9
+    [ "$turn" = 0 ]
+}
+
+@test "a plate that is periodic along y and z is a bar in uniaxial tension between its grips" {
+    body bar 12 2 2 1
+    cat >bar.yaml <<END
+domain: {periodic: [y, z], spacing: 10 um}
+materials:
+  block_1: {model: corner, density: 8900, $hard}
+boundary:
+  - {box: [[-1 um, -1 mm, -1 mm], [1 um, 1 mm, 1 mm]], direction: x, displacement: 0}
+  - {box: [[119 um, -1 mm, -1 mm], [121 um, 1 mm, 1 mm]], direction: x, displacement: "1.2e-7*t"}
+solver: {end_time: 1, step: 1, tolerance: 1e-8}
+END
+    solve bar bar
+    read -r force side < <(last bar.e force_right_N mean_gradient_yy)
+    # sigma = E eps with eps = ln 1.001, P = sigma exp(-2 nu eps)/... : nominal stress of Hencky's bar E eps/lambda.
+    near "$force" "$(awk 'BEGIN { printf "%.12g", 200e9 * log(1.001) / 1.001 * 400e-12 }')" 1e-7
+    near "$side" "$(awk 'BEGIN { printf "%.12g", exp(-0.2 * log(1.001)) - 1 }')" 1e-6
+}
+
+@test "the same bits on 1 to 4 ranks, and after a restart; and of a cell that breaks" {
+    body sphere 12 12 12 '(i - 2) ^ 2 + (j - 5.5) ^ 2 + (k - 8) ^ 2 < 20'
+    deck ranks 'x, y, z' "$voce_1" "$voce_2" "$tension" 'end_strain: 0.01'
+    solve ranks sphere
+    hspost -q --columns ranks.e | grep -v '^#' >one
+    for j in 2 3 4; do
+        solve ranks sphere -j $j
+        hspost -q --columns ranks.e | grep -v '^#' | cmp - one
+    done
+    sed 's/^solver.*/&\noutput: {checkpoint: {every: 7 steps, keep: 1}}/' ranks.yaml >kept.yaml
+    solve kept sphere --checkpoint run.cp
+    hssolve -q --restart run.cp -j 2 --history again.e
+    hspost -q --columns again.e | grep -v '^#' | cmp - one
+    deck broken 'x, y, z' "$voce_1" "$voce_2" "$tension" 'end_strain: 0.06'
+    printf '%s\n' 'damage:' '  - {phase: block_1, law: ductile, onset: 0.04, full: 0.1}' \
+        '  - {phase: block_2, law: ductile, onset: 0.02, full: 0.05}' >>broken.yaml
+    solve broken sphere
+    hspost -q --columns broken.e | grep -v '^#' >one
+    [ "$(last broken.e removed_nodes)" -gt 50 ]
+    solve broken sphere -j 3
+    hspost -q --columns broken.e | grep -v '^#' | cmp - one
+}
+
+# Of a uniform elastic body the preconditioner is the inverse but for single precision: two iterations to 1e-9.
+@test "a uniform body is back from any displacement after three evaluations: the symbol of all components is its Green's operator" {
+    body cube 10 9 8 1
+    cat >green.yaml <<END
+domain: {periodic: [x, y, z], spacing: 10 um}
+materials:
+  block_1: {model: corner, density: 8900, $hard}
+macroscopic: [{component: xx, strain: 0}, {component: yy, strain: 0}, {component: zz, strain: 0}]
+initial:
+  - {where: 1, direction: x, displacement: "1e-11*sin(9e11*x*y+4e5*z)"}
+  - {where: 1, direction: y, displacement: "1e-11*cos(7e11*x*z+3e5*y)"}
+  - {where: 1, direction: z, displacement: "1e-11*sin(5e11*y*z+8e5*x)"}
+solver: {end_time: 1, step: 1, tolerance: 1e-9}
+END
+    solve green cube
+    read -r evaluations residual energy < <(last green.e force_evaluations residual stored_energy_J)
+    first=$(columns green.e stored_energy_J | head -1)
+    echo "$evaluations evaluations, residual $residual, energy $energy of $first J"
+    # One at the start and one that is committed beside those of the solution.
+    awk "BEGIN { exit !($evaluations <= 6 && $energy < 1e-12 * $first) }"
+}
+
+# At 1000 1/s the inertia of a cell of 0.1 mm is a millionth of its energy; the two integrators share the force alone.
+@test "explicit steps follow the curve of load steps within 0.1 %, keep the energy to 1e-6, on 1 and 3 ranks with the same bits" {
+    body sphere 8 8 8 '(i - 3.5) ^ 2 + (j - 3.5) ^ 2 + (k - 3.5) ^ 2 < 7'
+    deck moving 'x, y, z' "$voce_1" "$voce_2" '{component: xx, rate: 1e3 1/s}' 'end_strain: 0.01, type: explicit'
+    deck resting 'x, y, z' "$voce_1" "$voce_2" "$tension" 'end_strain: 0.01, accuracy: 1e-4'
+    solve moving sphere
+    solve resting sphere
+    columns resting.e mean_gradient_xx mean_stress_xx_Pa >resting
+    columns moving.e mean_gradient_xx mean_stress_xx_Pa mean_stress_yy_Pa energy_drift | awk '
+        NR == FNR { e[NR] = $1; s[NR] = $2; n = NR; next }
+        $1 > 0.002 { while (e[k + 1] < $1 && k < n - 1) k++
+            if (k < 1) next
+            exact = s[k] + (s[k + 1] - s[k]) * ($1 - e[k]) / (e[k + 1] - e[k]); off = $2 / exact - 1; looked++
+            if (off > most) most = off; if (-off > most) most = -off
+            if ($4 > drift) drift = $4; if (-$4 > drift) drift = -$4; if ($3 > across) across = $3 }
+        END { printf "off by %g, drift %g, across %g Pa\n", most, drift, across
+            exit !(looked > 20 && most < 1e-3 && drift < 1e-6) }' resting -
+    hspost -q --columns moving.e | grep -v '^#' >one
+    solve moving sphere -j 3
+    hspost -q --columns moving.e | grep -v '^#' | cmp - one
+}
+
+@test "an eighth of a bar with three planes of symmetry gives the whole one's force and strain to 1e-9" {
+    awk 'BEGIN { for (part = 0; part < 2; part++) {
+        file = part ? "whole.txt" : "eighth.txt"
+        for (k = part ? -3 : 0; k < 3; k++) for (j = part ? -4 : 0; j < 4; j++) for (i = part ? -8 : 0; i < 8; i++) {
+            x = i + 0.5; y = j + 0.5; z = k + 0.5; if (x < 0) x = -x; if (y < 0) y = -y; if (z < 0) z = -z
+            printf "%.9g %.9g %.9g %d 1e-15\n", (i + 0.5) * 1e-5, (j + 0.5) * 1e-5, (k + 0.5) * 1e-5,
+                (x - 3) ^ 2 + (y - 2) ^ 2 + (z - 1) ^ 2 < 5 ? 1 : 2 >file } } }'
+    for part in eighth whole; do
+        cat >$part.yaml <<END
+domain: {spacing: 10 um$([ $part = eighth ] && echo ', symmetry: [x, y, z]')}
+materials:
+  block_1: {model: corner, density: 8900, $voce_1}
+  block_2: {model: corner, density: 8900, $voce_2}
+boundary:
+  - {box: [[79 um, -1 mm, -1 mm], [81 um, 1 mm, 1 mm]], direction: x, velocity: 1e-4 m/s}
+$([ $part = whole ] && echo '  - {box: [[-81 um, -1 mm, -1 mm], [-79 um, 1 mm, 1 mm]], direction: x, velocity: -1e-4 m/s}')
+solver: {end_time: 0.02, step: 0.002, tolerance: 1e-10, most_evaluations: 20000}
+END
+        solve $part $part
+    done
+    columns whole.e force_right_N | tail -n +2 >whole
+    columns eighth.e force_right_N | tail -n +2 >eighth
+    paste whole eighth | while read -r a b; do near "$(awk "BEGIN { printf \"%.12g\", 4 * $b }")" "$a" 1e-9 || exit 1; done
+}
+
+@test "an eighth of a dog-bone of hsgen, with cut volumes, gives the whole one's stress and strain to 1e-8" {
+    for symmetry in '' 'symmetry: [x, y, z]'; do
+        name=${symmetry:+part}
+        cat >"bone$name.yaml" <<END
+domain:
+  specimen: dogbone
+  size: [2.4 mm, 0.8 mm, 0.2 mm]
+  volumes: cut
+  spacing: 50 um
+  topology: homogeneous
+  phase: M
+  grips: {length: 0.3 mm, phase: M}
+  gauge: {length: 0.6 mm, width: 0.4 mm, fillet: 0.3 mm}
+  $symmetry
+materials:
+  M: {model: corner, density: 8900, $voce_1}
+boundary:
+  - {set: grip_right, direction: x, velocity: 1e-3 m/s}
+$([ "$symmetry" ] || echo '  - {set: grip_left, direction: x, velocity: -1e-3 m/s}')
+solver: {end_time: 0.02, step: 0.002, tolerance: 1e-9, most_evaluations: 20000}
+END
+        hsgen -q "bone$name.yaml" | hssolve -q --history "bone$name.e"
+        hspost -q "bone$name.e" | awk -F, '!/^#/ && NR > 1 && $1 + 0 > 0 { printf "%.12g %.12g\n", $5, $6 }' >"curve$name"
+    done
+    [ "$(wc -l <curve)" -ge 10 ]
+    paste curve curvepart | while read -r strain stress part_strain part_stress; do
+        near "$part_strain" "$strain" 1e-8 || exit 1
+        near "$part_stress" "$stress" 1e-8 || exit 1
+    done
+}
+
+@test "what is not there yet, or makes no sense, is refused with its place" {
+    body cube 4 4 4 'i < 2'
+    deck bad 'x, y, z' "$soft" "$hard" "$tension" 'end_strain: 0.01, type: hybrid'
+    run -2 --separate-stderr solve bad cube
+    [[ "$stderr" == *'bad.yaml:6:'*'a periodic body takes load steps or explicit ones, not both'* ]]
+    deck bad 'x, y' "$soft" "$hard" '{component: xz, rate: 1 1/s}' 'end_time: 1'
+    run -2 --separate-stderr solve bad cube
+    [[ "$stderr" == *'bad.yaml:5:'*'xz: the body is not periodic along z'* ]]
+    deck bad 'x, y, z' "$soft" "$hard" '{component: yx, stress: 1 MPa}' 'end_time: 1'
+    run -2 --separate-stderr solve bad cube
+    [[ "$stderr" == *'bad.yaml:5:'*'only turns the body; give the stress xy'* ]]
+    deck bad 'x, y, z' "$soft" "$hard" '{component: xx, rate: 1 1/s}, {component: xx, strain: 1}' 'end_time: 1'
+    run -2 --separate-stderr solve bad cube
+    [[ "$stderr" == *'bad.yaml:5:'*'the component xx is said twice'* ]]
+    deck bad 'x, y, z' "$soft" "$hard" '{component: xx}' 'end_time: 1'
+    run -2 --separate-stderr solve bad cube
+    [[ "$stderr" == *'bad.yaml:5:'*'expected one of: rate, strain, stress'* ]]
+    deck bad 'x, y, z' "$soft" "$hard" "$tension" 'end_strain: 0.01'
+    sed 's/model: corner/model: correspondence/; s/periodic: \[x, y, z\]/periodic: [x]/' bad.yaml >worse.yaml
+    run -2 --separate-stderr solve worse cube
+    [[ "$stderr" == *'correspondence materials cannot be periodic: take corner'* ]]
+    sed 's/periodic: \[x, y, z\], //' bad.yaml >worse.yaml
+    run -2 --separate-stderr solve worse cube
+    [[ "$stderr" == *'worse.yaml:5:'*'the body is not periodic'* ]]
+}
