@@ -1,6 +1,7 @@
 /* hsgen - from the deck to a domain of particles. */
 #include "assemble.h"
 #include "die.h"
+#include "examples.h"
 #include "exodus.h"
 #include "export.h"
 #include "memory.h"
@@ -18,8 +19,19 @@
 
 struct arguments {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores, *export;
-    bool study, override, check, quiet;
+    const char *example;
+    bool study, examples, override, check, quiet;
 };
+
+static _Noreturn void print_examples(const struct arguments *c)
+{
+    if (c->example)
+        example_print(c->example);
+    else
+        examples_list();
+    if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
+    exit(EXIT_SUCCESS);
+}
 
 static struct arguments read_arguments(int argc, char **argv)
 {
@@ -36,6 +48,9 @@ static struct arguments read_arguments(int argc, char **argv)
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
         {0, "study", NULL,
          "write the decks of a study (vary, refine) and a Makefile into -o FOLDER", &c.study, NULL},
+        {0, "examples", NULL, "list the decks that --example writes, and leave", &c.examples, NULL},
+        {0, "example", "NAME", "write a deck that runs, with comments, and leave", NULL,
+         &c.example},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
         {0, "check", NULL, "check the deck, say what would be made, make nothing", &c.check, NULL},
         {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
@@ -52,6 +67,7 @@ static struct arguments read_arguments(int argc, char **argv)
     if (first < argc - 1)
         die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
     if (first < argc) c.deck = argv[first];
+    if (c.examples || c.example) print_examples(&c);
     note_set_quiet(c.quiet);
     return c;
 }
