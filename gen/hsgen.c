@@ -6,6 +6,7 @@
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
+#include "peridigm_deck.h"
 #include "picture.h"
 #include "sections.h"
 #include "spool.h"
@@ -16,7 +17,7 @@
 #include <string.h>
 
 struct arguments {
-    const char *deck, *output, *statistics, *peridigm, *picture, *cores;
+    const char *deck, *output, *statistics, *peridigm, *picture, *cores, *from, *units;
     bool override, check, quiet;
 };
 
@@ -31,6 +32,8 @@ static struct arguments read_arguments(int argc, char **argv)
         {'p', "picture", "FILE", "draw the middle sections (.png, .svg, .pdf)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
+        {0, "from", "PROGRAM", "make a deck of ours of one of another program: peridigm", NULL, &c.from},
+        {0, "units", "L,M,T", "its units of length, mass and time, as cm,g,s (m,kg,s)", NULL, &c.units},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
         {0, "check", NULL, "check the deck, say what would be made, make nothing", &c.check, NULL},
         {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
@@ -47,6 +50,7 @@ static struct arguments read_arguments(int argc, char **argv)
     if (first < argc - 1)
         die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
     if (first < argc) c.deck = argv[first];
+    if (c.units && !c.from) die_user("--units belongs to --from");
     note_set_quiet(c.quiet);
     return c;
 }
@@ -126,10 +130,21 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     sites_free(&sites);
 }
 
+static void translate(const struct arguments *c)
+{
+    if (strcmp(c->from, "peridigm") != 0)
+        die_user("--from '%s' is not known, expected peridigm", c->from);
+    peridigm_deck_translate(c->deck, c->units, c->output);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hsgen");
     struct arguments c = read_arguments(argc, argv);
+    if (c.from) {
+        translate(&c);
+        return 0;
+    }
     struct deck *deck = deck_read(c.deck);
     struct recipe recipe = recipe_read(deck);
     check_side_files(&c, &recipe);

@@ -68,6 +68,9 @@ const char *deck_key(struct deck_node map, int i);
 struct deck_node deck_key_node(struct deck_node map, int i); /* the key itself, for messages */
 struct deck_node deck_value(struct deck_node map, int i);
 
+/* Number of the node's line, from 1; 0 where it is not there. */
+int deck_line(struct deck_node node);
+
 /* "file:line:column: message", exit 2. */
 _Noreturn void deck_error(struct deck_node where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
