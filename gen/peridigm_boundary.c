@@ -87,7 +87,8 @@ int peridigm_axis(struct translation *t)
         if (!deck_is_map(entry)) continue;
         const char *coordinate = take_text(t, entry, "Coordinate"),
                    *value = take_text(t, entry, "Value"), *type = take_text(t, entry, "Type");
-        const bool holds = type && (same_words(type, kinds[0].name) || same_words(type, kinds[1].name));
+        const bool holds =
+            type && (same_words(type, kinds[0].name) || same_words(type, kinds[1].name));
         char *end = NULL;
         if (!holds || !coordinate || !value) continue;
         const bool still = strtod(value, &end) == 0 && end != value && *end == '\0';

@@ -12,18 +12,30 @@
 enum { LONGEST_DECK = 1000000 };
 
 static const char *const why[] = {
-    "Verbose", "hssolve says less with --quiet",
-    "Hourglass Coefficient", "solver.stabilisation is of its own kind, with its defaults",
-    "Apply Automatic Differentiation Jacobian", "equilibria are found without a matrix",
-    "Absolute Tolerance", "residuals are relative: solver.accuracy, or tolerance",
-    "Relative Tolerance", "solver.accuracy, or tolerance, bounds the residual",
-    "Maximum Solver Iterations", "solver.most_evaluations bounds the evaluations of the force",
-    "Fixed dt", "the explicit step follows from the body's stiffness; see solver.safety",
-    "Force", "as a field forces are per volume: Force_Density",
-    "Parallel Write", "any number of ranks writes one file",
-    "Output Format", "fields are Exodus files",
-    "Omit Bonds Between Blocks", "bonds between all phases are kept",
-    "Contact", "bodies do not touch each other",
+    "Verbose",
+    "hssolve says less with --quiet",
+    "Hourglass Coefficient",
+    "solver.stabilisation is of its own kind, with its defaults",
+    "Apply Automatic Differentiation Jacobian",
+    "equilibria are found without a matrix",
+    "Absolute Tolerance",
+    "residuals are relative: solver.accuracy, or tolerance",
+    "Relative Tolerance",
+    "solver.accuracy, or tolerance, bounds the residual",
+    "Maximum Solver Iterations",
+    "solver.most_evaluations bounds the evaluations of the force",
+    "Fixed dt",
+    "the explicit step follows from the body's stiffness; see solver.safety",
+    "Force",
+    "as a field forces are per volume: Force_Density",
+    "Parallel Write",
+    "any number of ranks writes one file",
+    "Output Format",
+    "fields are Exodus files",
+    "Omit Bonds Between Blocks",
+    "bonds between all phases are kept",
+    "Contact",
+    "bodies do not touch each other",
     NULL,
 };
 
@@ -36,8 +48,7 @@ static struct deck *read_deck(const char *path)
     spool_close(&input);
     const char *first = text + strspn(text, " \t\r\n");
     if (*first == '<') yaml = xml_deck_yaml(text, (size_t)length, name);
-    struct deck *deck =
-        deck_parse(yaml ? yaml : text, yaml ? strlen(yaml) : (size_t)length, name);
+    struct deck *deck = deck_parse(yaml ? yaml : text, yaml ? strlen(yaml) : (size_t)length, name);
     free(text);
     free(yaml);
     return deck;
@@ -64,8 +75,7 @@ static void add_blocks(struct translation *t, struct peridigm_blocks *blocks,
                                    .material = take_text(t, entry, "Material"),
                                    .damage = take_text(t, entry, "Damage Model"),
                                    .horizon = usual_horizon};
-    if (!names || !block.material)
-        deck_error(entry, "expected 'Block Names' and 'Material'");
+    if (!names || !block.material) deck_error(entry, "expected 'Block Names' and 'Material'");
     if (block.damage && strcmp(block.damage, "None") == 0) block.damage = NULL;
     take_number(t, entry, "Horizon", t->length, &block.horizon);
     block.words = memory_text(names);

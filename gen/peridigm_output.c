@@ -35,7 +35,8 @@ static const char *const suffixes[2][6] = {{"_x", "_y", "_z"},
 static void write_column(struct translation *t, const char *label, const struct variable *variable,
                          int component, const char *rest)
 {
-    const char *suffix = variable->components == 1 ? "" : suffixes[variable->components == 6][component];
+    const char *suffix =
+        variable->components == 1 ? "" : suffixes[variable->components == 6][component];
     const int room = 32 - (int)strlen(suffix);
     fprintf(t->out, "    - {name: ");
     for (int i = 0; label[i] && i < room; i++)
@@ -57,9 +58,9 @@ static char *place_of(struct translation *t, struct deck_node entry)
         return memory_print("nearest: [%.15g, %.15g, %.15g]", x[0], x[1], x[2]);
     const bool block = kind && strcmp(kind, "Block_Data") == 0,
                set = kind && strcmp(kind, "Node_Set_Data") == 0;
-    const char *selected = block  ? take_text(t, entry, "Block")
-                           : set  ? take_text(t, entry, "Node Set")
-                                  : NULL,
+    const char *selected = block ? take_text(t, entry, "Block")
+                           : set ? take_text(t, entry, "Node Set")
+                                 : NULL,
                *reduction = take_text(t, entry, "Calculation Type");
     for (int i = 0; selected && reduction && i < 4; i++) {
         if (strcmp(reductions[i][0], reduction) != 0) continue;

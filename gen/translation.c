@@ -16,7 +16,10 @@ static double factor_of(const char *unit, const char *si)
     free(text);
     if (fault || !(factor > 0))
         die_user("--units: '%s' is no unit of %s; expected such as cm,g,s (length, mass, time)",
-                 unit, *si == 'm' ? "length" : *si == 'k' ? "mass" : "time");
+                 unit,
+                 *si == 'm'   ? "length"
+                 : *si == 'k' ? "mass"
+                              : "time");
     return factor;
 }
 
@@ -157,7 +160,8 @@ char *translate_expression(const struct translation *t, const char *text, double
         c += word ? word : 1;
     }
     fclose(stream);
-    done = factor == 1 ? memory_print("\"%s\"", body) : memory_print("\"%.15g*(%s)\"", factor, body);
+    done =
+        factor == 1 ? memory_print("\"%s\"", body) : memory_print("\"%.15g*(%s)\"", factor, body);
     free(body);
     return done;
 }

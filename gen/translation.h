@@ -11,9 +11,9 @@
 struct translation {
     struct deck *deck;
     struct deck_node root;
-    bool *taken;                 /* by the index of a value */
-    const char *unit[3];         /* of length, mass and time, as the user says them */
-    double length, mass, time;   /* in m, kg, s */
+    bool *taken;               /* by the index of a value */
+    const char *unit[3];       /* of length, mass and time, as the user says them */
+    double length, mass, time; /* in m, kg, s */
     FILE *out;
 };
 

@@ -96,7 +96,8 @@ static void say_fit(const struct equilibrium *e)
     static const double enough = 0.3;
     const double filled = preconditioner_filled(e->preconditioner);
     if (filled < enough && e->body->ranks.rank == 0)
-        note("the body fills %.0f %% of its box, which the preconditioner of load steps is made for: "
+        note("the body fills %.0f %% of its box, which the preconditioner of load steps is made "
+             "for: "
              "they may take many more evaluations than the plan says",
              100 * filled);
 }
@@ -127,7 +128,8 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
         say_fit(e);
     }
     find_mean_inverse(e, &materials->items[most_common_phase(body->lattice)]);
-    if (!e->preconditioner || preconditioner_is_crowded(e->preconditioner)) e->bound = bound_new(e, materials);
+    if (!e->preconditioner || preconditioner_is_crowded(e->preconditioner))
+        e->bound = bound_new(e, materials);
     return e;
 }
 

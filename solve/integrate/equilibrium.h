@@ -16,8 +16,8 @@
 #define HS_EQUILIBRIUM_H
 
 #include "integration.h"
-#include "stop.h"
 #include "preconditioner.h"
+#include "stop.h"
 #include "unknowns.h"
 
 struct checkpoint;

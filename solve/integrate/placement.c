@@ -169,7 +169,7 @@ struct placement *placement_new(const struct unknowns *unknowns, const struct bo
                                     .n_values = slabs->n_values,
                                     .length = unknowns->length,
                                     .sums = lattice_is_row(unknowns->body->lattice)};
-    for (int a = 0; a < 3; a++) 
+    for (int a = 0; a < 3; a++)
         find_pieces(unknowns, &box[a], slabs, a, !placement->sums, held, &owned);
     if (slabs->ranks.size > 1) make_messages(placement, &owned);
     placement->owned = runs_of(&owned);

@@ -12,11 +12,11 @@ enum { MOST_PINS = 256 };
 struct preconditioner {
     const struct unknowns *unknowns;
     struct transform *transform;
-    int count;         /* pins of all ranks, by their sites and components */
-    int64_t *at;       /* [count] place in the vector, -1 of those of other ranks */
-    double *factor;    /* [count count] lower triangle L of S = L L^T, row by row */
-    double *force;     /* [count] lambda */
-    double *held;      /* [length] r with the forces on pins; NULL: there are none */
+    int count;      /* pins of all ranks, by their sites and components */
+    int64_t *at;    /* [count] place in the vector, -1 of those of other ranks */
+    double *factor; /* [count count] lower triangle L of S = L L^T, row by row */
+    double *force;  /* [count] lambda */
+    double *held;   /* [length] r with the forces on pins; NULL: there are none */
 };
 
 /* A held component within the box: its place in the vector, and what tells it from all others on any rank. */
