@@ -43,7 +43,10 @@ refused() {
     local message=$1
     shift
     run hssolve -q "$@" -H refused.e
-    [ "$status" -eq 2 ] && [[ "$output" == *"$message"* ]] || { echo "$status: $output"; return 1; }
+    if [ "$status" -ne 2 ] || [[ "$output" != *"$message"* ]]; then
+        echo "$status: $output"
+        return 1
+    fi
 }
 
 @test "a bar's force is that of the theory of bars, more by what grips of one layer stiffen" {
