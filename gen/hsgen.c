@@ -7,6 +7,7 @@
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
+#include "peridigm_deck.h"
 #include "picture.h"
 #include "sections.h"
 #include "spool.h"
@@ -19,7 +20,7 @@
 
 struct arguments {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores, *export;
-    const char *example;
+    const char *example, *from, *units;
     bool study, examples, override, check, quiet;
 };
 
@@ -51,6 +52,10 @@ static struct arguments read_arguments(int argc, char **argv)
         {0, "examples", NULL, "list the decks that --example writes, and leave", &c.examples, NULL},
         {0, "example", "NAME", "write a deck that runs, with comments, and leave", NULL,
          &c.example},
+        {0, "from", "PROGRAM", "make a deck of ours of one of another program: peridigm", NULL,
+         &c.from},
+        {0, "units", "L,M,T", "its units of length, mass and time, as cm,g,s (m,kg,s)", NULL,
+         &c.units},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
         {0, "check", NULL, "check the deck, say what would be made, make nothing", &c.check, NULL},
         {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
@@ -68,6 +73,7 @@ static struct arguments read_arguments(int argc, char **argv)
         die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
     if (first < argc) c.deck = argv[first];
     if (c.examples || c.example) print_examples(&c);
+    if (c.units && !c.from) die_user("--units belongs to --from");
     note_set_quiet(c.quiet);
     return c;
 }
@@ -165,10 +171,21 @@ static void treat_study(const struct arguments *c, const struct deck *deck)
         study_folder_write(deck, c->output);
 }
 
+static void translate(const struct arguments *c)
+{
+    if (strcmp(c->from, "peridigm") != 0)
+        die_user("--from '%s' is not known, expected peridigm", c->from);
+    peridigm_deck_translate(c->deck, c->units, c->output);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hsgen");
     struct arguments c = read_arguments(argc, argv);
+    if (c.from) {
+        translate(&c);
+        return 0;
+    }
     struct deck *deck = deck_read(c.deck);
     if (c.study) {
         treat_study(&c, deck);

@@ -13,6 +13,7 @@
 #include "memory.h"
 #include "mesh.h"
 #include "options.h"
+#include "pieces.h"
 #include "simulation_parts.h"
 #include "stable_step.h"
 #include "yield.h"
@@ -85,12 +86,24 @@ static void read_model(struct simulation *s)
     s->model = model_new(scene->solver, &s->family, &s->materials);
 }
 
+/* Graded meshes have gaps where their elements are longer than a horizon of mean spacings. */
+static void warn_of_pieces(const struct simulation *s)
+{
+    const double reach = s->scene.horizon * s->lattice.spacing;
+    const int64_t pieces = pieces_count(s->lattice.point, s->lattice.n_sites, reach);
+    if (pieces > 1)
+        warn("the particles are %lld bodies: no bond joins these within a horizon of %g spacings, "
+             "%.4g m; where they should be one, take a longer horizon",
+             (long long)pieces, s->scene.horizon, reach);
+}
+
 /* Bonds have one length along all axes, and nodes one volume, but for scattered ones. */
 static void refuse_cells(const struct simulation *s)
 {
     const char *name = s->materials.formulation->name;
     if (lattice_is_scattered(&s->lattice)) {
         note("the particles lie on no lattice: a list of neighbours serves them");
+        warn_of_pieces(s);
         return;
     }
     if (lattice_is_oblong(&s->lattice))

@@ -282,22 +282,6 @@ static struct taken take_unbalanced(const struct equilibrium *e, double bound, d
     return taken;
 }
 
-/* (macroscopic.3); the sum of squares, which all ranks know. */
-static double take_mean_unbalanced(const struct equilibrium *e, double *g)
-{
-    const struct unknowns *unknowns = &e->unknowns;
-    const struct macroscopic *m = unknowns->macroscopic;
-    double square = 0;
-    for (int i = 0; i < unknowns->n_mean; i++) {
-        const int k = unknowns->mean[i];
-        const double density = (e->body->mean_stress[k] - m->target[k]) * m->volume /
-                               m->period[k % 3] / e->body->volume;
-        square += density * density;
-        if (3 * unknowns->n_nodes + i < unknowns->length) g[3 * unknowns->n_nodes + i] = density;
-    }
-    return square;
-}
-
 /* g, its norm and that of the reactions.  What the sums are bounded by is guessed from the last norm and looked at with
  * the numbers, which saves a pass and a message: a bound too wide by 2^20 leaves more than 50 bits. */
 static void measure(struct equilibrium *e, double *g)
@@ -313,7 +297,7 @@ static void measure(struct equilibrium *e, double *g)
     const struct exact_sum sums[2] = {taken.square,
                                       square_reactions(e, 3 * nodes * least[1] * least[1])};
     exact_sum_finish(sums, 2, squares);
-    e->norm = sqrt(squares[0] + take_mean_unbalanced(e, g));
+    e->norm = sqrt(squares[0]);
     e->reference = hypot(least[1] < 0 ? sqrt(squares[1]) : 0, e->loads);
     if (e->boundary->macroscopic)
         e->reference =

@@ -103,9 +103,10 @@ struct gauge *gauge_new(const struct body *body, const struct domain *domain, in
     struct gauge *gauge = memory_new(1, sizeof *gauge);
     gauge->n_phases = n_phases;
     find_planes(gauge, body, domain);
+    const char letter = "xyz"[axis];
     if (!(gauge->to > gauge->from))
         die_user("the gauge planes are not apart: gauge_left at %c = %g m, gauge_right at %g m",
-                 "xyz"[axis], gauge -> from, gauge -> to);
+                 letter, gauge->from, gauge->to);
     gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
     gauge->volume = memory_new((size_t)n_phases, sizeof *gauge->volume);
     gauge->layer = memory_new((size_t)layers(body->lattice), sizeof *gauge->layer);
