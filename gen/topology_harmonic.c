@@ -28,6 +28,11 @@ static const struct key rows[] = {
      .usual = NAN, .help = "of the nearest centres; required without cores"},
     {"jitter", KEY_NUMBER, MEMBER(jitter), .unit = "1", .low = 0, .high = 1,
      .help = "standard deviation of each coordinate of the centres, in core distances"},
+    {"offset", KEY_SPACINGS, MEMBER(offset), .low = -LONGEST_DISTANCE, .high = LONGEST_DISTANCE,
+     .size = 3,
+     .help =
+         "from the body's centre to a core, along x, y, z; a part of a spacing leaves fewer nodes "
+         "equal by symmetry, which an exact match has to split by the seed"},
     {"minimum_shell", KEY_SPACINGS, MEMBER(minimum_shell), .low = 1, .high = 10, .usual = NAN,
      .otherwise = "one layer of nodes", .help = "what the topology check demands between cores"},
 };
