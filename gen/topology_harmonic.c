@@ -48,6 +48,10 @@ static void check(struct deck_node domain, struct recipe *recipe)
         deck_error(lattice,
                    "in two dimensions the cores lie on sc or fcc (square lattices along x or along "
                    "the diagonals); the section of bcc has no shell of even width");
+    if (recipe->offset[2] != 0 && specimen_is_sheet(&recipe->specimen))
+        deck_error(
+            deck_get(domain, "offset"),
+            "a sheet is the section through the middle of the cores: its offset along z is 0");
     recipe->distance = periodic_distance(domain, &recipe->specimen, lattices[recipe->lattice],
                                          cores_lattice_edge(recipe->lattice), recipe->distance);
 }

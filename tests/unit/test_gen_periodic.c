@@ -522,6 +522,9 @@ static void what_cannot_be_is_told(void **state)
          "phases: {cg: "
          "a, ufg: b}, ufg_fraction: 0.4",
          "so small that it holds 0.512 of a random core"},
+        {"size: [10, 10, 1], dimensions: 2, spacing: 1, topology: harmonic, lattice: sc, "
+         "core_distance: 5, offset: [1, 0, 0.5], phases: {cg: a, ufg: b}, ufg_fraction: 0.4",
+         "its offset along z is 0"},
         {"size: [4, 4, 4.5], spacing: 1, periodic: [z], topology: homogeneous, phase: a",
          "the lattice fills the size exactly"},
     };

@@ -340,6 +340,9 @@ static void what_is_not_read_is_named(void **state)
         {"", "not an image by its first bytes"},
         {"# vtk DataFile Version 3.0\na\nASCII\nDATASET RECTILINEAR_GRID\n",
          "STRUCTURED_POINTS is read"},
+        {"# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 1 1\n"
+         "POINT_DATA 2\nSCALARS a int\nLOOKUP_TABLE default\n1 2\nDIMENSIONS 3 1 1\n",
+         "2 values, the dimensions say 3"},
         {"*Node\n1,0,0,0\n*Element, type=C3D4\n1,1,1,1,1\n", "'C3D4' are no voxels"},
         {"***tesr\n **format\n 2.1\n **general\n 3\n 100000 100000 100000\n 1 1 1\n **data\n "
          "ascii\n 1\n",
