@@ -114,6 +114,12 @@ static void read_by_format(const struct image_source *source, struct image *imag
 
 struct image image_read(const char *path, const char *array, const struct image_raw *raw)
 {
+    return image_is_stack(path) ? image_read_stack(path, array, raw)
+                                : image_read_file(path, array, raw);
+}
+
+struct image image_read_file(const char *path, const char *array, const struct image_raw *raw)
+{
     struct stat status;
     if (stat(path, &status) != 0) die_user("cannot read the image %s: %s", path, strerror(errno));
     if (!S_ISREG(status.st_mode) || status.st_size > LONGEST_FILE)
@@ -122,6 +128,12 @@ struct image image_read(const char *path, const char *array, const struct image_
     char *text = spool_text(path, (long)status.st_size, &length);
     struct image_source source = {path, array, raw, (const unsigned char *)text, (size_t)length};
     struct image image = {0};
+    /* Some editors put a mark of UTF-8 in front of text. */
+    static const char mark[] = "\xEF\xBB\xBF";
+    if (!raw && image_begins(&source, mark)) {
+        source.bytes += strlen(mark);
+        source.length -= strlen(mark);
+    }
     read_by_format(&source, &image);
     free(text);
     return image;

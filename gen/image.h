@@ -45,8 +45,12 @@ struct image_source {
     size_t length;
 };
 
-/* Reads a file in whatever format it is; raw: NULL where it says itself what it holds. */
+/* Reads a file in whatever format it is, or a stack of files with a layer each, whose path is a
+ * pattern with * or ?; raw: NULL where the file says itself what it holds. */
 struct image image_read(const char *path, const char *array, const struct image_raw *raw);
+struct image image_read_file(const char *path, const char *array, const struct image_raw *raw);
+bool image_is_stack(const char *path);
+struct image image_read_stack(const char *pattern, const char *array, const struct image_raw *raw);
 void image_free(struct image *image);
 
 int64_t image_voxels(const struct image *image);

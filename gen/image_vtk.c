@@ -19,6 +19,7 @@ struct array {
     enum scalar type;
     int components;
     bool of_cells;
+    double tuples;
     struct image_text at;
 };
 
@@ -80,6 +81,7 @@ static void add_array(struct vtk *vtk, const char *name, const char *type, doubl
     /* A field may hold what is not of the cells: it cannot be taken. */
     array->components = tuples == vtk->tuples ? (int)components : 0;
     array->of_cells = vtk->of_cells;
+    array->tuples = tuples;
     array->at = vtk->text;
     skip_values(vtk, components * tuples, scalar_size(array->type));
 }
@@ -239,6 +241,9 @@ void image_vtk_read(const struct image_source *source, struct image *image)
     }
     image_size(source, image, count, (double)source->length);
     const int64_t voxels = image_voxels(image);
+    if (array.tuples != (double)voxels)
+        image_refuse(&array.at, "%.0f values, the dimensions say %lld", array.tuples,
+                     (long long)voxels);
     if (vtk->binary)
         scalars_decode(source->bytes + array.at.at, voxels, array.type, true, image->value);
     else

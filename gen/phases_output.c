@@ -16,6 +16,38 @@ static int64_t count_nodes(const struct structure *structure)
     return nodes;
 }
 
+/* Unlike pairs among neighbours along an axis, across the seam where the body meets its image, and
+ * elsewhere; 0 where there are no pairs. */
+static void count_unlike(const struct structure *structure, int axis, double *seam, double *within)
+{
+    const struct sites *sites = structure->sites;
+    int64_t pairs[2] = {0, 0}, unlike[2] = {0, 0};
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
+        int64_t at[3];
+        sites_index(sites, node, at);
+        const int there = at[axis]++ == sites->count[axis] - 1;
+        const int64_t other = sites_at(sites, at[0], at[1], at[2]);
+        if (other < 0) continue;
+        pairs[there]++;
+        unlike[there] += structure->phase[node] != structure->phase[other];
+    }
+    *seam = pairs[1] ? (double)unlike[1] / (double)pairs[1] : 0;
+    *within = pairs[0] ? (double)unlike[0] / (double)pairs[0] : 0;
+}
+
+static void print_seams(const struct structure *structure)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        double seam, within;
+        if (!structure->sites->periodic[axis]) continue;
+        count_unlike(structure, axis, &seam, &within);
+        note("seam along %c: %.3g %% of the pairs of neighbours across it are of unlike phases, "
+             "%.3g "
+             "%% of those elsewhere",
+             "xyz"[axis], 100 * seam, 100 * within);
+    }
+}
+
 void phases_print(const struct recipe *recipe, const struct structure *structure)
 {
     const double all = (double)count_nodes(structure);
@@ -39,6 +71,7 @@ void phases_print(const struct recipe *recipe, const struct structure *structure
     const struct interface interface = statistics_interface(structure, sheet);
     note("interface %.6g mm2/mm3 between unlike phases (%d directions; faces alone: %.6g)",
          1e-3 * interface.crofton, sheet ? 4 : NEIGHBOURS_26, 1e-3 * interface.faces);
+    print_seams(structure);
 }
 
 static void row(FILE *file, const char *quantity, const char *name, double value, const char *unit)

@@ -78,7 +78,7 @@ static const struct key rows[] = {
              "together, and the fraction is the nearest that this allows"},
     {"cores", KEY_TEXT, MEMBER(cores_file), .form = "file", .users = TWO_PHASES,
      .help = "centres written by hsgen --cores, in place of lattice, core, core_distance, "
-             "core_diameter and jitter"},
+             "core_diameter, jitter and offset"},
     {"require", KEY_NODE, MEMBER(require_list), .users = TWO_PHASES,
      .form = "list of ufg_connected, cg_connected, cores_apart",
      .otherwise = "[ufg_connected, cores_apart] of harmonic, [] of random",
@@ -138,8 +138,8 @@ static void check_names(struct deck_node domain, const struct recipe *recipe)
 /* What the rows cannot say of two phases. */
 static void check_two_phases(struct deck_node domain, const struct recipe *recipe)
 {
-    static const char *const said[] = {"lattice", "core", "core_distance", "core_diameter",
-                                       "jitter"};
+    static const char *const said[] = {"lattice",       "core",   "core_distance",
+                                       "core_diameter", "jitter", "offset"};
     if (strcmp(recipe->phase_names[PHASE_CG], recipe->phase_names[PHASE_UFG]) == 0)
         deck_error(deck_get(domain, "phases"), "the two phases need two names");
     for (size_t i = 0; recipe->cores_file && i < sizeof said / sizeof *said; i++)
@@ -236,7 +236,10 @@ struct cores_box recipe_box(const struct recipe *recipe)
 {
     struct cores_box box;
     specimen_extent(&recipe->specimen, box.size);
-    for (int axis = 0; axis < 3; axis++) box.periodic[axis] = recipe->specimen.periodic[axis];
+    for (int axis = 0; axis < 3; axis++) {
+        box.periodic[axis] = recipe->specimen.periodic[axis];
+        box.offset[axis] = recipe->offset[axis];
+    }
     return box;
 }
 

@@ -38,6 +38,7 @@ struct recipe {
     double distance; /* m, harmonic: nearest neighbours; cells: mean size */
     double diameter; /* m, of random spheres */
     double jitter;
+    double offset[3]; /* m, of the lattice of cores */
     double ufg_fraction;
     int geometric;        /* 1: whole cores, the nearest fraction that this allows */
     double minimum_shell; /* spacings */

@@ -29,6 +29,11 @@ static const struct key rows[] = {
      .usual = NAN, .help = "of the nearest centres; required without cores"},
     {"jitter", KEY_NUMBER, MEMBER(jitter), .unit = "1", .low = 0, .high = 1,
      .help = "standard deviation of each coordinate of the centres, in core distances"},
+    {"offset", KEY_SPACINGS, MEMBER(offset), .low = -LONGEST_DISTANCE, .high = LONGEST_DISTANCE,
+     .size = 3,
+     .help =
+         "from the body's centre to a core, along x, y, z; a part of a spacing leaves fewer nodes "
+         "equal by symmetry, which an exact match has to split by the seed"},
     {"minimum_shell", KEY_SPACINGS, MEMBER(minimum_shell), .low = 1, .high = 10, .usual = NAN,
      .otherwise = "one layer of nodes", .help = "what the topology check demands between cores"},
 };
@@ -44,6 +49,10 @@ static void check(struct deck_node domain, struct recipe *recipe)
         deck_error(lattice,
                    "in two dimensions the cores lie on sc or fcc (square lattices along x or along "
                    "the diagonals); the section of bcc has no shell of even width");
+    if (recipe->offset[2] != 0 && specimen_is_sheet(&recipe->specimen))
+        deck_error(
+            deck_get(domain, "offset"),
+            "a sheet is the section through the middle of the cores: its offset along z is 0");
     recipe->distance = periodic_distance(domain, &recipe->specimen, lattices[recipe->lattice],
                                          cores_lattice_edge(recipe->lattice), recipe->distance);
 }

@@ -67,7 +67,8 @@ static struct image_raw read_raw(struct deck_node map)
 
 static const struct key rows[] = {
     {"image", KEY_TEXT, MEMBER(file), .form = "file", .required = true,
-     .help = "known by its first bytes"},
+     .help = "known by its first bytes; a pattern such as slices/s*.tif is a stack of files with a "
+             "layer each, in the order of the numbers in their names"},
     {"array", KEY_TEXT, MEMBER(array), .form = "name", .otherwise = "the only one",
      .help = "which array of the file says what phase is where"},
     {"labels", KEY_NODE, MEMBER(words.labels), .form = "{material: label or [labels], ...}",

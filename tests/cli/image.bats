@@ -57,7 +57,14 @@ refused() {
     sed 's/voxel.*/&\n  spacing: [1 um, 0.5 um, 0.25 um]/' deck.yaml | hsgen -q -s fine.csv -o fine.g
     [ "$(statistic fine.csv nodes CG)" = $((8 * $(statistic image.csv nodes CG))) ]
     # doubled along all axes, so that nothing new meets at the ends
-    sed 's/voxel.*/&\n  mirror: [x, y, z]\n  periodic: [x, y, z]/' deck.yaml | hsgen -q -s mirror.csv -o mirror.g
+    sed 's/voxel.*/&\n  mirror: [x, y, z]\n  periodic: [x, y, z]/' deck.yaml | hsgen -s mirror.csv -o mirror.g 2>said
+    for axis in x y z; do grep -q "seam along $axis: 0 % of the pairs" said; done
+    # 1 + (i + 2 j + 3 k) mod 5 at i = 3 and at i = 0: of two phases where exactly one is 1 or 3
+    awk 'BEGIN { for (k = 0; k < 2; k++) for (j = 0; j < 3; j++) {
+        for (i = 0; i < 4; i += 3) { v = (i + 2 * j + 3 * k) % 5; coarse[i] = v == 0 || v == 2 }
+        n += coarse[0] != coarse[3] } printf "seam along x: %.3g %% of", 100 * n / 6 }' >expected
+    sed 's/voxel.*/&\n  periodic: [x]/' deck.yaml | hsgen -o wrapped.g 2>said
+    grep -qF "$(cat expected)" said
     [ "$(statistic mirror.csv nodes CG)" = $((8 * $(statistic image.csv nodes CG))) ]
     [ "$(attribute mirror.g periodic)" = '"xyz"' ]
 }

@@ -18,6 +18,12 @@ static char *at(const char *file)
 
 enum { NX = 4, NY = 3, NZ = 2 };
 
+static void try_read(const void *path)
+{
+    struct image image = image_read(path, NULL, NULL);
+    image_free(&image);
+}
+
 /* The files were made from this formula by code that has nothing of hsgen
  * (tests/data/images/README.md). */
 static double expected(int64_t i, int64_t j, int64_t k)
@@ -120,6 +126,34 @@ static void files_without_a_head_are_described(void **state)
     check_values(&image, &(struct flavour){.file = "values.raw"});
     image_free(&image);
     free(path);
+}
+
+/* The layer k = 0 as twelve files, of which one is another: in the order of their numbers. */
+static void stacks_are_in_the_order_of_their_numbers(void **state)
+{
+    (void)state;
+    for (int l = 0; l < 12; l++) {
+        char *name = memory_print("layer%d.img", l),
+             *from = at(l == 9 ? "alpha.png" : "grey16.png");
+        char *command = memory_print("cp '%s' %s", from, name);
+        assert_int_equal(system(command), 0);
+        free(command);
+        free(from);
+        free(name);
+    }
+    struct image image = image_read("layer*.img", NULL, NULL);
+    assert_int_equal(image.count[2], 12);
+    for (int64_t v = 0; v < image_voxels(&image); v++) {
+        const int64_t i = v % NX, j = v / NX % NY, k = v / NX / NY;
+        assert_true(image.value[v] == (k == 9 ? 1 : 256) * expected(i, j, 0));
+    }
+    image_free(&image);
+    assert_dies(EXIT_USER, "no file has a name like", try_read, "nothing*.img");
+    char *command = memory_print("cp '%s/stack.tif' layer3.img", data);
+    assert_int_equal(system(command), 0);
+    free(command);
+    assert_dies(EXIT_USER, "layer3.img: 2 layers, and a file of a stack has one", try_read,
+                "layer*.img");
 }
 
 static void names_go_with_their_values(void **state)
@@ -251,12 +285,6 @@ static void write_version_8(const char *path)
     H5Fclose(file);
 }
 
-static void try_read(const void *path)
-{
-    struct image image = image_read(path, NULL, NULL);
-    image_free(&image);
-}
-
 static void try_phases(const void *path)
 {
     struct image image = image_read(path, "Phases", NULL);
@@ -312,6 +340,9 @@ static void what_is_not_read_is_named(void **state)
         {"", "not an image by its first bytes"},
         {"# vtk DataFile Version 3.0\na\nASCII\nDATASET RECTILINEAR_GRID\n",
          "STRUCTURED_POINTS is read"},
+        {"# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 1 1\n"
+         "POINT_DATA 2\nSCALARS a int\nLOOKUP_TABLE default\n1 2\nDIMENSIONS 3 1 1\n",
+         "2 values, the dimensions say 3"},
         {"*Node\n1,0,0,0\n*Element, type=C3D4\n1,1,1,1,1\n", "'C3D4' are no voxels"},
         {"***tesr\n **format\n 2.1\n **general\n 3\n 100000 100000 100000\n 1 1 1\n **data\n "
          "ascii\n 1\n",
@@ -414,6 +445,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_flavour_holds_the_structure),
         cmocka_unit_test(files_without_a_head_are_described),
+        cmocka_unit_test(stacks_are_in_the_order_of_their_numbers),
         cmocka_unit_test(names_go_with_their_values),
         cmocka_unit_test(any_column_of_a_map_can_be_taken),
         cmocka_unit_test(dream3d_is_read_in_both_layouts),
