@@ -76,7 +76,7 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
 @test "make install puts programs, pages, examples, documents and completion in place, and uninstall takes them away" {
     make -s -C "$root" BUILD="$HS_BUILD" DESTDIR="$PWD/there" PREFIX=/usr install >said 2>&1 || { cat said; false; }
     for file in bin/hsgen bin/hssolve bin/hspost share/man/man1/hsgen.1 share/man/man5/hsdeck.5 share/doc/hstools/README.md \
-        share/doc/hstools/CHANGELOG.md share/doc/hstools/CITATION.cff share/doc/hstools/docs/tutorial.md \
+        share/doc/hstools/docs/CHANGELOG.md share/doc/hstools/docs/CITATION.cff share/doc/hstools/docs/tutorial.md \
         share/doc/hstools/examples/plate.yaml share/bash-completion/completions/hspost share/zsh/site-functions/_hssolve; do
         [ -s "there/usr/$file" ] || { echo "no $file"; false; }
     done
@@ -123,5 +123,5 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     mkdir tree
     cp "$root/Makefile" tree
     (cd tree && make -s -p -n help 2>/dev/null) | grep -qx "DESCRIBED := ${version%%+*}"
-    for file in CITATION.cff codemeta.json; do grep -q "version\"*: \"*${version%%+*}" "$root/$file"; done
+    for file in CITATION.cff codemeta.json; do grep -q "version\"*: \"*${version%%+*}" "$root/docs/$file"; done
 }
