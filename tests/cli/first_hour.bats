@@ -57,9 +57,10 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     grep -q "unknown key 'youngs_modulos'" said
     # the law of the plate comes back from its curve
     law=$(grep hardening coarse.yaml)
-    near "$(sed 's/.*yield: \([0-9.]*\) MPa.*/\1/' <<<"$law")" 250 1
-    near "$(sed 's/.*saturation: \([0-9.]*\) MPa.*/\1/' <<<"$law")" 220 1
-    near "$(sed 's/.*rate: \([0-9.]*\).*/\1/' <<<"$law")" 12 0.1
+    number() { [[ $law =~ $1:\ ([0-9.]+) ]] && echo "${BASH_REMATCH[1]}"; }
+    near "$(number yield)" 250 1
+    near "$(number saturation)" 220 1
+    near "$(number rate)" 12 0.1
     for file in plate.svg mine.svg structure.png fractions/gathered/curves.svg error/gathered/extrapolated.svg; do [ -s "$file" ]; done
     [ "$(sed 1d fractions/gathered/properties.csv | sed 's/"[^"]*"/q/g' | cut -d, -f4 | sort -u | tr '\n' ' ')" = "0.4 0.5 0.6 " ]
     tail -1 said | grep -q 'Rp0.2,MPa,2,'
