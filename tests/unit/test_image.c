@@ -77,6 +77,7 @@ static const struct flavour flavours[] = {
     {.file = "nibbles.tif", .no_edges = true},
     {.file = "square.ctf", .flat = true, .unit = "um"},
     {.file = "comma.ctf", .flat = true, .unit = "um"},
+    {.file = "hexagonal.ctf", .flat = true, .unit = "um", .open_end = true},
     {.file = "lying_head.ang", .flat = true, .unit = "um", .open_end = true},
     {.file = "voxels.inp", .array = "grain", .open_end = true},
     {.file = "voxels.inp", .open_end = true},
@@ -179,6 +180,23 @@ static void names_go_with_their_values(void **state)
         image_free(&image);
         free(path);
     }
+}
+
+/* A hexagonal map whose even rows are shorter: a box for each point, but for the last of longer
+ * rows. */
+static void hexagonal_rows_are_straightened(void **state)
+{
+    (void)state;
+    char *path = at("hexagonal.ang");
+    struct image image = image_read(path, NULL, NULL);
+    assert_int_equal(image.count[0], NX - 1);
+    assert_int_equal(image.count[1], NY);
+    assert_near(image.edge[0], 0.5, 1e-9);
+    assert_near(image.edge[1], 0.433, 1e-3);
+    for (int64_t v = 0; v < image_voxels(&image); v++)
+        assert_true(image.value[v] == expected(v % (NX - 1), v / (NX - 1), 0));
+    image_free(&image);
+    free(path);
 }
 
 /* Other columns than the phase, by name. */
@@ -377,7 +395,8 @@ static void what_is_unclear_is_asked(void **state)
     static const struct {
         const char *file, *more, *said;
     } cases[] = {
-        {"hexagonal.ctf", "", "no regular grid; points on a square grid are read"},
+        {"square.ctf", "1\t7.2\t9.0\t8\t0\t1\t1\t1\t1\t1\t1\n",
+         "no regular grid; points on square and hexagonal grids are read"},
         {"bzip2.nrrd", "", "encoding bzip2 is not read"},
         {"appended_raw.vti", "", "say by 'array' which one is meant; there are: grey, material"},
         {"voxels.inp", "*Elset, elset=Odd\n1, 3\n", "in the sets Grain1 and Odd"},
@@ -447,6 +466,7 @@ int main(void)
         cmocka_unit_test(files_without_a_head_are_described),
         cmocka_unit_test(stacks_are_in_the_order_of_their_numbers),
         cmocka_unit_test(names_go_with_their_values),
+        cmocka_unit_test(hexagonal_rows_are_straightened),
         cmocka_unit_test(any_column_of_a_map_can_be_taken),
         cmocka_unit_test(dream3d_is_read_in_both_layouts),
         cmocka_unit_test(what_is_not_read_is_named),
