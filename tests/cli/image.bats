@@ -184,3 +184,30 @@ DECK
     [ "$status" -eq 2 ]
     [[ $output == *"topology image has no cores"* ]]
 }
+
+@test "CalculiX takes the mesh: a block of two phases of one stiffness carries E eps A" {
+    command -v ccx >/dev/null || skip "no CalculiX"
+    sed 's/text.vti/stack.tif/; s/voxel.*/voxel: 20 um/' deck.yaml | hsgen -q -o block.g --export mesh.inp
+    cat >job.inp <<'JOB'
+*INCLUDE, INPUT=mesh.inp
+*MATERIAL, NAME=M
+*ELASTIC
+200e9, 0.3
+*SOLID SECTION, ELSET=CG, MATERIAL=M
+*SOLID SECTION, ELSET=UFG, MATERIAL=M
+*BOUNDARY
+X_LOW, 1, 1, 0.
+Y_LOW, 2, 2, 0.
+Z_LOW, 3, 3, 0.
+*STEP
+*STATIC
+*BOUNDARY
+X_HIGH, 1, 1, 8e-8
+*NODE PRINT, NSET=X_HIGH, TOTALS=ONLY
+RF
+*END STEP
+JOB
+    ccx job >said
+    # 80 x 60 x 40 um, strained by 1e-3: 200e9 Pa 1e-3 60e-6 m 40e-6 m, to the digits printed
+    awk '$1 ~ /^[0-9.-]+E/ { found = $1 } END { exit !(found > 0.48 * (1 - 1e-5) && found < 0.48 * (1 + 1e-5)) }' job.dat
+}
