@@ -39,6 +39,10 @@ refused() {
         { v = 1 + (i + 2 * j + 3 * k) % 5; n += v == 1 || v == 3 } print n }' >expected
     [ "$(statistic image.csv nodes CG)" = "$(cat expected)" ]
     [ "$(statistic image.csv nodes UFG)" = $((24 - $(cat expected))) ]
+    # of each phase its share at no distance, and the mean of its profile
+    awk -F, -v n="$(cat expected)" '$1 == "two_point_CG" && $3 == 0 { d = $4 - n / 24; if (d * d > 1e-14) bad = 1; found++ }
+        $1 == "profile_UFG" && $2 == "x" { sum += $4 / 4 }
+        END { d = sum - 1 + n / 24; exit !(found == 3 && !bad && d * d < 1e-14) }' image.csv
     # radius, volume, grain of each element
     ncdump -v attrib1,connect1 image.g | tr -d ' ;' >found
     grep -q '^"GRAIN"' <(ncdump -v attrib_name1 image.g | tr -d ' ,;')
