@@ -261,8 +261,22 @@ static void put_features(hid_t features)
     put(features, "Phases", 2, shape, H5T_STD_I32BE, H5T_NATIVE_INT32, phases, false);
 }
 
+/* Names of phases 0 to 2, of one length or of their own. */
+static void put_names(hid_t container, bool variable)
+{
+    const char *const own[3] = {"Unknown", "Primary", "Precipitate"};
+    const char fixed[3][12] = {"Unknown", "Primary", "Precipitate"};
+    const hid_t ensembles = group_in(container, "CellEnsembleData"), type = H5Tcopy(H5T_C_S1);
+    const hsize_t shape[1] = {3};
+    assert_true(H5Tset_size(type, variable ? H5T_VARIABLE : 12) >= 0);
+    put(ensembles, "PhaseName", 1, shape, type, type,
+        variable ? (const void *)own : (const void *)fixed, false);
+    H5Tclose(type);
+    H5Gclose(ensembles);
+}
+
 /* As SIMPL lays it out (FileVersion 7). */
-static void write_version_7(const char *path, bool uneven)
+static void write_version_7(const char *path, bool uneven, bool variable)
 {
     const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     const hid_t all = group_in(file, "DataContainers"), one = group_in(all, "SyntheticVolume");
@@ -272,6 +286,7 @@ static void write_version_7(const char *path, bool uneven)
     const float spacing[3] = {0.5F, 0.25F, 0.125F}, z[NZ + 1] = {0, 1, 4};
     put_cells(cells);
     put_features(features);
+    put_names(one, variable);
     put(geometry, "SPACING", 1, three, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, spacing, false);
     if (uneven) put(geometry, "zBounds", 1, bounds, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, z, false);
     H5Gclose(geometry);
@@ -316,7 +331,7 @@ static void dream3d_is_read_in_both_layouts(void **state)
     const double edge[3] = {0.5, 0.25, 0.125};
     for (int version = 7; version <= 8; version++) {
         if (version == 7)
-            write_version_7(path, false);
+            write_version_7(path, false, false);
         else
             write_version_8(path);
         struct image image = image_read(path, NULL, NULL); /* the only array of one number */
@@ -328,13 +343,18 @@ static void dream3d_is_read_in_both_layouts(void **state)
                 "there is no array 'Phases' in it (there are: /DataStructure/Image/CellData/",
                 try_phases, path);
     /* A table of features: each cell has the phase of its feature. */
-    write_version_7(path, false);
+    write_version_7(path, false, false);
     struct image image = image_read(path, "CellFeatureData/Phases", NULL);
     image_free(&image);
-    image = image_read(path, "Phases", NULL);
-    check_values(&image, &(struct flavour){.file = "a.dream3d", .scale = 10});
-    image_free(&image);
-    write_version_7(path, true);
+    for (int variable = 0; variable < 2; variable++) {
+        write_version_7(path, false, variable);
+        image = image_read(path, "Phases", NULL);
+        check_values(&image, &(struct flavour){.file = "a.dream3d", .scale = 10});
+        assert_string_equal(image_name_of(&image, 1), "Primary");
+        assert_string_equal(image_name_of(&image, 2), "Precipitate");
+        image_free(&image);
+    }
+    write_version_7(path, true, false);
     assert_dies(EXIT_USER, "layers of different thickness", try_read, path);
 }
 
