@@ -4,6 +4,7 @@
 #include "exodus.h"
 #include "fill.h"
 #include "periodic.h"
+#include "requirements.h"
 #include "sections.h"
 #include "symmetry.h"
 #include "topology.h"
@@ -78,6 +79,12 @@ static const struct key rows[] = {
     {"cores", KEY_TEXT, MEMBER(cores_file), .form = "file", .users = TWO_PHASES,
      .help = "centres written by hsgen --cores, in place of lattice, core, core_distance, "
              "core_diameter, jitter and offset"},
+    {"require", KEY_NODE, MEMBER(require_list), .users = TWO_PHASES,
+     .form = "list of ufg_connected, cg_connected, cores_apart",
+     .otherwise = "[ufg_connected, cores_apart] of harmonic, [] of random",
+     .help =
+         "what the topology check asks for: that a phase percolates along all axes, that different "
+         "cores do not touch; the rest is found and said.  [] asks for nothing"},
     {"override", KEY_FLAG, MEMBER(override), .users = TWO_PHASES,
      .help = "write the domain though its topology check failed"},
     {"seed", KEY_INTEGER, MEMBER(seed), .low = 0, .high = INT32_MAX, .usual = 1,
@@ -162,9 +169,20 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
     recipe->grip_phase = recipe->n_phases++;
 }
 
+/* A deck of many decks is none of a body. */
+static void refuse_study(struct sections sections)
+{
+    const struct deck_node study = sections.vary.index ? sections.vary : sections.refine;
+    if (study.index)
+        deck_error(study,
+                   "this deck is a study of several: 'hsgen --study %s -o FOLDER' writes them, "
+                   "'make -j2 -C FOLDER' runs them",
+                   deck_name(study.deck));
+}
+
 struct recipe recipe_read(const struct deck *deck)
 {
-    sections_read(deck);
+    refuse_study(sections_read(deck));
     struct recipe recipe = {0};
     struct deck_node root = deck_root(deck), domain = deck_get(root, "domain");
     const int choice = keys_variant(domain, &domain_section);
@@ -179,6 +197,7 @@ struct recipe recipe_read(const struct deck *deck)
     symmetry_read(domain, &recipe.specimen);
     check_names(domain, &recipe);
     if (!recipe.topology->no_cores) check_two_phases(domain, &recipe);
+    recipe.require = requirements_read(recipe.require_list, recipe.topology->requires);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
     read_grip_phase(root, &recipe);
     return recipe;

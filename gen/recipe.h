@@ -43,10 +43,11 @@ struct recipe {
     int geometric;        /* 1: whole cores, the nearest fraction that this allows */
     double minimum_shell; /* spacings */
     bool override;
+    unsigned require; /* REQUIRE_... */
     int64_t seed;
     struct measured measured;
     struct voxels voxels; /* of an image, else empty */
-    struct deck_node symmetry, size, periodic, gauge, grips, notch, hole,
+    struct deck_node require_list, symmetry, size, periodic, gauge, grips, notch, hole,
         sets; /* as the deck has them; index 0: none */
 };
 

@@ -19,6 +19,7 @@ struct topology {
     struct variant deck; /* its name, and the keys that only it has, which fill the recipe */
     bool no_cores;       /* phases are not found by ranking nodes about cores */
     bool cores_apart;    /* different cores are meant not to touch */
+    unsigned requires;   /* REQUIRE_... (requirements.h) of a deck that does not say */
     /* Checks what the rows of the keys cannot say; NULL: nothing. */
     void (*check)(struct deck_node domain, struct recipe *recipe);
     /* Finds size and phases of the body, and its spacing where the deck has none, before the rest

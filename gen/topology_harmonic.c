@@ -11,6 +11,7 @@
 #include "memory.h"
 #include "periodic.h"
 #include "recipe.h"
+#include "requirements.h"
 #include "steps.h"
 #include "topology.h"
 
@@ -112,15 +113,28 @@ static char *remedy(const struct recipe *recipe, const struct findings *findings
                         1e6 * spacing / parts, parts, 1e6 * recipe->distance * spacing / needed);
 }
 
+static bool lacks_cg(const struct recipe *recipe, const struct findings *findings)
+{
+    const bool *along = findings->cg.percolates;
+    return (recipe->require & REQUIRE_CG_CONNECTED) && !(along[0] && along[1] && along[2]);
+}
+
 static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
     const struct clusters *ufg = &findings->ufg;
-    bool shell = ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2];
+    const bool shell = !(recipe->require & REQUIRE_UFG_CONNECTED) ||
+                       (ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2]);
     const struct contact *contact = &findings->contact;
-    if (shell && is_film(recipe, contact->touching > 0, contact->film)) return NULL;
+    const bool apart = !(recipe->require & REQUIRE_CORES_APART) ||
+                       is_film(recipe, contact->touching > 0, contact->film);
+    if (shell && apart && !lacks_cg(recipe, findings)) return NULL;
+    if (shell && apart)
+        return memory_print("%s does not percolate along x, y and z, as 'require: [cg_connected]' "
+                            "asks for",
+                            recipe->phase_names[PHASE_CG]);
     char *help = remedy(recipe, findings);
     char *text;
-    if (contact->touching > 0)
+    if (!apart && contact->touching > 0)
         text = memory_print("not a harmonic structure: different cores touch (%lld pairs of nodes "
                             "share a face, an edge or a corner); %s",
                             (long long)contact->touching, help);
@@ -149,6 +163,7 @@ const struct topology topology_harmonic = {
                  "coarse cores on a lattice, isolated from each other in a connected fine shell",
              .keys = KEYS(rows)},
     .cores_apart = true,
+    .requires = REQUIRE_UFG_CONNECTED | REQUIRE_CORES_APART,
     .check = check,
     .place = place,
     .score = score,

@@ -4,6 +4,7 @@
 #include "cracks.h"
 #include "deck.h"
 #include "die.h"
+#include "domain_facts.h"
 #include "domain_input.h"
 #include "domain_order.h"
 #include "domain_text.h"
@@ -89,7 +90,8 @@ static void look_at(struct domain *domain, bool text)
     struct lattice lattice;
     const bool regular = domain_sort(domain);
     struct deck *deck = deck_parse(deck_of, strlen(deck_of), "deck");
-    if (text) domain_text_sets(domain, regular, deck);
+    const struct domain_facts facts = domain_facts_read(deck);
+    if (text) domain_facts_planes(&facts, regular, domain);
     if (!lattice_recognise(domain, &lattice)) lattice = lattice_scattered(domain, 0);
     lattice_free(&lattice);
     deck_free(deck);
