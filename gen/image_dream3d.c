@@ -200,6 +200,60 @@ static void read_edges(const struct dream3d *dream3d, const struct data_set *set
     H5Gclose(container);
 }
 
+/* --- names of phases -----------------------------------------------------------------------------
+ */
+
+/* Strings of whatever length HDF5 has them in; the caller frees each and the list. */
+static char **read_strings(hid_t set, int count)
+{
+    const hid_t type = H5Dget_type(set), space = H5Dget_space(set);
+    char **strings = memory_new((size_t)count, sizeof *strings);
+    if (H5Tis_variable_str(type) > 0) {
+        char **read = memory_new((size_t)count, sizeof *read);
+        if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read) >= 0)
+            for (int i = 0; i < count; i++) strings[i] = memory_text(read[i] ? read[i] : "");
+        H5Dvlen_reclaim(type, space, H5P_DEFAULT, read);
+        free(read);
+    } else {
+        const size_t size = H5Tget_size(type);
+        char *read = memory_new((size_t)count, size + 1);
+        if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read) >= 0)
+            for (int i = 0; i < count; i++)
+                strings[i] = memory_print("%.*s", (int)size, read + (size_t)i * size);
+        free(read);
+    }
+    H5Sclose(space);
+    H5Tclose(type);
+    return strings;
+}
+
+/* PhaseName of the ensembles of the array's container: a name a phase, from 0 (none) on. */
+static void name_phases(const struct dream3d *dream3d, const struct data_set *set,
+                        struct image *image)
+{
+    enum { MOST_PHASES = 1000, LONGEST = 1000 };
+    const hid_t container = container_of(dream3d, set);
+    const hid_t names =
+        container < 0 ? -1 : H5Dopen(container, "CellEnsembleData/PhaseName", H5P_DEFAULT);
+    if (names >= 0) {
+        const hid_t space = H5Dget_space(names), type = H5Dget_type(names);
+        const hssize_t count = H5Sget_simple_extent_npoints(space);
+        if (count > 0 && count <= MOST_PHASES && H5Tget_class(type) == H5T_STRING &&
+            H5Tget_size(type) <= LONGEST) {
+            char **strings = read_strings(names, (int)count);
+            for (int i = 0; i < (int)count; i++) {
+                if (strings[i] && *strings[i]) image_add_name(image, i, strings[i]);
+                free(strings[i]);
+            }
+            free(strings);
+        }
+        H5Tclose(type);
+        H5Sclose(space);
+        H5Dclose(names);
+    }
+    if (container >= 0) H5Gclose(container);
+}
+
 /* --- the image ----------------------------------------------------------------------------------
  */
 
@@ -256,6 +310,7 @@ void image_dream3d_read(const struct image_source *source, struct image *image)
     image->value = read_set(dream3d, cells, &read);
     if (chosen != cells) look_up(dream3d, chosen, image);
     read_edges(dream3d, cells, image);
+    if (strcmp(last_name(chosen->path), "Phases") == 0) name_phases(dream3d, cells, image);
     H5Fclose(dream3d->file);
     H5Pclose(access);
     for (int i = 0; i < dream3d->count; i++) free(dream3d->sets[i].path);

@@ -28,11 +28,15 @@ struct element {
     int set; /* -1: none yet */
 };
 
-/* A set of elements, as lines of numbers, or of names of sets. */
+/* Numbers of elements from first to last. */
+struct run {
+    int64_t first, last, step;
+};
+
 struct set {
     char *name;
-    int64_t count;
-    int64_t *elements;
+    int n_runs;
+    struct run *runs;
     double value;
 };
 
@@ -106,6 +110,15 @@ static int read_numbers(struct image_text *text, const char *line, int most, dou
 /* --- keywords -----------------------------------------------------------------------------------
  */
 
+/* A number of a node or an element. */
+static int64_t whole(struct image_text *text, double value)
+{
+    const double most = 9007199254740992.0; /* 2^53 */
+    if (!(fabs(value) <= most) || value != floor(value))
+        image_refuse(text, "found %g, expected the number of a node or element", value);
+    return (int64_t)value;
+}
+
 static void read_nodes(struct inp *inp)
 {
     char line[LINE];
@@ -114,8 +127,8 @@ static void read_nodes(struct inp *inp)
         const int n = read_numbers(&inp->text, line, 16, numbers);
         if (n < 3) image_refuse(&inp->text, "a node needs a number and coordinates: '%.40s'", line);
         inp->places = memory_grow(inp->places, inp->n_places, sizeof *inp->places);
-        inp->places[inp->n_places++] =
-            (struct place){(int64_t)numbers[0], {numbers[1], numbers[2], n > 3 ? numbers[3] : 0}};
+        inp->places[inp->n_places++] = (struct place){
+            whole(&inp->text, numbers[0]), {numbers[1], numbers[2], n > 3 ? numbers[3] : 0}};
     }
 }
 
@@ -128,10 +141,10 @@ static struct set *set_of(struct inp *inp, const char *name)
     return &inp->sets[inp->n_sets++];
 }
 
-static void add_member(struct set *set, int64_t element)
+static void add_run(struct set *set, struct run run)
 {
-    set->elements = memory_grow(set->elements, set->count, sizeof *set->elements);
-    set->elements[set->count++] = element;
+    set->runs = memory_grow(set->runs, set->n_runs, sizeof *set->runs);
+    set->runs[set->n_runs++] = run;
 }
 
 /* How many corners elements of the type have; 0: no voxel. */
@@ -163,11 +176,11 @@ static void read_elements(struct inp *inp, const char *keyword)
         if (n < corners + 1) continue;
         if (n > corners + 1)
             image_refuse(&inp->text, "more nodes than the element has: '%.40s'", line);
-        struct element element = {(int64_t)numbers[0], corners, {0}, -1};
-        for (int c = 0; c < corners; c++) element.corner[c] = (int64_t)numbers[c + 1];
+        struct element element = {whole(&inp->text, numbers[0]), corners, {0}, -1};
+        for (int c = 0; c < corners; c++) element.corner[c] = whole(&inp->text, numbers[c + 1]);
         inp->elements = memory_grow(inp->elements, inp->n_elements, sizeof *inp->elements);
         inp->elements[inp->n_elements++] = element;
-        if (name) add_member(set_of(inp, name), element.number);
+        if (name) add_run(set_of(inp, name), (struct run){element.number, element.number, 1});
         n = 0;
     }
     if (n > 0) image_refuse(&inp->text, "an element with fewer nodes than %d", corners);
@@ -186,12 +199,16 @@ static void read_set(struct inp *inp, const char *keyword)
         if (isalpha((unsigned char)line[strspn(line, " \t")])) continue; /* a set of sets */
         const int n = read_numbers(&inp->text, line, 64, numbers);
         struct set *set = set_of(inp, name);
-        const double step = range && n > 2 ? numbers[2] : 1;
-        if (range && (n < 2 || !(step >= 1) || numbers[1] - numbers[0] > 1e9))
+        if (range && n < 2)
             image_refuse(&inp->text, "expected first, last and step: '%.40s'", line);
-        for (double i = numbers[0]; range && i <= numbers[1]; i += step)
-            add_member(set, (int64_t)i);
-        for (int i = 0; !range && i < n; i++) add_member(set, (int64_t)numbers[i]);
+        for (int i = 0; i < (range ? 1 : n); i++) {
+            struct run run = {whole(&inp->text, numbers[i]), 0, 1};
+            run.last = range ? whole(&inp->text, numbers[1]) : run.first;
+            if (range && n > 2) run.step = whole(&inp->text, numbers[2]);
+            if (run.step < 1 || run.last < run.first)
+                image_refuse(&inp->text, "expected first, last and step: '%.40s'", line);
+            add_run(set, run);
+        }
     }
     free(name);
     free(range);
@@ -234,27 +251,50 @@ static int compare_elements(const void *a, const void *b)
     return (left > right) - (left < right);
 }
 
+static void assign(const struct inp *inp, struct element *element, int s)
+{
+    if (element->set >= 0 && element->set != s)
+        die_user(
+            "%s: the element %lld is in the sets %s and %s: say by 'array' how the names of those "
+            "that are meant begin",
+            inp->text.source->path, (long long)element->number, inp->sets[element->set].name,
+            inp->sets[s].name);
+    element->set = s;
+}
+
+/* Goes through the elements of a set; takes them, or counts them alone. */
+static int64_t visit_set(const struct inp *inp, int s, bool take)
+{
+    int64_t found = 0;
+    for (int r = 0; r < inp->sets[s].n_runs; r++) {
+        const struct run run = inp->sets[s].runs[r];
+        const struct element wanted = {.number = run.first};
+        if (run.first == run.last) {
+            struct element *element = bsearch(&wanted, inp->elements, (size_t)inp->n_elements,
+                                              sizeof wanted, compare_elements);
+            if (element && take) assign(inp, element, s);
+            found += element != NULL;
+            continue;
+        }
+        for (int64_t i = 0; i < inp->n_elements; i++) {
+            const int64_t number = inp->elements[i].number;
+            if (number < run.first || number > run.last || (number - run.first) % run.step != 0)
+                continue;
+            if (take) assign(inp, &inp->elements[i], s);
+            found++;
+        }
+    }
+    return found;
+}
+
 /* Each element's set; overlapping ones say nothing clear. */
-static void assign_sets(struct inp *inp)
+static void assign_sets(const struct inp *inp)
 {
     const char *prefix = inp->text.source->array;
     for (int s = 0; s < inp->n_sets; s++) {
-        struct set *set = &inp->sets[s];
-        if (prefix && strncasecmp(set->name, prefix, strlen(prefix)) != 0) continue;
-        if (!prefix && set->count >= inp->n_elements && inp->n_sets > 1) continue;
-        for (int64_t i = 0; i < set->count; i++) {
-            const struct element wanted = {.number = set->elements[i]};
-            struct element *element = bsearch(&wanted, inp->elements, (size_t)inp->n_elements,
-                                              sizeof wanted, compare_elements);
-            if (!element || element->set == s) continue;
-            if (element->set >= 0)
-                die_user(
-                    "%s: the element %lld is in the sets %s and %s: say by 'array' how the names "
-                    "of those that are meant begin",
-                    inp->text.source->path, (long long)wanted.number, inp->sets[element->set].name,
-                    set->name);
-            element->set = s;
-        }
+        if (prefix && strncasecmp(inp->sets[s].name, prefix, strlen(prefix)) != 0) continue;
+        if (!prefix && inp->n_sets > 1 && visit_set(inp, s, false) >= inp->n_elements) continue;
+        visit_set(inp, s, true);
     }
 }
 
@@ -334,7 +374,7 @@ void image_inp_read(const struct image_source *source, struct image *image)
     image_points_free(&points);
     for (int s = 0; s < inp.n_sets; s++) {
         free(inp.sets[s].name);
-        free(inp.sets[s].elements);
+        free(inp.sets[s].runs);
     }
     free(inp.sets);
     free(inp.places);

@@ -14,7 +14,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-enum { LINE = 65536, MOST_DIMENSIONS = 4 };
+enum { LINE = 8192, MOST_DIMENSIONS = 4 };
 
 struct nrrd {
     struct image_text text;
@@ -182,7 +182,7 @@ static void take_field(struct nrrd *nrrd, const char *key, const char *value)
 
 static void read_head(struct nrrd *nrrd, struct image *image)
 {
-    char *line = memory_new(LINE, 1);
+    char line[LINE];
     image_line(&nrrd->text, line, LINE); /* NRRD000x */
     while (image_line(&nrrd->text, line, LINE) && *line) {
         char *colon = strchr(line, ':');
@@ -197,7 +197,6 @@ static void read_head(struct nrrd *nrrd, struct image *image)
             value[--n] = '\0';
         take_field(nrrd, line, value);
     }
-    free(line);
     if (!nrrd->have_type || !nrrd->have_sizes || !*nrrd->encoding)
         image_refuse(&nrrd->text, "the head ends without type, sizes and encoding");
     if (scalar_size(nrrd->type) > 1 && !nrrd->have_order &&

@@ -80,8 +80,8 @@ static struct page page_of(TIFF *tiff)
 
 static bool is_colour(const struct page *page)
 {
-    return page->samples >= 3 && page->bits == 8 && page->format == SAMPLEFORMAT_UINT &&
-           page->planar == PLANARCONFIG_CONTIG;
+    return (page->samples == 3 || page->samples == 4) && page->bits == 8 &&
+           page->format == SAMPLEFORMAT_UINT && page->planar == PLANARCONFIG_CONTIG;
 }
 
 static void check_page(const struct image_source *source, const struct page *page)
@@ -130,6 +130,7 @@ static unsigned char *read_rows(TIFF *tiff, const struct page *page,
                                 const struct image_source *source, int number, size_t *wide)
 {
     *wide = (size_t)TIFFScanlineSize64(tiff);
+    if (*wide > (size_t)page->width * sizeof(double) + 1) refuse_damaged(source, number);
     unsigned char *rows = memory_new(*wide * page->height + 1, 1);
     if (!TIFFIsTiled(tiff)) {
         for (uint32_t y = 0; y < page->height; y++)

@@ -26,7 +26,7 @@ struct vti {
     const struct image_source *source;
     struct xml_tag file, grid, piece, appended;
     int n_pieces, n_arrays;
-    struct data_array arrays[MOST_ARRAYS];
+    struct data_array *arrays;
     bool big_endian, packed, wide; /* wide: lengths of 8 bytes */
     enum scalar type;
 };
@@ -42,6 +42,7 @@ static _Noreturn void refuse(const struct vti *vti, const char *what)
 static void add_array(struct vti *vti, const struct xml_tag *tag, bool of_cells)
 {
     if (vti->n_arrays == MOST_ARRAYS) refuse(vti, "more than 256 arrays");
+    vti->arrays = memory_grow(vti->arrays, vti->n_arrays, sizeof *vti->arrays);
     struct data_array *array = &vti->arrays[vti->n_arrays++];
     char *components = xml_attribute(tag, "NumberOfComponents");
     char *name = xml_attribute(tag, "Name");
@@ -258,21 +259,19 @@ static const struct data_array *choose(const struct vti *vti)
 
 void image_vti_read(const struct image_source *source, struct image *image)
 {
-    struct vti *vti = memory_new(1, sizeof *vti);
+    struct vti vti = {.source = source};
     double count[3];
-    vti->source = source;
-    read_tags(vti);
-    read_flavour(vti);
-    const struct data_array *array = choose(vti);
+    read_tags(&vti);
+    read_flavour(&vti);
+    const struct data_array *array = choose(&vti);
     const bool text = attribute_is(&array->tag, "format", "ascii");
-    read_grid(vti, array->of_cells, image, count);
-    vti->type = read_type(vti, &array->tag);
-    image_size(source, image, count,
-               (double)source->length * (vti->packed ? SCALARS_INFLATION : 1));
+    read_grid(&vti, array->of_cells, image, count);
+    vti.type = read_type(&vti, &array->tag);
+    image_size(source, image, count, (double)source->length * (vti.packed ? SCALARS_INFLATION : 1));
     if (text)
-        read_text(vti, &array->tag, image);
+        read_text(&vti, &array->tag, image);
     else
-        read_bytes(vti, &array->tag, image);
-    for (int i = 0; i < vti->n_arrays; i++) free(vti->arrays[i].name);
-    free(vti);
+        read_bytes(&vti, &array->tag, image);
+    for (int i = 0; i < vti.n_arrays; i++) free(vti.arrays[i].name);
+    free(vti.arrays);
 }

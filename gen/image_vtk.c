@@ -28,7 +28,7 @@ struct vtk {
     bool binary, of_cells, have_data;
     double dimensions[3], edge[3], tuples;
     int n_arrays;
-    struct array arrays[MOST_ARRAYS];
+    struct array *arrays;
 };
 
 /* --- arrays -------------------------------------------------------------------------------------
@@ -75,6 +75,7 @@ static void add_array(struct vtk *vtk, const char *name, const char *type, doubl
     if (!(components >= 1) || components > 1e6 || !(tuples >= 0))
         image_refuse(&vtk->text, "an array of %g numbers a place", components);
     if (vtk->n_arrays == MOST_ARRAYS) image_refuse(&vtk->text, "more than 256 arrays");
+    vtk->arrays = memory_grow(vtk->arrays, vtk->n_arrays, sizeof *vtk->arrays);
     struct array *array = &vtk->arrays[vtk->n_arrays++];
     snprintf(array->name, sizeof array->name, "%s", name);
     array->type = type_of(vtk, type);
@@ -230,23 +231,22 @@ static const struct array *choose(const struct vtk *vtk)
 
 void image_vtk_read(const struct image_source *source, struct image *image)
 {
-    struct vtk *vtk = memory_new(1, sizeof *vtk);
+    struct vtk vtk = {.text = image_text_of(source)};
     double count[3];
-    vtk->text = image_text_of(source);
-    read_all(vtk);
-    struct array array = *choose(vtk);
+    read_all(&vtk);
+    struct array array = *choose(&vtk);
     for (int axis = 0; axis < 3; axis++) {
-        image->edge[axis] = vtk->edge[axis];
-        count[axis] = array.of_cells ? fmax(vtk->dimensions[axis] - 1, 1) : vtk->dimensions[axis];
+        image->edge[axis] = vtk.edge[axis];
+        count[axis] = array.of_cells ? fmax(vtk.dimensions[axis] - 1, 1) : vtk.dimensions[axis];
     }
     image_size(source, image, count, (double)source->length);
     const int64_t voxels = image_voxels(image);
     if (array.tuples != (double)voxels)
         image_refuse(&array.at, "%.0f values, the dimensions say %lld", array.tuples,
                      (long long)voxels);
-    if (vtk->binary)
+    if (vtk.binary)
         scalars_decode(source->bytes + array.at.at, voxels, array.type, true, image->value);
     else
         image_numbers(&array.at, "a number", voxels, image->value);
-    free(vtk);
+    free(vtk.arrays);
 }

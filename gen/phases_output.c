@@ -8,6 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+static const char *const axes[] = {"x", "y", "z"};
+
 static int64_t count_nodes(const struct structure *structure)
 {
     int64_t nodes = 0;
@@ -79,9 +81,25 @@ static void row(FILE *file, const char *quantity, const char *name, double value
     fprintf(file, "%s,%s,,%.9g,%s\n", quantity, name, value, unit);
 }
 
+void phases_write_along(const struct structure *structure, int phase, const char *name,
+                        int dimensions, FILE *file)
+{
+    enum { MOST_LAGS = 40 };
+    const struct sites *sites = structure->sites;
+    for (int axis = 0; axis < dimensions; axis++)
+        for (int64_t lag = 0; lag < sites->count[axis] && lag <= MOST_LAGS; lag++)
+            fprintf(file, "two_point_%s,%s,%.9g,%.9g,1\n", name, axes[axis],
+                    (double)lag * sites->spacing[axis],
+                    statistics_two_point(structure, phase, axis, lag));
+    for (int axis = 0; axis < dimensions; axis++)
+        for (int64_t i = 0; i < sites->count[axis]; i++)
+            fprintf(file, "profile_%s,%s,%.9g,%.9g,1\n", name, axes[axis],
+                    sites_coordinate(sites, axis, i),
+                    statistics_profile(structure, phase, axis, i));
+}
+
 void phases_write(const struct recipe *recipe, const struct structure *structure, FILE *file)
 {
-    static const char *const axes[] = {"x", "y", "z"};
     const double all = (double)count_nodes(structure);
     const bool sheet = specimen_is_sheet(&recipe->specimen);
     for (int phase = 0; phase < recipe->n_phases; phase++) {
@@ -98,6 +116,7 @@ void phases_write(const struct recipe *recipe, const struct structure *structure
             row(file, quantity, axes[axis], clusters.percolates[axis], "1");
             free(quantity);
         }
+        phases_write_along(structure, phase, name, sheet ? 2 : 3, file);
     }
     const struct interface interface = statistics_interface(structure, sheet);
     row(file, "interface_area_per_volume", "", interface.crofton, "1/m");

@@ -188,12 +188,11 @@ struct recipe recipe_read(const struct deck *deck)
     const int choice = keys_variant(domain, &domain_section);
     recipe.topology = topologies[choice];
     recipe.n_phases = recipe.topology->no_cores ? 1 : 2;
+    keys_check(domain, &domain_section, choice);
+    if (!recipe.topology->measure) (void)deck_get(domain, "spacing"); /* dies where it is missing */
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
     periodic_read(domain, &recipe.specimen);
-    if (recipe.topology->measure)
-        recipe.topology->measure(domain, &recipe);
-    else
-        (void)deck_get(domain, "spacing"); /* dies where it is missing */
+    if (recipe.topology->measure) recipe.topology->measure(domain, &recipe);
     specimen_read(&recipe.specimen, domain);
     symmetry_read(domain, &recipe.specimen);
     check_names(domain, &recipe);

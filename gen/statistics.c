@@ -19,7 +19,7 @@ static bool is_fine(const struct structure *structure, int64_t node)
     return structure->phase[node] == PHASE_UFG;
 }
 
-double statistics_two_point(const struct structure *structure, int axis, int64_t lag)
+double statistics_two_point(const struct structure *structure, int phase, int axis, int64_t lag)
 {
     const struct sites *sites = structure->sites;
     const int64_t *count = sites->count;
@@ -35,15 +35,15 @@ double statistics_two_point(const struct structure *structure, int axis, int64_t
             int64_t node = sites->node[site], other = sites->node[to];
             if (!is_counted(structure, node) || !is_counted(structure, other)) continue;
             pairs++;
-            both += is_fine(structure, node) && is_fine(structure, other);
+            both += structure->phase[node] == phase && structure->phase[other] == phase;
         }
     return pairs ? (double)both / (double)pairs : NAN;
 }
 
-double statistics_profile(const struct structure *structure, int axis, int64_t i)
+double statistics_profile(const struct structure *structure, int phase, int axis, int64_t i)
 {
     const struct sites *sites = structure->sites;
-    int64_t nodes = 0, fine = 0;
+    int64_t nodes = 0, found = 0;
     int other[2] = {axis == 0, axis == 2 ? 1 : 2};
     int64_t at[3];
     at[axis] = i;
@@ -52,9 +52,9 @@ double statistics_profile(const struct structure *structure, int axis, int64_t i
             int64_t node = sites_at(sites, at[0], at[1], at[2]);
             if (!is_counted(structure, node)) continue;
             nodes++;
-            fine += is_fine(structure, node);
+            found += structure->phase[node] == phase;
         }
-    return nodes ? (double)fine / (double)nodes : NAN;
+    return nodes ? (double)found / (double)nodes : NAN;
 }
 
 /* Unlike pairs per pair of counted neighbours in one direction. */

@@ -5,13 +5,13 @@
 
 #include "findings.h"
 
-/* Probability that both ends of a segment of `lag` spacings along an axis lie in the fine phase:
+/* Probability that both ends of a segment of `lag` spacings along an axis lie in a phase:
  * S2 (Torquato, Random Heterogeneous Materials, 2002, section 2.2).  NaN where none fits.  Along
  * periodic axes the segments go on into the next image of the body. */
-double statistics_two_point(const struct structure *structure, int axis, int64_t lag);
+double statistics_two_point(const struct structure *structure, int phase, int axis, int64_t lag);
 
-/* Fine fraction of layer i along an axis; NaN where no node of the layer is counted. */
-double statistics_profile(const struct structure *structure, int axis, int64_t i);
+/* Fraction of a phase in layer i along an axis; NaN where no node of the layer is counted. */
+double statistics_profile(const struct structure *structure, int phase, int axis, int64_t i);
 
 struct interface {
     double faces;   /* 1/m, faces between unlike nodes per volume: 3/2 too much where isotropic */

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_LAGS = 40, MOST_SHELLS = 20000, SHELL_BINS = 24 };
+enum { MOST_SHELLS = 20000, SHELL_BINS = 24 };
 
 static const char *const axes[] = {"x", "y", "z"};
 static const char *const phases[] = {"cg", "ufg"};
@@ -108,20 +108,6 @@ static void write_clusters(struct output *output, int phase, const struct cluste
     }
 }
 
-static void write_along_axes(struct output *output, const struct structure *structure,
-                             int dimensions)
-{
-    const struct sites *sites = structure->sites;
-    for (int axis = 0; axis < dimensions; axis++)
-        for (int64_t lag = 0; lag < sites->count[axis] && lag <= MOST_LAGS; lag++)
-            row(output, "two_point_ufg", axes[axis], (double)lag * sites->spacing[axis],
-                statistics_two_point(structure, axis, lag), "1");
-    for (int axis = 0; axis < dimensions; axis++)
-        for (int64_t i = 0; i < sites->count[axis]; i++)
-            row(output, "profile_ufg", axes[axis], sites_coordinate(sites, axis, i),
-                statistics_profile(structure, axis, i), "1");
-}
-
 /* Shares of the sampled shell nodes, in bins of one spacing around 1, 2, 3 ... */
 static void write_shell(struct output *output, const struct structure *structure)
 {
@@ -165,7 +151,7 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
         write_clusters(&output, PHASE_UFG, &findings->ufg, dimensions);
         row(&output, "interface_area_per_volume", "", NAN, interface.crofton, "1/m");
         row(&output, "interface_faces_per_volume", "", NAN, interface.faces, "1/m");
-        write_along_axes(&output, structure, dimensions);
+        phases_write_along(structure, PHASE_UFG, "ufg", dimensions, output.stream);
     }
     if (recipe->topology->cores_apart) {
         row(&output, "clusters_26", "cg", NAN, (double)findings->cg_26.count, "1");

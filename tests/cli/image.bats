@@ -39,6 +39,10 @@ refused() {
         { v = 1 + (i + 2 * j + 3 * k) % 5; n += v == 1 || v == 3 } print n }' >expected
     [ "$(statistic image.csv nodes CG)" = "$(cat expected)" ]
     [ "$(statistic image.csv nodes UFG)" = $((24 - $(cat expected))) ]
+    # of each phase its share at no distance, and the mean of its profile
+    awk -F, -v n="$(cat expected)" '$1 == "two_point_CG" && $3 == 0 { d = $4 - n / 24; if (d * d > 1e-14) bad = 1; found++ }
+        $1 == "profile_UFG" && $2 == "x" { sum += $4 / 4 }
+        END { d = sum - 1 + n / 24; exit !(found == 3 && !bad && d * d < 1e-14) }' image.csv
     # radius, volume, grain of each element
     ncdump -v attrib1,connect1 image.g | tr -d ' ;' >found
     grep -q '^"GRAIN"' <(ncdump -v attrib_name1 image.g | tr -d ' ,;')
@@ -183,4 +187,47 @@ DECK
     run hsgen deck.yaml -c cores.txt -o never.g
     [ "$status" -eq 2 ]
     [[ $output == *"topology image has no cores"* ]]
+}
+
+@test "CalculiX takes the mesh: a block of two phases of one stiffness carries E eps A" {
+    command -v ccx >/dev/null || skip "no CalculiX"
+    sed 's/text.vti/stack.tif/; s/voxel.*/voxel: 20 um/' deck.yaml | hsgen -q -o block.g --export mesh.inp
+    cat >job.inp <<'JOB'
+*INCLUDE, INPUT=mesh.inp
+*MATERIAL, NAME=M
+*ELASTIC
+200e9, 0.3
+*SOLID SECTION, ELSET=CG, MATERIAL=M
+*SOLID SECTION, ELSET=UFG, MATERIAL=M
+*BOUNDARY
+X_LOW, 1, 1, 0.
+Y_LOW, 2, 2, 0.
+Z_LOW, 3, 3, 0.
+*STEP
+*STATIC
+*BOUNDARY
+X_HIGH, 1, 1, 8e-8
+*NODE PRINT, NSET=X_HIGH, TOTALS=ONLY
+RF
+*END STEP
+JOB
+    ccx job >said
+    # 80 x 60 x 40 um, strained by 1e-3: 200e9 Pa 1e-3 60e-6 m 40e-6 m, to the digits printed
+    awk '$1 ~ /^[0-9.-]+E/ { found = $1 } END { exit !(found > 0.48 * (1 - 1e-5) && found < 0.48 * (1 + 1e-5)) }' job.dat
+}
+
+@test "through all programs: a mirrored image as a periodic cell has the modulus that its phases share" {
+    sed 's/text.vti/stack.tif/; s/voxel.*/voxel: 10 um\n  spacing: 5 um\n  mirror: [x, y, z]\n  periodic: [x, y, z]/' deck.yaml >cell.yaml
+    cat >>cell.yaml <<'DECK'
+materials:
+  CG: {model: corner, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 1 GPa, modulus: 0 GPa}}
+  UFG: {model: corner, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 1 GPa, modulus: 0 GPa}}
+macroscopic:
+  - {component: xx, rate: 1 1/s}
+solver: {type: quasi_static, end_time: 1e-4 s}
+DECK
+    hsgen -q cell.yaml | hssolve -q -H cell.e
+    hspost -q cell.e -p cell.csv -o curve.csv
+    # elastic, at a strain of 1e-4: the modulus but for terms of the order of the strain
+    awk -F, '$2 == "m_E" { found = $3 } END { exit !(found > 209.9 && found < 210.1) }' cell.csv
 }

@@ -7,7 +7,7 @@ make_corpus() {
     mkdir -p "$1"/image
     cp "$here"/../data/images/*.* "$1"/image
     # what is described elsewhere, or refused as it is
-    rm "$1"/image/{README.md,values.raw,detached.nhdr,detached.bytes,bzip2.nrrd,hexagonal.ctf}
+    rm "$1"/image/{README.md,values.raw,detached.nhdr,detached.bytes,bzip2.nrrd}
     mkdir -p "$1"/{genesis,history,frames,checkpoint}
     (
         cd "$1" || exit 1

@@ -89,8 +89,8 @@ static void compare_statistics(const struct made *cell, const struct made *super
     assert_relative(large.faces, small.faces, 1e-12);
     for (int axis = 0; axis < (sheet ? 2 : 3); axis++)
         for (int64_t lag = 0; lag < cell->sites.count[axis]; lag++)
-            assert_near(statistics_two_point(&super->structure, axis, lag),
-                        statistics_two_point(&cell->structure, axis, lag), 1e-12);
+            assert_near(statistics_two_point(&super->structure, PHASE_UFG, axis, lag),
+                        statistics_two_point(&cell->structure, PHASE_UFG, axis, lag), 1e-12);
     double *thickness = memory_new(MOST, sizeof *thickness), mean[2] = {0};
     int64_t found[2] = {statistics_shell(&cell->structure, MOST, thickness), 0};
     for (int64_t i = 0; i < found[0]; i++) mean[0] += thickness[i] / (double)found[0];

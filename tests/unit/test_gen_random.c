@@ -81,7 +81,8 @@ static void boolean_spheres_follow_their_formulas(void **state)
         surface += statistics_interface(&structure, false).crofton / SEEDS;
         for (int l = 0; l < 4; l++)
             for (int axis = 0; axis < 3; axis++)
-                two_point[l] += statistics_two_point(&structure, axis, lags[l]) / (3 * SEEDS);
+                two_point[l] +=
+                    statistics_two_point(&structure, PHASE_UFG, axis, lags[l]) / (3 * SEEDS);
         structure_free(&structure);
         cores_free(&cores);
         sites_free(&sites);

@@ -77,6 +77,7 @@ static const struct flavour flavours[] = {
     {.file = "nibbles.tif", .no_edges = true},
     {.file = "square.ctf", .flat = true, .unit = "um"},
     {.file = "comma.ctf", .flat = true, .unit = "um"},
+    {.file = "hexagonal.ctf", .flat = true, .unit = "um", .open_end = true},
     {.file = "lying_head.ang", .flat = true, .unit = "um", .open_end = true},
     {.file = "voxels.inp", .array = "grain", .open_end = true},
     {.file = "voxels.inp", .open_end = true},
@@ -181,6 +182,23 @@ static void names_go_with_their_values(void **state)
     }
 }
 
+/* A hexagonal map whose even rows are shorter: a box for each point, but for the last of longer
+ * rows. */
+static void hexagonal_rows_are_straightened(void **state)
+{
+    (void)state;
+    char *path = at("hexagonal.ang");
+    struct image image = image_read(path, NULL, NULL);
+    assert_int_equal(image.count[0], NX - 1);
+    assert_int_equal(image.count[1], NY);
+    assert_near(image.edge[0], 0.5, 1e-9);
+    assert_near(image.edge[1], 0.433, 1e-3);
+    for (int64_t v = 0; v < image_voxels(&image); v++)
+        assert_true(image.value[v] == expected(v % (NX - 1), v / (NX - 1), 0));
+    image_free(&image);
+    free(path);
+}
+
 /* Other columns than the phase, by name. */
 static void any_column_of_a_map_can_be_taken(void **state)
 {
@@ -243,8 +261,22 @@ static void put_features(hid_t features)
     put(features, "Phases", 2, shape, H5T_STD_I32BE, H5T_NATIVE_INT32, phases, false);
 }
 
+/* Names of phases 0 to 2, of one length or of their own. */
+static void put_names(hid_t container, bool variable)
+{
+    const char *const own[3] = {"Unknown", "Primary", "Precipitate"};
+    const char fixed[3][12] = {"Unknown", "Primary", "Precipitate"};
+    const hid_t ensembles = group_in(container, "CellEnsembleData"), type = H5Tcopy(H5T_C_S1);
+    const hsize_t shape[1] = {3};
+    assert_true(H5Tset_size(type, variable ? H5T_VARIABLE : 12) >= 0);
+    put(ensembles, "PhaseName", 1, shape, type, type,
+        variable ? (const void *)own : (const void *)fixed, false);
+    H5Tclose(type);
+    H5Gclose(ensembles);
+}
+
 /* As SIMPL lays it out (FileVersion 7). */
-static void write_version_7(const char *path, bool uneven)
+static void write_version_7(const char *path, bool uneven, bool variable)
 {
     const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     const hid_t all = group_in(file, "DataContainers"), one = group_in(all, "SyntheticVolume");
@@ -254,6 +286,7 @@ static void write_version_7(const char *path, bool uneven)
     const float spacing[3] = {0.5F, 0.25F, 0.125F}, z[NZ + 1] = {0, 1, 4};
     put_cells(cells);
     put_features(features);
+    put_names(one, variable);
     put(geometry, "SPACING", 1, three, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, spacing, false);
     if (uneven) put(geometry, "zBounds", 1, bounds, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, z, false);
     H5Gclose(geometry);
@@ -298,7 +331,7 @@ static void dream3d_is_read_in_both_layouts(void **state)
     const double edge[3] = {0.5, 0.25, 0.125};
     for (int version = 7; version <= 8; version++) {
         if (version == 7)
-            write_version_7(path, false);
+            write_version_7(path, false, false);
         else
             write_version_8(path);
         struct image image = image_read(path, NULL, NULL); /* the only array of one number */
@@ -310,13 +343,18 @@ static void dream3d_is_read_in_both_layouts(void **state)
                 "there is no array 'Phases' in it (there are: /DataStructure/Image/CellData/",
                 try_phases, path);
     /* A table of features: each cell has the phase of its feature. */
-    write_version_7(path, false);
+    write_version_7(path, false, false);
     struct image image = image_read(path, "CellFeatureData/Phases", NULL);
     image_free(&image);
-    image = image_read(path, "Phases", NULL);
-    check_values(&image, &(struct flavour){.file = "a.dream3d", .scale = 10});
-    image_free(&image);
-    write_version_7(path, true);
+    for (int variable = 0; variable < 2; variable++) {
+        write_version_7(path, false, variable);
+        image = image_read(path, "Phases", NULL);
+        check_values(&image, &(struct flavour){.file = "a.dream3d", .scale = 10});
+        assert_string_equal(image_name_of(&image, 1), "Primary");
+        assert_string_equal(image_name_of(&image, 2), "Precipitate");
+        image_free(&image);
+    }
+    write_version_7(path, true, false);
     assert_dies(EXIT_USER, "layers of different thickness", try_read, path);
 }
 
@@ -377,10 +415,14 @@ static void what_is_unclear_is_asked(void **state)
     static const struct {
         const char *file, *more, *said;
     } cases[] = {
-        {"hexagonal.ctf", "", "no regular grid; points on a square grid are read"},
+        {"square.ctf", "1\t7.2\t9.0\t8\t0\t1\t1\t1\t1\t1\t1\n",
+         "no regular grid; points on square and hexagonal grids are read"},
         {"bzip2.nrrd", "", "encoding bzip2 is not read"},
         {"appended_raw.vti", "", "say by 'array' which one is meant; there are: grey, material"},
         {"voxels.inp", "*Elset, elset=Odd\n1, 3\n", "in the sets Grain1 and Odd"},
+        {"voxels.inp", "*Elset, elset=Many, generate\n2, 900000000, 2\n*Elset, elset=z\n1\n",
+         "and Many"},
+        {"voxels.inp", "*Elset, elset=Odd\n1e300\n", "found 1e+300, expected the number of a node"},
         {"voxels.inp", "*Include, input=more.inp\n", "another file (*INCLUDE)"},
         {"square.ctf", "1\t9.0\t0.0\t8\t0\t1\t1\t1\t1\t1\t1\n", "no regular grid"},
         {"square.ctf", "1\t7.0\t0.0\t8\t0\t1\t1\t1\t1\t1\t1\n", "13 points"},
@@ -447,6 +489,7 @@ int main(void)
         cmocka_unit_test(files_without_a_head_are_described),
         cmocka_unit_test(stacks_are_in_the_order_of_their_numbers),
         cmocka_unit_test(names_go_with_their_values),
+        cmocka_unit_test(hexagonal_rows_are_straightened),
         cmocka_unit_test(any_column_of_a_map_can_be_taken),
         cmocka_unit_test(dream3d_is_read_in_both_layouts),
         cmocka_unit_test(what_is_not_read_is_named),
