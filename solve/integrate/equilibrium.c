@@ -210,9 +210,9 @@ HS_SIMD static void take_strip(int count, const double *const f[3], const double
     double top = 0, bottom = 0, largest = taken->largest;
 #pragma omp simd reduction(max : largest) reduction(+ : top, bottom)
     for (int i = 0; i < count; i++) {
-        const double x = m_x[i] ? -((f_x[i] + b_x[i]) * weight[i]) : 0,
-                     y = m_y[i] ? -((f_y[i] + b_y[i]) * weight[i]) : 0,
-                     z = m_z[i] ? -((f_z[i] + b_z[i]) * weight[i]) : 0,
+        const double w = -weight[i], all_x = (f_x[i] + b_x[i]) * w, all_y = (f_y[i] + b_y[i]) * w,
+                     all_z = (f_z[i] + b_z[i]) * w;
+        const double x = m_x[i] ? all_x : 0, y = m_y[i] ? all_y : 0, z = m_z[i] ? all_z : 0,
                      square = x * x + y * y + z * z, part = (square + high) - high;
         g_x[i] = x;
         g_y[i] = y;
