@@ -1,6 +1,7 @@
 #include "equilibrium.h"
 
 #include "checkpoint.h"
+#include "die.h"
 #include "memory.h"
 #include "mesh.h"
 #include "profile.h"
@@ -59,16 +60,6 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
     return bound;
 }
 
-static double *weights_new(const struct body *body)
-{
-    double *weights = memory_new((size_t)body->grid.n_owned, sizeof *weights);
-    int64_t node = 0;
-    for (int64_t s = 0; s < body->owned.count; s++)
-        for (int i = 0; i < body->owned.items[s].count; i++)
-            weights[node++] = body->volumes[body->owned.items[s].site + i] / body->volume;
-    return weights;
-}
-
 /* Against X_k of (macroscopic.3), of the elastic body of one material [N/m^4]: lambda d_ab d_cd + mu d_ac d_bd, of F
  * as of a strain, for what turns the body is no unknown. */
 static double mean_stiffness(const struct equilibrium *e, const struct material *material, int k,
@@ -99,6 +90,28 @@ static void find_mean_inverse(struct equilibrium *e, const struct material *mate
     gsl_matrix_free(stiffness);
 }
 
+/* Waves of a box that the body hardly fills are not those of the body. */
+static void say_fit(const struct equilibrium *e)
+{
+    static const double enough = 0.3;
+    const double filled = preconditioner_filled(e->preconditioner);
+    if (filled < enough && e->body->ranks.rank == 0)
+        note("the body fills %.0f %% of its box, which the preconditioner of load steps is made "
+             "for: "
+             "they may take many more evaluations than the plan says",
+             100 * filled);
+}
+
+static double *weights_new(const struct body *body)
+{
+    double *weights = memory_new((size_t)body->grid.n_owned, sizeof *weights);
+    int64_t node = 0;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++)
+            weights[node++] = body->volumes[body->owned.items[s].site + i] / body->volume;
+    return weights;
+}
+
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials)
@@ -122,10 +135,12 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
     if (e->method->preconditions) {
         e->symbol = symbol_new(solver, body->family, materials, body->lattice,
                                most_common_phase(body->lattice));
-        e->transform = transform_new(&e->unknowns, &e->symbol);
+        e->preconditioner = preconditioner_new(&e->unknowns, &e->symbol);
+        say_fit(e);
     }
     find_mean_inverse(e, &materials->items[most_common_phase(body->lattice)]);
-    if (!e->transform || transform_is_crowded(e->transform)) e->bound = bound_new(e, materials);
+    if (!e->preconditioner || preconditioner_is_crowded(e->preconditioner))
+        e->bound = bound_new(e, materials);
     return e;
 }
 
@@ -134,7 +149,7 @@ void equilibrium_free(struct equilibrium *e)
     if (!e) return;
     if (e->self) e->method->free(e->self);
     if (e->next) e->method->next->free(e->next);
-    if (e->transform) transform_free(e->transform);
+    if (e->preconditioner) preconditioner_free(e->preconditioner);
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
@@ -296,6 +311,7 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
     measure(e, g);
+    if (e->watch) e->watch(e->watcher, e);
     return e->norm;
 }
 
@@ -314,12 +330,12 @@ void equilibrium_precondition(struct equilibrium *e, const double *g, float *z)
 {
     const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
     const int64_t n = e->unknowns.n_nodes;
-    transform_apply(e->transform, g, z);
+    preconditioner_apply(e->preconditioner, g, z);
     for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
-        double sum = 0;
+        double answer = 0;
         for (int64_t k = 3 * n; k < e->unknowns.length; k++)
-            sum += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
-        z[i] = (float)sum;
+            answer += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
+        z[i] = (float)answer;
     }
     for (int64_t i = 0; e->bound && i < e->unknowns.length; i++)
         z[i] += (float)(g[i] / e->bound[i]);

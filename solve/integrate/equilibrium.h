@@ -16,8 +16,8 @@
 #define HS_EQUILIBRIUM_H
 
 #include "integration.h"
+#include "preconditioner.h"
 #include "stop.h"
-#include "transform.h"
 #include "unknowns.h"
 
 struct checkpoint;
@@ -47,7 +47,7 @@ struct equilibrium {
     int64_t most_evaluations; /* of one method for one solution */
     struct unknowns unknowns;
     struct symbol symbol;
-    struct transform *transform; /* NULL: the method does not precondition */
+    struct preconditioner *preconditioner; /* NULL: the method does not precondition */
     double
         mean_inverse[COMPONENTS]
                     [COMPONENTS]; /* of the stiffness against the mean gradient's unknowns, m^4/N */
@@ -63,6 +63,9 @@ struct equilibrium {
     /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
     const struct stop *stop;
     bool cut; /* it was, and what it leaves is nothing */
+    /* Told of each evaluation, for those who wait; NULL: nobody. */
+    void (*watch)(void *watcher, const struct equilibrium *equilibrium);
+    void *watcher;
 };
 
 /* method: its number in equilibrium_methods.  Collective. */

@@ -57,13 +57,14 @@ static void append(struct pieces *pieces, struct piece piece, bool joins)
 
 /* Where the numbers of component a go. */
 static void find_pieces(const struct unknowns *unknowns, const struct box *box,
-                        const struct slabs *slabs, int a, bool joins, struct pieces *pieces)
+                        const struct slabs *slabs, int a, bool joins, bool held,
+                        struct pieces *pieces)
 {
     const struct body *body = unknowns->body;
     int64_t at = a * unknowns->n_nodes;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++, at++) {
-            if (!(unknowns->free[at] > 0)) continue;
+            if (!(unknowns->free[at] > 0) && !held) continue;
             const int64_t site = body->owned.items[s].site + i, number = body_number(body, site);
             int places[BOX_PLACES][3];
             float shares[BOX_PLACES];
@@ -159,7 +160,7 @@ static int64_t runs_length(const struct runs *runs)
 }
 
 struct placement *placement_new(const struct unknowns *unknowns, const struct box box[3],
-                                const struct slabs *slabs)
+                                const struct slabs *slabs, bool held)
 {
     struct placement *placement = memory_new(1, sizeof *placement);
     struct pieces owned = {0};
@@ -168,7 +169,8 @@ struct placement *placement_new(const struct unknowns *unknowns, const struct bo
                                     .n_values = slabs->n_values,
                                     .length = unknowns->length,
                                     .sums = lattice_is_row(unknowns->body->lattice)};
-    for (int a = 0; a < 3; a++) find_pieces(unknowns, &box[a], slabs, a, !placement->sums, &owned);
+    for (int a = 0; a < 3; a++)
+        find_pieces(unknowns, &box[a], slabs, a, !placement->sums, held, &owned);
     if (slabs->ranks.size > 1) make_messages(placement, &owned);
     placement->owned = runs_of(&owned);
     placement->places = !placement->sums && runs_length(&placement->owned) == placement->length;

@@ -15,6 +15,7 @@ enum { WIDTH = WAVES_WIDTH };
 
 struct transform {
     bool crowded;
+    double filled;
     bool coupled; /* the three components are inverted together */
     struct slabs slabs;
     struct placement *placement;
@@ -159,18 +160,32 @@ static bool is_coupled(const struct lattice *lattice, const struct box box[3])
     return coupled;
 }
 
-struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol)
+/* Nodes of a mesh stand for more or fewer places than one. */
+static double filled_share(const struct unknowns *unknowns, const struct box *box, int a)
+{
+    const struct lattice *lattice = unknowns->body->lattice;
+    const double ratio =
+        lattice->hexahedron ? (double)lattice->n_particles / (double)lattice->n_nodes : 1;
+    double count = 0;
+    for (int64_t i = 0; i < unknowns->n_nodes; i++)
+        count += unknowns->free[a * unknowns->n_nodes + i] > 0;
+    ranks_sum(&count, 1);
+    return ratio * count / (double)box->count;
+}
+
+struct transform *transform_new(const struct unknowns *unknowns, const struct box box[3],
+                                const struct symbol *symbol, bool held)
 {
     struct transform *transform = memory_new(1, sizeof *transform);
-    struct box box[3];
     int longest = 0;
-    for (int a = 0; a < 3; a++) box[a] = box_new(unknowns, a);
+    transform->filled = 1;
     transform->coupled = is_coupled(unknowns->body->lattice, box);
     transform->slabs = slabs_new(box, unknowns->body->ranks);
-    transform->placement = placement_new(unknowns, box, &transform->slabs);
+    transform->placement = placement_new(unknowns, box, &transform->slabs, held);
     transform->crowded = placement_is_crowded(transform->placement);
     for (int a = 0; a < 3; a++) {
         if (box[a].count == 0) continue;
+        transform->filled = fmin(transform->filled, filled_share(unknowns, &box[a], a));
         make_waves(transform, &box[a], a, unknowns->body->lattice);
         if (transform->slabs.slab[a].columns > 0 && !transform->coupled)
             find_inverse(transform, symbol, a, box[a].floats);
@@ -194,6 +209,11 @@ void transform_free(struct transform *transform)
     placement_free(transform->placement);
     slabs_free(&transform->slabs);
     free(transform);
+}
+
+double transform_filled(const struct transform *transform)
+{
+    return transform->filled;
 }
 
 bool transform_is_crowded(const struct transform *transform)
