@@ -171,6 +171,7 @@ ifndef QUICK
 	{ cat $(BENCH)/kernels.csv; sed -e 1d -e 's/$$/,/' $(BENCH)/large.csv; \
 	    awk -f tests/bench/join.awk $(BENCH)/measured-avx2.csv $(BENCH)/lammps.txt | sed 1d; } > docs/bench/kernels.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/runs $(BENCH)/runs > docs/bench/runs.csv
+	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/load-steps $(BENCH)/load-steps > docs/bench/load-steps.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH pipelines/truths/cell $(BENCH)/cells cost > docs/bench/cells.csv
 	$(MAKE) bench-tables
@@ -179,7 +180,7 @@ endif
 bench-tables:
 	gnuplot -c tests/bench/error.gp docs/bench/error.csv docs/bench/error.svg
 	gnuplot -c tests/bench/runs.gp docs/bench/runs.csv docs/bench/runs.svg
-	for name in kernels runs error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
+	for name in kernels runs load-steps error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
 
 bench-compare: $(BUILD)/tests/bench/kernels
 	@tests/bench/compare $(or $(REV),HEAD) $(BUILD)/tests/bench/kernels $(abspath $(BENCH))

@@ -22,32 +22,38 @@ HS_SIMD static void add(int count, float a, const float *restrict x, float *rest
     for (int i = 0; i < count; i++) d[i] += a * x[i];
 }
 
-/* Largest magnitude so far, and 0, or not a number where one is not finite. */
-HS_SIMD static void find_largest(int count, const float *restrict d, float largest[2])
+/* Largest magnitude so far, and 0, or not a number where one is not finite; in lanes of their own. */
+HS_SIMD static void find_largest(int count, const float *restrict d, float *restrict largest,
+                                 float *restrict nothing)
 {
-    float most = largest[0], nothing = largest[1];
-#pragma omp simd reduction(max : most) reduction(+ : nothing)
-    for (int i = 0; i < count; i++) {
-        const float size = fabsf(d[i]);
-        most = size > most ? size : most;
-        nothing += 0 * size;
+    enum { WIDTH = 16 };
+    float most[WIDTH] = {0}, sum[WIDTH] = {0};
+    for (int i = 0; i < count; i += WIDTH) {
+        const int lanes = count - i < WIDTH ? count - i : WIDTH;
+        for (int k = 0; k < lanes; k++) {
+            const float size = fabsf(d[i + k]);
+            most[k] = size > most[k] ? size : most[k];
+            sum[k] += 0 * size;
+        }
     }
-    largest[0] = most;
-    largest[1] = nothing;
+    for (int k = 0; k < WIDTH; k++) {
+        *largest = most[k] > *largest ? most[k] : *largest;
+        *nothing += sum[k];
+    }
 }
 
 double direction_combine(const struct unknowns *unknowns, int count, const double a[],
                          float *const x[], float *d)
 {
-    float largest[2] = {0, 0};
+    float largest = 0, nothing = 0;
     for (int64_t from = 0; from < unknowns->length; from += BLOCK) {
         const int64_t left = unknowns->length - from;
         const int n = left < BLOCK ? (int)left : BLOCK;
         start(n, (float)a[0], x[0] + from, d + from);
         for (int k = 1; k < count; k++) add(n, (float)a[k], x[k] + from, d + from);
-        find_largest(n, d + from, largest);
+        find_largest(n, d + from, &largest, &nothing);
     }
-    double least[] = {largest[1] == 0 ? 0 : -1, -largest[0]};
+    double least[] = {nothing == 0 ? 0 : -1, -largest};
     ranks_minimum(least, 2);
     return least[0] < 0 ? NAN : -least[1];
 }
@@ -112,12 +118,12 @@ void direction_products(const struct unknowns *unknowns, int count, float *const
 
 double direction_product(const struct unknowns *unknowns, float *d, const double *y)
 {
-    float largest[2] = {0, 0};
+    float largest = 0, nothing = 0;
     for (int64_t from = 0; from < unknowns->length; from += BLOCK) {
         const int64_t left = unknowns->length - from;
-        find_largest(left < BLOCK ? (int)left : BLOCK, d + from, largest);
+        find_largest(left < BLOCK ? (int)left : BLOCK, d + from, &largest, &nothing);
     }
-    double least = -largest[0];
+    double least = -largest;
     ranks_minimum(&least, 1);
     const double norm = vector_bound(unknowns, -least);
     double product;

@@ -207,38 +207,30 @@ static double norm_of_loads(struct equilibrium *e)
     return sqrt(square);
 }
 
-/* What is found of g while it is taken: the sum of its squares, a node's three as one term, and its largest number. */
-struct taken {
-    struct exact_sum square;
-    double largest;
-};
-
-/* g = - unbalanced() of the free components of a strip. */
+/* g = - unbalanced() of the free components of a strip; its squares are added to a sum, a node's three as one term. */
 HS_SIMD static void take_strip(int count, const double *const f[3], const double *const b[3],
                                const double *weight, const uint8_t *const mask[3],
-                               double *const g[3], struct taken *taken)
+                               double *const g[3], struct exact_sum *square)
 {
     const double *f_x = f[0], *f_y = f[1], *f_z = f[2], *b_x = b[0], *b_y = b[1], *b_z = b[2];
     const uint8_t *m_x = mask[0], *m_y = mask[1], *m_z = mask[2];
     double *g_x = g[0], *g_y = g[1], *g_z = g[2];
-    const double high = taken->square.high, low = taken->square.low;
-    double top = 0, bottom = 0, largest = taken->largest;
-#pragma omp simd reduction(max : largest) reduction(+ : top, bottom)
+    const double high = square->high, low = square->low;
+    double top = 0, bottom = 0;
+#pragma omp simd reduction(+ : top, bottom)
     for (int i = 0; i < count; i++) {
-        const double x = m_x[i] ? -((f_x[i] + b_x[i]) * weight[i]) : 0,
-                     y = m_y[i] ? -((f_y[i] + b_y[i]) * weight[i]) : 0,
-                     z = m_z[i] ? -((f_z[i] + b_z[i]) * weight[i]) : 0,
-                     square = x * x + y * y + z * z, part = (square + high) - high;
+        const double w = -weight[i], all_x = (f_x[i] + b_x[i]) * w, all_y = (f_y[i] + b_y[i]) * w,
+                     all_z = (f_z[i] + b_z[i]) * w;
+        const double x = m_x[i] ? all_x : 0, y = m_y[i] ? all_y : 0, z = m_z[i] ? all_z : 0,
+                     term = x * x + y * y + z * z, part = (term + high) - high;
         g_x[i] = x;
         g_y[i] = y;
         g_z[i] = z;
         top += part;
-        bottom += ((square - part) + low) - low;
-        largest = square > largest ? square : largest;
+        bottom += ((term - part) + low) - low;
     }
-    taken->square.top += top;
-    taken->square.bottom += bottom;
-    taken->largest = largest;
+    square->top += top;
+    square->bottom += bottom;
 }
 
 /* (macroscopic.3) */
@@ -253,12 +245,12 @@ static void take_mean_unbalanced(const struct equilibrium *e, double *g)
     }
 }
 
-/* bound: of the sum of squares. */
-static struct taken take_unbalanced(const struct equilibrium *e, double bound, double *g)
+/* g, and the sum of its squares. */
+static struct exact_sum take_unbalanced(const struct equilibrium *e, double bound, double *g)
 {
     const struct body *body = e->body;
     const int64_t n = e->unknowns.n_nodes;
-    struct taken taken = {.square = exact_sum_new(bound)};
+    struct exact_sum square = exact_sum_new(bound);
     double none[LANES] = {0}, whole[LANES];
     int64_t at = 0;
     for (int i = 0; i < LANES; i++) whole[i] = 1;
@@ -273,32 +265,28 @@ static struct taken take_unbalanced(const struct equilibrium *e, double bound, d
             out[a] = g + a * n + at;
         }
         take_strip(body->owned.items[s].count, f, b, e->weights ? e->weights + at : whole, mask,
-                   out, &taken);
+                   out, &square);
     }
-    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
-        exact_sum_add(&taken.square, g[i] * g[i]);
-        taken.largest = fmax(taken.largest, g[i] * g[i]);
-    }
-    return taken;
+    take_mean_unbalanced(e, g);
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) exact_sum_add(&square, g[i] * g[i]);
+    return square;
 }
 
-/* g, its norm and that of the reactions.  What the sums are bounded by is guessed from the last norm and looked at with
- * the numbers, which saves a pass and a message: a bound too wide by 2^20 leaves more than 50 bits. */
+/* g, its norm and that of the reactions.  The sum of squares is bounded by a guess from the last norm, which saves a pass and a
+ * message, and found in two passes where that was too small, or leaves less than 40 bits: up to twice the guess it is
+ * exact, so that all ranks see the same. */
 static void measure(struct equilibrium *e, double *g)
 {
-    const double nodes = 1.000001 * (double)(e->body->n_nodes + e->unknowns.n_mean),
-                 guess = 0x1p20 * e->norm * e->norm;
-    take_mean_unbalanced(e, g);
-    struct taken taken = take_unbalanced(e, guess, g);
-    double least[2] = {-taken.largest, -largest_reaction(e)}, squares[2];
-    ranks_minimum(least, 2);
-    const double needed = nodes * -least[0];
-    if (!(needed <= guess)) taken = take_unbalanced(e, needed, g);
-    const struct exact_sum sums[2] = {taken.square,
-                                      square_reactions(e, 3 * nodes * least[1] * least[1])};
+    const double guess = 0x1p20 * e->norm * e->norm;
+    double largest = -largest_reaction(e), squares[2];
+    ranks_minimum(&largest, 1);
+    const struct exact_sum sums[2] = {
+        take_unbalanced(e, guess, g),
+        square_reactions(e, 3.000001 * (double)e->body->n_nodes * largest * largest)};
     exact_sum_finish(sums, 2, squares);
-    e->norm = sqrt(squares[0]);
-    e->reference = hypot(least[1] < 0 ? sqrt(squares[1]) : 0, e->loads);
+    const bool good = squares[0] <= guess && squares[0] >= 0x1p-34 * guess;
+    e->norm = good ? sqrt(squares[0]) : vector_norm(&e->unknowns, g);
+    e->reference = hypot(largest < 0 ? sqrt(squares[1]) : 0, e->loads);
     if (e->boundary->macroscopic)
         e->reference =
             hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, e->body));

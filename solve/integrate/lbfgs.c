@@ -6,8 +6,9 @@
  *   H_0 = c M^-1,  c = s.y/(y.M^-1 y)
  *
  * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and all products that the
- * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message.  The
- * step t = 1 stands where the slope g.d has fallen enough; else one secant step follows. */
+ * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message; the slope g.d follows
+ * from them.  s, z and w are directions in single precision (direction.h): M^-1 is no better, and s is what x moves by, to
+ * the last bit.  The step t = 1 stands where the slope has fallen enough; else one secant step follows. */
 #include "checkpoint.h"
 #include "direction.h"
 #include "equilibrium.h"

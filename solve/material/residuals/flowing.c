@@ -102,27 +102,45 @@ HS_SIMD static void find_inverse(int count, const struct points *restrict s,
         w->G[0][i] = G.xx, w->G[1][i] = G.xy, w->G[2][i] = G.xz;
         w->G[3][i] = G.yx, w->G[4][i] = G.yy, w->G[5][i] = G.yz;
         w->G[6][i] = G.zx, w->G[7][i] = G.zy, w->G[8][i] = G.zz;
-        w->square[i] = 0;
     }
 }
 
-/* (flowing.1) of one mode, and what it adds to |e - e'|^2. */
-HS_SIMD static void find_strain(int count, double weight, double (*restrict h)[LANES],
-                                const double (*restrict G)[LANES], const double *restrict px,
-                                const double *restrict py, const double *restrict pz,
-                                double (*restrict e)[LANES], double *restrict square)
+/* (flowing.1) and |e - e'|^2; all modes of a point at once, for which F^-1 is read once. */
+HS_INLINE void strain_of(int count, int modes, const double *restrict weight,
+                         double (*restrict h)[3][LANES], const double *restrict plastic,
+                         int64_t stride, struct work *restrict w)
 {
     for (int i = 0; i < count; i++) {
-        const double x = weight * h[0][i], y = weight * h[1][i], z = weight * h[2][i];
-        const double ex = G[0][i] * x + G[1][i] * y + G[2][i] * z,
-                     ey = G[3][i] * x + G[4][i] * y + G[5][i] * z,
-                     ez = G[6][i] * x + G[7][i] * y + G[8][i] * z;
-        const double dx = ex - px[i], dy = ey - py[i], dz = ez - pz[i];
-        e[0][i] = ex;
-        e[1][i] = ey;
-        e[2][i] = ez;
-        square[i] += dx * dx + dy * dy + dz * dz;
+        double square = 0;
+        for (int m = 0; m < modes; m++) {
+            const double *p = plastic + 3 * m * stride + i;
+            const double x = weight[m] * h[m][0][i], y = weight[m] * h[m][1][i],
+                         z = weight[m] * h[m][2][i];
+            const double ex = w->G[0][i] * x + w->G[1][i] * y + w->G[2][i] * z,
+                         ey = w->G[3][i] * x + w->G[4][i] * y + w->G[5][i] * z,
+                         ez = w->G[6][i] * x + w->G[7][i] * y + w->G[8][i] * z;
+            const double dx = ex - p[0], dy = ey - p[stride], dz = ez - p[2 * stride];
+            w->e[3 * m][i] = ex;
+            w->e[3 * m + 1][i] = ey;
+            w->e[3 * m + 2][i] = ez;
+            square += dx * dx + dy * dy + dz * dz;
+        }
+        w->square[i] = square;
     }
+}
+
+HS_SIMD static void find_strain(int count, const double *restrict weight,
+                                double (*restrict h)[3][LANES], const double *restrict plastic,
+                                int64_t stride, struct work *restrict w)
+{
+    strain_of(count, MODES, weight, h, plastic, stride, w);
+}
+HS_SIMD static void find_strain_in_plane(int count, const double *restrict weight,
+                                         double (*restrict h)[3][LANES],
+                                         const double *restrict plastic, int64_t stride,
+                                         struct work *restrict w)
+{
+    strain_of(count, 1, weight, h, plastic, stride, w);
 }
 
 /* d, and what a commit would dissipate. */
@@ -172,31 +190,60 @@ HS_SIMD static void find_scale(int count, double modulus, const double *restrict
     for (int i = 0; i < count; i++) w->scale[i] = modulus * mu[i] * volume[i] * w->factor[i];
 }
 
-/* tau = F^-T t of one mode, what it gives to A and to the mode. */
-HS_SIMD static void add_forces(int count, double weight, const struct work *restrict w,
-                               const double (*restrict e)[LANES], const double *restrict px,
-                               const double *restrict py, const double *restrict pz,
-                               double (*restrict A)[PADDED], double (*restrict m)[PADDED])
+/* tau = F^-T t of one mode of point i: taken off from A, and what it gives to the mode. */
+HS_INLINE struct tensor force_of(int i, int mode, double weight, const double *restrict plastic,
+                                 int64_t stride, const struct work *restrict w,
+                                 double (*restrict m)[3][PADDED], struct tensor A)
+{
+    const double ex = w->e[3 * mode][i], ey = w->e[3 * mode + 1][i], ez = w->e[3 * mode + 2][i];
+    const double x = w->scale[i] * (ex - plastic[3 * mode * stride + i]),
+                 y = w->scale[i] * (ey - plastic[(3 * mode + 1) * stride + i]),
+                 z = w->scale[i] * (ez - plastic[(3 * mode + 2) * stride + i]);
+    const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
+                 ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
+                 tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
+    m[mode][0][PAD + i] = weight * tx;
+    m[mode][1][PAD + i] = weight * ty;
+    m[mode][2][PAD + i] = weight * tz;
+    return (struct tensor){A.xx - tx * ex, A.xy - tx * ey, A.xz - tx * ez,
+                           A.yx - ty * ex, A.yy - ty * ey, A.yz - ty * ez,
+                           A.zx - tz * ex, A.zy - tz * ey, A.zz - tz * ez};
+}
+
+HS_INLINE struct tensor read_tensor(double (*restrict A)[PADDED], int i)
+{
+    return (struct tensor){A[0][i], A[1][i], A[2][i], A[3][i], A[4][i],
+                           A[5][i], A[6][i], A[7][i], A[8][i]};
+}
+HS_INLINE void write_tensor(double (*restrict A)[PADDED], int i, struct tensor T)
+{
+    A[0][i] = T.xx, A[1][i] = T.xy, A[2][i] = T.xz;
+    A[3][i] = T.yx, A[4][i] = T.yy, A[5][i] = T.yz;
+    A[6][i] = T.zx, A[7][i] = T.zy, A[8][i] = T.zz;
+}
+
+HS_SIMD static void add_forces(int count, const double *restrict weight,
+                               const double *restrict plastic, int64_t stride,
+                               const struct work *restrict w, double (*restrict A)[PADDED],
+                               double (*restrict m)[3][PADDED])
 {
     for (int i = 0; i < count; i++) {
-        const double ex = e[0][i], ey = e[1][i], ez = e[2][i];
-        const double dx = ex - px[i], dy = ey - py[i], dz = ez - pz[i];
-        const double x = w->scale[i] * dx, y = w->scale[i] * dy, z = w->scale[i] * dz;
-        const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
-                     ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
-                     tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
-        A[0][PAD + i] -= tx * ex;
-        A[1][PAD + i] -= tx * ey;
-        A[2][PAD + i] -= tx * ez;
-        A[3][PAD + i] -= ty * ex;
-        A[4][PAD + i] -= ty * ey;
-        A[5][PAD + i] -= ty * ez;
-        A[6][PAD + i] -= tz * ex;
-        A[7][PAD + i] -= tz * ey;
-        A[8][PAD + i] -= tz * ez;
-        m[0][PAD + i] = weight * tx;
-        m[1][PAD + i] = weight * ty;
-        m[2][PAD + i] = weight * tz;
+        struct tensor sum = read_tensor(A, PAD + i);
+        sum = force_of(i, 0, weight[0], plastic, stride, w, m, sum);
+        sum = force_of(i, 1, weight[1], plastic, stride, w, m, sum);
+        sum = force_of(i, 2, weight[2], plastic, stride, w, m, sum);
+        sum = force_of(i, 3, weight[3], plastic, stride, w, m, sum);
+        write_tensor(A, PAD + i, sum);
+    }
+}
+HS_SIMD static void add_forces_in_plane(int count, const double *restrict weight,
+                                        const double *restrict plastic, int64_t stride,
+                                        const struct work *restrict w, double (*restrict A)[PADDED],
+                                        double (*restrict m)[3][PADDED])
+{
+    for (int i = 0; i < count; i++) {
+        const struct tensor sum = read_tensor(A, PAD + i);
+        write_tensor(A, PAD + i, force_of(i, 0, weight[0], plastic, stride, w, m, sum));
     }
 }
 
@@ -252,7 +299,8 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                 struct force_mode mode, struct force_energy *energy)
 {
     struct flowing *flowing = self;
-    const int n = cells->strip->count, modes = body->lattice->dimensions == 2 ? 1 : MODES;
+    const int n = cells->strip->count;
+    const bool plane = body->lattice->dimensions == 2;
     const int64_t stride = flowing->state ? cells->strip->stride : LANES;
     double none[3 * MODES][LANES], *state = none[0];
     const double *mu = cells->points->mu;
@@ -265,11 +313,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     } else
         memset(none, 0, sizeof none);
     find_inverse(n, cells->points, &w);
-    for (int m = 0; m < modes; m++) {
-        double *plastic = state + 3 * m * stride;
-        find_strain(n, flowing->weight[m], cells->h[m], (const double(*)[LANES])w.G, plastic,
-                    plastic + stride, plastic + 2 * stride, w.e + 3 * m, w.square);
-    }
+    (plane ? find_strain_in_plane : find_strain)(n, flowing->weight, cells->h, state, stride, &w);
     if (flows)
         flow(n, flowing, mu, stress, state + ALPHA * stride, &w);
     else
@@ -280,13 +324,10 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
     if (mode.energy || cells->integrity) find_energies(n, flowing->modulus, mu, &w);
     if (cells->integrity) degrade(flowing, cells, mode.commit, &w);
-    for (int m = 0; m < modes; m++) {
-        double *plastic = state + 3 * m * stride;
-        add_forces(n, flowing->weight[m], &w, (const double(*)[LANES])w.e + 3 * m, plastic,
-                   plastic + stride, plastic + 2 * stride, cells->A, cells->m[m]);
-        for (int a = 0; a < 3 && flows && mode.commit; a++)
-            move_mode_on(n, w.factor, w.e[3 * m + a], plastic + a * stride);
-    }
+    (plane ? add_forces_in_plane : add_forces)(n, flowing->weight, state, stride, &w, cells->A,
+                                               cells->m);
+    for (int k = 0; k < (plane ? 3 : COMPONENTS) && flows && mode.commit; k++)
+        move_mode_on(n, w.factor, w.e[k], state + k * stride);
     if (mode.energy) sum_energies(body, cells, &w, energy);
 }
 
