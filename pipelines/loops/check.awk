@@ -16,6 +16,9 @@ FNR == 1 { next }
     if (curve ~ /^R40/ && $2 > 1) must(back > 0.2 * flow, curve " has a back stress of " back " of " flow " MPa in loop " $2)
     if (curve == "HS40") ours[$2] = back "," flow
     if (curve == "HS40 by CalculiX") theirs[$2] = back "," flow
+    # A cell without grips, unloaded to no stress
+    if (curve == "Cell") cell[$2] = back "," flow
+    if (curve == "Cell by CalculiX") their_cell[$2] = back "," flow
 }
 END {
     must(homogeneous["CG"] == 4 && (small || homogeneous["UFG"] == 3), "loops of homogeneous plates are missing")
