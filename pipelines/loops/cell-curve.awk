@@ -1,5 +1,5 @@
 # Strain and stress in MPa of a mirror cell, edge in mm, from what CalculiX prints: awk -v edge=0.08 -f cell-curve.awk cell.dat
-# With -F, -v turns=yes, of a curve of hspost: the strains at which it turns, and the last one.
+# With -F, -v turns=yes, of a curve of hspost: the strains at which it turns, those to which it reloads, and the last one.
 
 BEGIN { if (!turns) print "engineering_strain,engineering_stress_MPa\n0,0" }
 
@@ -7,7 +7,11 @@ turns && /^#/ { next }
 turns && !column { for (f = 1; f <= NF; f++) if ($f == "engineering_strain") column = f; next }
 turns {
     step = $column - strain
-    if (step * before < 0) printf "%.9g ", strain
+    if (step * before < 0) {
+        printf "%.9g ", strain
+        if (before < 0) printf "%.9g ", top
+        else top = strain
+    }
     before = step
     strain = $column
     next

@@ -85,7 +85,7 @@ END {
     n = split(turns, turn, " ")
     print "*AMPLITUDE, NAME=PROGRAMME, TIME=TOTAL TIME\n0,0"
     for (t = 1; t <= n; t++) printf "%d,%.9g\n", t, turn[t]
-    printf "*STEP, NLGEOM, INC=20000\n*STATIC\n0.01,%d,1e-6,0.02\n", n
+    printf "*STEP, NLGEOM, INC=20000\n*STATIC\n0.01,%d,1e-6,0.05\n", n
     printf "*BOUNDARY, AMPLITUDE=PROGRAMME\nRIGHT,1,1,%.9g\n", cells * spacing
     printf "*NODE PRINT, NSET=RIGHT, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=CORNER\nU\n*END STEP\n"
 }
