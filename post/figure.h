@@ -12,6 +12,7 @@ struct figure_series {
     const struct curve *curve;       /* NULL: a group */
     const struct analysis *analysis; /* NULL: a computed bound, no marks, dashed */
     const struct group *group; /* drawn as its mean within a band of one standard deviation; NULL */
+    const char *words;         /* of the band, in the legend; NULL: those of a deviation */
 };
 
 struct figure_style {

@@ -57,14 +57,17 @@ static void check_curves(const struct request *request)
     study_free(&study);
 }
 
-enum { OUTPUTS = 12 };
+enum { OUTPUTS = 14 };
 
 static void outputs_of(const struct request *request, const char *files[OUTPUTS])
 {
-    const char *const all[OUTPUTS] = {request->output, request->properties, request->json,
-                                      request->plot,   request->voigt,      request->reuss,
-                                      request->loops,  request->plot_loops, request->tidy,
-                                      request->mean,   request->statistics, request->view.picture};
+    const char *const all[OUTPUTS] = {request->output,      request->properties,
+                                      request->json,        request->plot,
+                                      request->voigt,       request->reuss,
+                                      request->loops,       request->plot_loops,
+                                      request->tidy,        request->mean,
+                                      request->statistics,  request->view.picture,
+                                      request->extrapolate, request->extrapolate_properties};
     memcpy(files, all, sizeof all);
 }
 

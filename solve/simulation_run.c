@@ -220,10 +220,20 @@ static void look_around(struct simulation *s)
         simulation_checkpoint(s);
 }
 
+static void watch(void *progress, const struct equilibrium *e)
+{
+    progress_search(progress, e->integration->step + 1, e->evaluations, equilibrium_residual(e),
+                    e->tolerance);
+}
+
 const char *simulation_run(struct simulation *s)
 {
     struct progress progress = progress_start(s->ranks.rank == 0 && !s->arguments->quiet);
     s->stop = stop_begin(s->arguments->time_limit);
+    if (s->load_steps.equilibrium) {
+        s->load_steps.equilibrium->watch = watch;
+        s->load_steps.equilibrium->watcher = &progress;
+    }
     begin(s);
     while (!s->failure && !simulation_at_end(s)) {
         advance(s);
@@ -243,6 +253,7 @@ const char *simulation_run(struct simulation *s)
                          "specimen deforms outside of the gauge",
                          s->strain, s->scene.end_strain);
     s->wall = progress_finish(&progress);
+    if (s->load_steps.equilibrium) s->load_steps.equilibrium->watch = NULL;
     stop_end(&s->stop);
     return s->failure;
 }

@@ -119,7 +119,8 @@ struct scene {
     enum scene_type type;
     struct scene_static statics;
     struct scene_hybrid hybrid;
-    double horizon;             /* spacings; 0: that of the formulation */
+    struct deck_node given_horizon;
+    double horizon;             /* spacings; 0: that of the formulation, or a length so far */
     int influence;              /* -1: that of the formulation */
     struct deck_node solver;    /* for what belongs to the formulation */
     struct deck_node elsewhere; /* of keys that it looks up there */
@@ -157,6 +158,9 @@ struct scene {
 /* Reads and checks everything but the materials, which need the domain's phases.  The deck must
  * outlive the scene. */
 struct scene scene_read(struct deck *deck);
+
+/* A horizon that the deck gives as a length becomes one in spacings [m]. */
+void scene_measure_horizon(struct scene *scene, double spacing);
 
 /* The parts of scene_read that have files of their own; output.index may be 0. */
 void scene_read_entries(struct scene *scene, struct deck_node root);

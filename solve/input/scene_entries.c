@@ -38,7 +38,8 @@ const struct section section_boundary = {
         "every: N steps}.  Expressions know + - * / ^, comparisons, && ||, c ? a : b, sin cos tan "
         "sqrt exp ln abs min max and their like; they are tried at all nodes before the first "
         "step.  Loads add up; a node held twice along one direction is an error.  The grips are, "
-        "of the selections that move along x as one, the leftmost and the rightmost, where these "
+        "of the selections that move along the axis of the test (x, or domain.axis) as one, the "
+        "leftmost and the rightmost, where these "
         "lie one beside the other.",
     .keys = {FIRST_KIND + SCENE_KINDS, rows}};
 

@@ -33,7 +33,7 @@ struct boundary {
     int count;
     struct boundary_set *sets;
     uint8_t *held; /* box field: bit a where component a is prescribed; NULL: nowhere */
-    /* The grips: of the sets with one motion along x that with the lowest and that with the highest mean x; -1 where
+    /* The grips: of the sets with one motion along the axis of the test that with the lowest and that with the highest mean place; -1 where
      * there are not two, one beside the other. */
     int left, right;
     struct loads loads;

@@ -202,6 +202,7 @@ void macroscopic_visit(struct macroscopic *m, struct body *body, struct checkpoi
 {
     checkpoint_numbers(checkpoint, "mean gradient", body->mean_gradient, COMPONENTS);
     checkpoint_numbers(checkpoint, "mean stress", body->mean_stress, COMPONENTS);
+    checkpoint_numbers(checkpoint, "sense of the mean gradient", &m->sense, 1);
     checkpoint_numbers(checkpoint, "mean rate", body->mean_rate, COMPONENTS);
     checkpoint_numbers(checkpoint, "given mean stress", m->target, COMPONENTS);
     checkpoint_numbers(checkpoint, "given mean stress before", m->target_before, COMPONENTS);
