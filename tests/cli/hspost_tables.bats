@@ -195,7 +195,7 @@ fails() {
     printf '\x89HDF\r\n\x1a\n' >a.h5
     fails 'a.h5 is an HDF5 file of another program: export its columns as text' hspost a.h5
     printf '\x89HDF\r\n\x1a\n_NCProperties' >a.nc
-    fails 'a.nc: netCDF-4; convert it' hspost a.nc
+    fails 'a.nc: cannot read it as Exodus' hspost a.nc
     printf 'II*\0\1' >a.tif
     fails 'a.tif is a picture (TIFF)' hspost a.tif
     printf '<!DOCTYPE html>\n<table>' >a.html
