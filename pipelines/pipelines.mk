@@ -589,8 +589,20 @@ $(RESULTS)/loops/calculix.csv: $(FE)/voxels.txt $(addprefix pipelines/,loops/pro
 	awk -v to="$(loops_to)" -f pipelines/loops/calculix.awk $(@D)/calculix/amplitude $(@D)/calculix/mesh.inp > $(@D)/calculix/bar.inp
 	cd $(@D)/calculix && OMP_NUM_THREADS=1 ccx bar > ccx.log && tail -n 1 bar.sta | awk '$$7 < 8.99 {exit 1}'
 	{ echo '# title: HS40 by CalculiX'; awk -f pipelines/finite-elements/curve.awk $(@D)/calculix/weights.txt $(@D)/calculix/bar.dat | cut -d, -f1,2; } > $@
-$(RESULTS)/loops/table.csv: $(LOOPED:%=$(RESULTS)/loops/%/history.e) $(LOOPS_STORED) pipelines/loops/check.awk
-	hspost -q $(filter %.e,$^) $(LOOPS_STORED) --loops $@ $(if $(SMALL),,--plot-loops $(@D)/figure.svg --plot $(@D)/curves.svg)
+# A periodic cell by the deck's own programme, and the eighth of it that its planes of symmetry leave, by CalculiX.
+CELL_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/loops/calculix-cell.csv
+$(RESULTS)/loops/cell/history.e: pipelines/loops/cell.yaml | all
+	@mkdir -p $(@D)
+	hsgen -q $< | hssolve -q -j $(RANKS) -H $@ $(if $(CALCULIX),-o $(@D)/particles.e)
+$(RESULTS)/loops/calculix-cell.csv: $(RESULTS)/loops/cell/history.e pipelines/loops/cell.awk
+	@mkdir -p $(@D)/calculix
+	hspost --frames $(<D)/particles.e --csv --variables Phase -o $(<D)/particles.csv
+	awk -F, -v spacing=6.666666666666667 -v cells=12 -v turns="$$(hspost -q $< | awk -F, -v turns=yes -f pipelines/loops/cell-curve.awk)" \
+	-f pipelines/loops/cell.awk $(<D)/particles.csv > $(@D)/calculix/cell.inp
+	cd $(@D)/calculix && OMP_NUM_THREADS=1 ccx cell > cell.log && tail -n 1 cell.sta | awk '$$7 < 9.99 {exit 1}'
+	{ echo '# title: Cell by CalculiX'; awk -v edge=0.08 -f pipelines/loops/cell-curve.awk $(@D)/calculix/cell.dat; } > $@
+$(RESULTS)/loops/table.csv: $(LOOPED:%=$(RESULTS)/loops/%/history.e) $(RESULTS)/loops/cell/history.e $(LOOPS_STORED) $(CELL_STORED) pipelines/loops/check.awk
+	hspost -q $(filter %.e,$^) $(LOOPS_STORED) $(CELL_STORED) --loops $@ $(if $(SMALL),,--plot-loops $(@D)/figure.svg --plot $(@D)/curves.svg)
 	$(call must,loops,-v blank=all $(if $(SMALL),-v small=yes)) $@
 
 # One harmonic geometry at three spacings, by load steps to 10 %.

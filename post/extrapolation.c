@@ -56,7 +56,8 @@ struct limit limit_of(const double spacing[], const double values[], int count, 
     return with_order(spacing, values, is_observed ? observed : order, is_observed);
 }
 
-/* --- groups that differ in the spacing alone --------------------------------------------------- */
+/* --- groups that differ in the spacing alone
+ * --------------------------------------------------- */
 
 static const struct varied_item *resolution_of(const struct label *label)
 {

@@ -163,7 +163,8 @@ static size_t longest_title(const struct figure_series series[], int count)
     return longest;
 }
 
-/* Length of what all titles begin with, to a comma and a blank, where they are too long for the legend; 0. */
+/* Length of what all titles begin with, to a comma and a blank, where they are too long for the
+ * legend; 0. */
 static size_t shared_words(const struct figure_series series[], int count)
 {
     if (count < 2 || longest_title(series, count) <= LONG_TITLE) return 0;

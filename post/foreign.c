@@ -17,6 +17,11 @@ static const struct {
     {"\x89PNG", "a picture (PNG)", "digitise the curve first"},
     {"\xFF\xD8\xFF", "a picture (JPEG)", "digitise the curve first"},
     {"GIF8", "a picture (GIF)", "digitise the curve first"},
+    {"II*", "a picture (TIFF)", "digitise the curve first"},
+
+    {"NRRD", "an image (NRRD)", MESH},
+    {"Channel Text File", "a map of orientations (ctf)", MESH},
+    {"# TEM_PIXperUM", "a map of orientations (ang)", MESH},
     {"\x1F\x8B", "compressed by gzip (zs2 of testXpert, too)", "unpack or export it as text"},
     {"MATLAB 5.0", "a MATLAB file", "write the columns by writetable"},
     {"TDSm", "a TDMS file of LabVIEW", "export it as text"},
@@ -43,4 +48,13 @@ void foreign_refuse(const char *bytes, long length, const char *name)
         if ((size_t)length >= n && strncasecmp(bytes, formats[i].begins, n) == 0)
             die_user("%s is %s: %s", name, formats[i].what, formats[i].advice);
     }
+}
+
+void foreign_refuse_hdf5(const char *bytes, long length, const char *name)
+{
+    /* netCDF-4 writes one of these into each of its files. */
+    static const char *const marks[] = {"_NCProperties", "_Netcdf4", "_nc3_strict"};
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
+        if (memmem(bytes, (size_t)length, marks[i], strlen(marks[i]))) return;
+    die_user("%s is an HDF5 file of another program: export its columns as text", name);
 }

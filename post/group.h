@@ -25,13 +25,15 @@ struct group *groups_make(const struct analysis analyses[], const struct label l
                           int *n_groups);
 void groups_free(struct group groups[], int n_groups);
 
-/* CSV: group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa; behind the group, in
- * a study, what varied but the scatter. */
+/* CSV:
+ * group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa;
+ * behind the group, in a study, what varied but the scatter. */
 void groups_write(FILE *file, const struct group groups[], int n_groups,
                   const struct label labels[], int count);
 
-/* CSV of the properties over each group: group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the
- * curves that have a value, in the order of the first of them; what varied as there. */
+/* CSV of the properties over each group:
+ * group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the curves that
+ * have a value, in the order of the first of them; what varied as there. */
 void groups_write_properties(FILE *file, const struct properties lists[],
                              const struct label labels[], int count);
 

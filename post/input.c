@@ -92,6 +92,7 @@ struct input input_read(const char *name, const char *columns_of)
     char *bytes = read_bytes(&spool, input.name, &input.bytes);
     input.checksum = input_checksum((const unsigned char *)bytes, input.bytes);
     input.is_history = strncmp(bytes, "CDF", 3) == 0 || strncmp(bytes, "\x89HDF", 4) == 0;
+    if (input.is_history && bytes[0] != 'C') foreign_refuse_hdf5(bytes, input.bytes, input.name);
     if (input.is_history) kept_history(&spool);
     if (input.is_history)
         read_history(&input, &spool);

@@ -102,13 +102,16 @@ static const struct hardening_law *tabulated_law(void)
     die_run("no tabulated law");
 }
 
-static struct hardening tabulate(struct points *points, double strength)
+/* Without most of the noise of the curve, which tolerance covers. */
+static struct hardening tabulate(struct points *points, struct noise noise, double strength)
 {
+    const double tolerance = fmax(thinning_share * strength, noise.deviation);
     struct hardening table = {.law = tabulated_law()};
     bool *keep = memory_new((size_t)points->n, sizeof *keep);
+    if (noise.deviation > 0) noise_trend(points->strain, points->stress, points->n, noise);
     make_rising(points);
     keep[0] = keep[points->n - 1] = true;
-    keep_farthest(points, 0, points->n - 1, thinning_share * strength, keep);
+    keep_farthest(points, 0, points->n - 1, tolerance, keep);
     table.strain = memory_new((size_t)points->n, sizeof(double));
     table.stress = memory_new((size_t)points->n, sizeof(double));
     for (long i = 0; i < points->n; i++) {
@@ -181,14 +184,15 @@ struct material material_make(const char *name, const struct curve *curve,
         struct points rising = {points.n, points.strain,
                                 memory_new((size_t)points.n, sizeof(double))};
         memcpy(rising.stress, points.stress, (size_t)points.n * sizeof(double));
-        m.hardening = tabulate(&rising, strength);
+        m.hardening = tabulate(&rising, analysis->noise, strength);
         free(rising.stress);
         m.root_mean_square = misfit(&m.hardening, &points);
-        m.reason = memory_print("%s; not falling, thinned to %d points within %g %% of Rm",
+        m.reason = memory_print("%s; not falling, thinned to %d points within %.3g %% of Rm",
                                 table     ? "as asked for"
                                 : plateau ? "no law has a yield plateau"
                                           : "no law is within 0.5 % of Rm",
-                                m.hardening.n_points, 100 * thinning_share);
+                                m.hardening.n_points,
+                                100 * fmax(thinning_share, analysis->noise.deviation / strength));
     }
     free(points.strain);
     free(points.stress);

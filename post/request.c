@@ -1,6 +1,7 @@
 #include "request.h"
 
 #include "die.h"
+#include "exodus.h"
 #include "figure.h"
 #include "keys_options.h"
 #include "memory.h"
@@ -40,6 +41,16 @@ static const struct hardening_law *read_law(const char *name)
     die_user("--law: no law '%s'; there are%s", name, names);
 }
 
+/* The name becomes a key of the deck and that of a phase. */
+static void check_material(const char *name)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    const char *fault = exodus_phase_fault(name);
+    if (fault) die_user("--material: the name '%s' %s", name, fault);
+    if (!*name || name[strspn(name, plain)])
+        die_user("--material: the name '%s', expected letters, digits, _ and - alone", name);
+}
+
 static void check(const struct request *request)
 {
     bool bounds = request->voigt || request->reuss;
@@ -49,6 +60,7 @@ static void check(const struct request *request)
     if (request->calibrate && !request->material) die_user("--calibrate needs --material NAME");
     if (request->material && request->n_files > 1)
         die_user("--material takes one curve, here are %d files", request->n_files);
+    if (request->material) check_material(request->material);
     if (request->material && (isnan(request->density) || isnan(request->poissons_ratio)))
         die_user(
             "--material needs --density, as in '8900 kg/m3', and --poissons-ratio, as in 0.31: no "
@@ -84,10 +96,11 @@ static void check_view(const struct request *request, bool files)
 {
     if (files) die_user("--frames takes the fields; curves (FILE) are for another call");
     if (request->properties || request->json || request->plot || request->difference ||
-        request->voigt || request->reuss || request->loops || request->plot_loops)
-        die_user("--properties, --json, --plot, --loops, --plot-loops, --difference, --voigt and "
-                 "--reuss "
-                 "are about curves; do without --frames");
+        request->voigt || request->reuss || request->loops || request->plot_loops ||
+        request->tidy || request->mean || request->statistics || request->material)
+        die_user("--properties, --json, --plot, --loops, --plot-loops, --difference, --voigt, "
+                 "--reuss, --tidy, --mean, --statistics and --material are about curves; do "
+                 "without --frames");
     if (request->columns) die_user("--columns is about a history; do without --frames");
     if (request->output && request->view.picture && !request->view.csv)
         die_user("-o is the file of --csv; the picture has its own name");

@@ -11,7 +11,8 @@ enum { LONGEST_NUMBER = 64, SAMPLE = 2000, MOST_COLUMNS = 100 };
 
 static char nothing[1] = "";
 
-/* Whether marks part groups of three digits, and a decimal mark follows: "1,234.5", which can mean nothing else. */
+/* Whether marks part groups of three digits, and a decimal mark follows: "1,234.5", which can
+ * mean nothing else. */
 static bool is_grouped(const char *text, char mark, char decimal)
 {
     const char *from = text + strspn(text, "+-"), *end = strchr(from, decimal);
@@ -168,7 +169,8 @@ static int usual_count(const struct rows *rows)
     return usual;
 }
 
-/* Blanks a column in the rows of the table where more of them hold words than numbers: remarks, times of the day. */
+/* Blanks a column in the rows of the table where more of them hold words than numbers: remarks,
+ * times of the day. */
 static void blank_column(struct rows *rows, int usual, int column)
 {
     long words = 0, numbers = 0;

@@ -37,8 +37,8 @@ void rows_free(struct rows *rows);
 /* Makes a row of words of note i; returns its number of fields. */
 int rows_of_note(struct rows *rows, long i);
 
-/* A finite number with this decimal mark, and nothing else; groups of three digits may have the other mark between them
- * where a decimal mark follows. */
+/* A finite number with this decimal mark, and nothing else; groups of three digits may have the
+ * other mark between them where a decimal mark follows. */
 bool rows_number(const char *text, char decimal, double *value);
 
 #endif

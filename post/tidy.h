@@ -8,7 +8,8 @@
 
 #include <stdio.h>
 
-/* curve,group,file,varied, in a study what varied, then all columns that one of the curves has, empty where a curve has them not. */
+/* curve,group,file,varied, in a study what varied, then all columns that one of the curves has,
+ * empty where a curve has them not. */
 void tidy_write(FILE *file, const struct curve curves[], const struct label labels[], int count);
 
 #endif

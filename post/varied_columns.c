@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What stands behind the number a text begins with; NULL where it does not, or more follows than a unit. */
+/* What stands behind the number a text begins with; NULL where it does not, or more follows than
+ * a unit. */
 static const char *unit_of(const char *text)
 {
     char *end;

@@ -22,7 +22,8 @@ struct varied_columns {
 struct varied_columns varied_columns_of(const struct label labels[], int count);
 void varied_columns_free(struct varied_columns *columns);
 
-/* Headings (spacing_um) and values, a comma before each; without: of this role none, VARIED_QUESTION: all. */
+/* Headings (spacing_um) and values, a comma before each; without: of this role none,
+ * VARIED_QUESTION: all. */
 void varied_columns_heading(FILE *file, const struct varied_columns *columns,
                             enum varied_role without);
 void varied_columns_values(FILE *file, const struct varied_columns *columns,

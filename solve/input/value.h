@@ -36,8 +36,8 @@ struct value {
     double *times, *values;        /* [n_rows] s, rising, and SI */
 };
 
-/* Reads a value in this SI unit, within low to high; unit must be a literal.  allowed: a sum of the three
- * above; dies where the deck gives a kind, or uses a variable, that is not among them. */
+/* Reads a value in this SI unit, within low to high; unit must be a literal.  allowed: a sum of
+ * the three above; dies where the deck gives a kind, or uses a variable, that is not among them. */
 struct value value_read(struct deck_node where, const char *unit, double low, double high,
                         int allowed);
 void value_free(struct value *value);
@@ -57,17 +57,19 @@ bool value_depends_on_time(const struct value *value);
 /* Value at a reference position [m] and time [s], a stepped one as raised so far. */
 double value_at(const struct value *value, const double x[3], double time);
 
-/* Evaluates an expression at these nodes of the positions x[3][...] (nodes = NULL: at the first count) at
- * the start, in the middle and at the end of a run, and dies where it is not finite or out of
- * range.  Sound in time for a stepped load: its increments are numbers. */
+/* Evaluates an expression at these nodes of the positions x[3][...] (nodes = NULL: at the first
+ * count) at the start, in the middle and at the end of a run, and dies where it is not finite or
+ * out of range.  Sound in time for a stepped load: its increments are numbers. */
 void value_try(const struct value *value, int64_t count, const int64_t *nodes,
                const double *const x[3], double end_time);
 
-/* Smooth rise from 0 at 0 to 1 at 1, where its first and second derivatives vanish: 10 s^3 - 15 s^4 + 6 s^5. */
+/* Smooth rise from 0 at 0 to 1 at 1, where its first and second derivatives vanish: 10 s^3 - 15
+ * s^4 + 6 s^5. */
 double value_rise(double s);
 
-/* Raises a stepped load where it is due after so many steps of the run, or, where it waits for equilibrium,
- * if there is one.  True where it has been raised.  Dies where that leads out of the range. */
+/* Raises a stepped load where it is due after so many steps of the run, or, where it waits for
+ * equilibrium, if there is one.  True where it has been raised.  Dies where that leads out of
+ * the range. */
 bool value_raise(struct value *value, int64_t steps, bool equilibrium);
 
 #endif

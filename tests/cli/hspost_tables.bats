@@ -193,5 +193,11 @@ fails() {
     printf '\001\000\002\003\000\000\005' >a.bin
     fails 'neither an Exodus history nor a table of text' hspost a.bin
     printf '\x89HDF\r\n\x1a\n' >a.h5
-    fails 'a.h5' hspost a.h5
+    fails 'a.h5 is an HDF5 file of another program: export its columns as text' hspost a.h5
+    printf '\x89HDF\r\n\x1a\n_NCProperties' >a.nc
+    fails 'a.nc: cannot read it as Exodus' hspost a.nc
+    printf 'II*\0\1' >a.tif
+    fails 'a.tif is a picture (TIFF)' hspost a.tif
+    printf '<!DOCTYPE html>\n<table>' >a.html
+    fails 'a.html is a page of the web' hspost a.html
 }
