@@ -60,6 +60,11 @@ LIB_LIBS := $(EXODUS_LIBS) $(call package,--libs,netcdf,-lnetcdf) $(call package
 EXPRESSION_LIBS := $(call package,--libs,muparser,-lmuparser)
 CAIRO_CFLAGS := $(call package,--cflags,cairo,)
 CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
+IMAGE_CFLAGS := $(call package,--cflags,libtiff-4 libpng zlib,) \
+                $(call package,--cflags,hdf5-serial,-I/usr/include/hdf5/serial)
+IMAGE_LIBS := $(call package,--libs,libtiff-4 libpng zlib,-ltiff -lpng -lz) \
+              $(call package,--libs,hdf5-serial,-lhdf5_serial)
+EXPAT_LIBS := $(call package,--libs,expat,-lexpat)
 JANSSON_LIBS := $(call package,--libs,jansson,-ljansson)
 MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))
 MPI_LIBS := $(call package,--libs,ompi-c,-lmpi)
@@ -90,10 +95,10 @@ archive = $(BUILD)/lib$(1).a
 
 all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
 
-$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen
+$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen $(IMAGE_CFLAGS)
 $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
 $(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
-$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
+$(BUILD)/tests/%.o: ALL_CFLAGS += $(IMAGE_CFLAGS) -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/lib/canvas.o: ALL_CFLAGS += $(CAIRO_CFLAGS)
 $(BUILD)/lib/version.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
 $(BUILD)/gen/examples.o: $(EXAMPLES)
@@ -120,7 +125,7 @@ endef
 $(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
 
 $(BUILD)/bin/hsgen: $(BUILD)/version/version.o $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
-$(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS)
+$(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS)
 $(BUILD)/bin/hssolve: $(BUILD)/version/version.o $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
 $(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS)
 $(BUILD)/bin/hspost: $(BUILD)/version/version.o $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
@@ -133,23 +138,23 @@ $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 # Tests: every tests/*/test_*.c is a program of its own, linked to all that the tools are made of.
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(addprefix $(BUILD)/tests/physics/,small_body.o small_static.o scene_body.o)
 
 # Readers of files on changed ones; FUZZER=1: by libFuzzer, which has a main of its own.
 $(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/targets.o $(BUILD)/tests/fuzz/targets_post.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/drive.o) \
     $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
 
 # Not a test: prints the table of errors (pipelines/errors).
 $(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/physics/small_body.o \
     $(BUILD)/tests/physics/small_static.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
 # Not a test: times of the kernels beside the bounds of the machine.
 $(BUILD)/tests/bench/kernels: $(BUILD)/tests/bench/kernels.o $(BUILD)/tests/physics/small_body.o \
     $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
 # QUICK=1: the kernels on 64,000 nodes alone, to standard output.
 BENCH := $(BUILD)/results/bench
@@ -248,8 +253,8 @@ install: all $(if $(shell command -v mandoc),html)
 	install -m 644 $(wildcard docs/man/*.1) $(SHARE)/man/man1
 	install -m 644 $(wildcard docs/man/*.5) $(SHARE)/man/man5
 	install -m 644 $(EXAMPLES) $(DOCUMENTS)/examples
-	install -m 644 README.md LICENSE CHANGELOG.md CITATION.cff codemeta.json $(DOCUMENTS)
-	install -m 644 $(wildcard docs/*.md) $(DOCUMENTS)/docs
+	install -m 644 README.md LICENSE $(DOCUMENTS)
+	install -m 644 $(wildcard docs/*.md) docs/CITATION.cff docs/codemeta.json $(DOCUMENTS)/docs
 	install -m 644 $(wildcard docs/figures/*) $(DOCUMENTS)/docs/figures
 	$(if $(shell command -v mandoc),install -m 644 $(HTML) $(DOCUMENTS)/html)
 	for program in $(PROGRAMS); do \

@@ -3,10 +3,11 @@
 #include "die.h"
 #include "examples.h"
 #include "exodus.h"
-#include "fill.h"
+#include "export.h"
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
+#include "peridigm_deck.h"
 #include "picture.h"
 #include "sections.h"
 #include "spool.h"
@@ -18,8 +19,8 @@
 #include <string.h>
 
 struct arguments {
-    const char *deck, *output, *statistics, *peridigm, *picture, *cores;
-    const char *example;
+    const char *deck, *output, *statistics, *peridigm, *picture, *cores, *export;
+    const char *example, *from, *units;
     bool study, examples, override, check, quiet;
 };
 
@@ -43,12 +44,18 @@ static struct arguments read_arguments(int argc, char **argv)
         {'s', "statistics", "FILE", "write the structure's statistics as CSV", NULL, &c.statistics},
         {'p', "picture", "FILE", "draw the middle sections (.png, .svg, .pdf)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
+        {0, "export", "FILE", "write the structure as voxels (.vti) or elements (.inp)", NULL,
+         &c.export},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
         {0, "study", NULL,
          "write the decks of a study (vary, refine) and a Makefile into -o FOLDER", &c.study, NULL},
         {0, "examples", NULL, "list the decks that --example writes, and leave", &c.examples, NULL},
         {0, "example", "NAME", "write a deck that runs, with comments, and leave", NULL,
          &c.example},
+        {0, "from", "PROGRAM", "make a deck of ours of one of another program: peridigm", NULL,
+         &c.from},
+        {0, "units", "L,M,T", "its units of length, mass and time, as cm,g,s (m,kg,s)", NULL,
+         &c.units},
         {0, "override", NULL, "go on though the topology check fails", &c.override, NULL},
         {0, "check", NULL, "check the deck, say what would be made, make nothing", &c.check, NULL},
         {'q', "quiet", NULL, "say nothing but warnings and errors", &c.quiet, NULL},
@@ -66,6 +73,7 @@ static struct arguments read_arguments(int argc, char **argv)
         die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
     if (first < argc) c.deck = argv[first];
     if (c.examples || c.example) print_examples(&c);
+    if (c.units && !c.from) die_user("--units belongs to --from");
     note_set_quiet(c.quiet);
     return c;
 }
@@ -86,10 +94,12 @@ static void check_side_files(const struct arguments *c, const struct recipe *rec
 {
     const bool *periodic = recipe->specimen.periodic;
     if (c->picture) picture_check_name(c->picture);
+    if (c->export) export_check_name(c->export);
     if (c->peridigm && (periodic[0] || periodic[1] || periodic[2]))
         die_user("--peridigm %s: that format has no place for a periodic body", c->peridigm);
-    if (c->cores && recipe->topology->single_phase)
-        die_user("--cores %s: a homogeneous structure has no cores", c->cores);
+    if (c->cores && recipe->topology->no_cores)
+        die_user("--cores %s: a structure of the topology %s has no cores", c->cores,
+                 recipe->topology->deck.name);
 }
 
 static void write_side_files(const struct arguments *c, const struct recipe *recipe,
@@ -121,9 +131,13 @@ static void set_provenance(const struct deck *deck, int argc, char **argv,
 static void say_plan(const struct arguments *c, struct recipe *recipe)
 {
     enum { NODE_BYTES = 80 }; /* of memory, measured */
-    const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
-                                 c->picture, c->cores, c->peridigm};
-    struct sites sites = fill_sites(&recipe->specimen);
+    const char *const files[] = {c->output ? c->output : "standard output",
+                                 c->statistics,
+                                 c->picture,
+                                 c->cores,
+                                 c->peridigm,
+                                 c->export};
+    struct sites sites = recipe_sites(recipe);
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
@@ -157,10 +171,21 @@ static void treat_study(const struct arguments *c, const struct deck *deck)
         study_folder_write(deck, c->output);
 }
 
+static void translate(const struct arguments *c)
+{
+    if (strcmp(c->from, "peridigm") != 0)
+        die_user("--from '%s' is not known, expected peridigm", c->from);
+    peridigm_deck_translate(c->deck, c->units, c->output);
+}
+
 int main(int argc, char **argv)
 {
     die_set_program("hsgen");
     struct arguments c = read_arguments(argc, argv);
+    if (c.from) {
+        translate(&c);
+        return 0;
+    }
     struct deck *deck = deck_read(c.deck);
     if (c.study) {
         treat_study(&c, deck);
@@ -171,12 +196,13 @@ int main(int argc, char **argv)
     check_side_files(&c, &recipe);
     if (c.check) {
         say_plan(&c, &recipe);
+        recipe_free(&recipe);
         deck_free(deck);
         return 0;
     }
     struct spool output = spool_output(c.output);
 
-    struct sites sites = fill_sites(&recipe.specimen);
+    struct sites sites = recipe_sites(&recipe);
     struct cores cores = recipe_cores(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);
@@ -187,6 +213,8 @@ int main(int argc, char **argv)
     struct domain domain = assemble_domain(&recipe, &structure, &findings, fault);
     set_provenance(deck, argc, argv, &domain.attributes);
     if (c.peridigm) peridigm_write(&domain, c.peridigm);
+    const struct export_source exported = {&recipe, &structure, &domain};
+    if (c.export) export_write(&exported, c.export);
     exodus_write_domain(&output, &domain);
     spool_finish(&output);
 
@@ -195,6 +223,7 @@ int main(int argc, char **argv)
     structure_free(&structure);
     cores_free(&cores);
     sites_free(&sites);
+    recipe_free(&recipe);
     deck_free(deck);
     return 0;
 }

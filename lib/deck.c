@@ -39,6 +39,12 @@ static yaml_node_t *yaml_node(struct deck_node node)
     return yaml_document_get_node((yaml_document_t *)&node.deck->document, node.index);
 }
 
+int deck_line(struct deck_node node)
+{
+    const yaml_node_t *at = yaml_node(node);
+    return at ? (int)at->start_mark.line + 1 : 0;
+}
+
 void deck_error(struct deck_node where, const char *format, ...)
 {
     char message[4096];

@@ -78,6 +78,9 @@ struct deck_span deck_span(struct deck_node node);
 /* Whether the value is written over lines of its own: a block of keys or items, a text behind | or >. */
 bool deck_is_block(struct deck_node node);
 
+/* Number of the node's line, from 1; 0 where it is not there. */
+int deck_line(struct deck_node node);
+
 /* "file:line:column: message", exit 2. */
 _Noreturn void deck_error(struct deck_node where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

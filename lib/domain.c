@@ -68,15 +68,24 @@ const struct node_set *domain_set(const struct domain *domain, const char *name)
 {
     for (int i = 0; i < domain->n_sets; i++)
         if (strcmp(domain->sets[i].name, name) == 0) return &domain->sets[i];
+    for (int i = 0; i < domain->n_sets; i++)
+        if (domain->sets[i].alias && strcmp(domain->sets[i].alias, name) == 0)
+            return &domain->sets[i];
     return NULL;
 }
 
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes)
 {
-    struct node_set set = {memory_text(name), count, memory_new((size_t)count, sizeof *nodes)};
+    struct node_set set = {memory_text(name), count, memory_new((size_t)count, sizeof *nodes),
+                           NULL};
     if (count > 0) memcpy(set.nodes, nodes, (size_t)count * sizeof *nodes);
     domain->sets = memory_grow(domain->sets, domain->n_sets, sizeof set);
     domain->sets[domain->n_sets++] = set;
+}
+
+void domain_alias_set(struct domain *domain, const char *alias)
+{
+    domain->sets[domain->n_sets - 1].alias = memory_text(alias);
 }
 
 void domain_forget_nodes(struct domain *domain)
@@ -86,7 +95,8 @@ void domain_forget_nodes(struct domain *domain)
     free(domain->z);
     free(domain->volume);
     free(domain->phase);
-    domain->x = domain->y = domain->z = domain->volume = NULL;
+    free(domain->grain);
+    domain->x = domain->y = domain->z = domain->volume = domain->grain = NULL;
     domain->phase = NULL;
     domain_forget_mesh(domain);
 }
@@ -108,6 +118,7 @@ void domain_free(struct domain *domain)
     for (int i = 0; i < domain->n_sets; i++) {
         free(domain->sets[i].name);
         free(domain->sets[i].nodes);
+        free(domain->sets[i].alias);
     }
     free(domain->sets);
     attributes_free(&domain->attributes);

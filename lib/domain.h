@@ -10,6 +10,7 @@ struct node_set {
     char *name;
     int64_t count;
     int64_t *nodes; /* [count], ascending, from 0 */
+    char *alias;    /* another name, such as nodelist_10; NULL: none */
 };
 
 /* A fact that travels with a file: a number, or a text where text is not NULL. */
@@ -37,6 +38,7 @@ struct domain {
     double *x, *y, *z; /* [n_nodes] m, reference positions */
     double *volume;    /* [n_nodes] m^3 */
     uint8_t *phase;    /* [n_nodes] index into phase_names */
+    double *grain;     /* [n_nodes] ids of grains, whole numbers; NULL: none are known */
     int n_phases;      /* at most 16 */
     char **phase_names;
     int n_sets;
@@ -48,9 +50,11 @@ struct domain {
     int64_t *hexahedra;
 };
 
-/* NULL where there is no set of that name. */
+/* NULL where there is no set of that name or alias. */
 const struct node_set *domain_set(const struct domain *domain, const char *name);
 void domain_add_set(struct domain *domain, const char *name, int64_t count, const int64_t *nodes);
+/* Gives the set that was added last another name, that no set has. */
+void domain_alias_set(struct domain *domain, const char *alias);
 /* Frees what is known of each node; names, sets and attributes stay. */
 void domain_forget_nodes(struct domain *domain);
 /* Frees the mesh that its particles are of, where there is one. */

@@ -16,6 +16,7 @@ struct exodus_file {
     char *path;
     char *shown; /* the name in messages */
     int64_t bytes;
+    bool packed; /* netCDF-4, whose numbers may be compressed */
 };
 
 /* Creates a file of 64-bit offset format that holds doubles and takes 64-bit integers, with these
@@ -30,8 +31,8 @@ void exodus_sync(const struct exodus_file *file);
 /* Numbers of attributes that the file has get these values. */
 void exodus_renew_numbers(const struct exodus_file *file, const struct attributes *attributes);
 
-/* Opens a file that is of a classic netCDF format, has a sane header and is whole by its
- * hs_file_bytes; without that attribute it passes only where foreign is true. */
+/* Opens a file of any netCDF format; a classic one has a sane header and is whole by its hs_file_bytes, and without that
+ * attribute passes only where foreign is true.  A netCDF-4 file, which these tools do not write, passes only there. */
 struct exodus_file exodus_open(const struct spool *input, bool foreign);
 /* The same, whole or not. */
 struct exodus_file exodus_open_any(const struct spool *input);
@@ -55,9 +56,9 @@ char **exodus_names(int64_t count);
 /* Coordinates, blocks and sets of a domain. */
 void exodus_put_domain(const struct exodus_file *file, const struct domain *domain);
 
-/* Dies (exit 2) where the head of a classic netCDF file is damaged.  libnetcdf 4.9 believes every
- * count it finds there and can hang on a wrong one. */
-void exodus_check_header(const char *path, const char *shown);
+/* Dies (exit 2) where the head of a classic netCDF file is damaged: libnetcdf 4.9 believes every
+ * count it finds there and can hang on a wrong one.  False where it is netCDF-4. */
+bool exodus_check_header(const char *path, const char *shown);
 /* Enters another number of records into a sound one. */
 void exodus_set_records(const char *path, const char *shown, int64_t records);
 

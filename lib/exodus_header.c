@@ -99,12 +99,12 @@ static void check_variables(const struct head *head, uint64_t dimensions)
     }
 }
 
-static void check_head(struct head *head)
+/* False where it is HDF5, whose library checks what it reads. */
+static bool check_head(struct head *head)
 {
     char magic[4] = "";
     size_t got = fread(magic, 1, sizeof magic, head->stream);
-    if (got == 4 && memcmp(magic, "\211HDF", 4) == 0)
-        die_user("%s: netCDF-4; convert it: nccopy -k 64-bit-offset IN OUT", head->shown);
+    if (got == 4 && memcmp(magic, "\211HDF", 4) == 0) return false;
     if (got < 4 || memcmp(magic, "CDF", 3) != 0) damaged(head, "no magic number");
     if (magic[3] != 1 && magic[3] != 2 && magic[3] != 5) damaged(head, "unknown version");
     head->width = magic[3] == 5 ? 8 : 4;
@@ -120,17 +120,19 @@ static void check_head(struct head *head)
     }
     check_attributes(head);
     check_variables(head, dimensions);
+    return true;
 }
 
-void exodus_check_header(const char *path, const char *shown)
+bool exodus_check_header(const char *path, const char *shown)
 {
     struct stat status;
     struct head head = {.stream = fopen(path, "rb"), .shown = shown};
     if (head.stream == NULL || fstat(fileno(head.stream), &status) != 0)
         die_user("%s: cannot be opened", shown);
     head.bytes = (uint64_t)status.st_size;
-    check_head(&head);
+    const bool classic = check_head(&head);
     fclose(head.stream);
+    return classic;
 }
 
 void exodus_set_records(const char *path, const char *shown, int64_t records)

@@ -1,32 +1,15 @@
 /* Reading a domain: particles from elements.  A SPHERE is the particle on its node with the volume of its
- * attribute; a hexahedron is a particle at its centroid with its volume. */
+ * attribute; a hexahedron, tetrahedron, wedge or pyramid is one at its centroid with its volume. */
 #include "die.h"
 #include "exodus.h"
-#include "exodus_file.h"
-#include "hexahedron.h"
+#include "exodus_mesh.h"
 #include "memory.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_PHASES = 16, CORNERS = 8, UNSEEN = 255 };
-
-/* Corners of a particle's element, from 0. */
-struct element {
-    int64_t nodes[CORNERS];
-    int corners; /* 1 or 8 */
-};
-
-struct mesh {
-    const struct exodus_file *file;
-    int64_t n_nodes, n_elements;
-    double *x, *y, *z;        /* [n_nodes] m */
-    bool on_nodes;            /* spheres only, one a node: particles keep the nodes' numbers */
-    struct element *elements; /* [n_elements] of the particles; NULL where on_nodes */
-    int64_t read;             /* elements so far */
-    int64_t n_hexahedra;
-};
+enum { MOST_PHASES = 16, UNSEEN = 255 };
 
 static ex_init_params read_sizes(const struct exodus_file *file)
 {
@@ -35,13 +18,13 @@ static ex_init_params read_sizes(const struct exodus_file *file)
     if (sizes.num_nodes == 0)
         die_user("%s: no nodes in it, expected a domain as hsgen writes", file->shown);
     if (sizes.num_elem == 0)
-        die_user("%s: no elements in it, expected SPHERE or HEX ones", file->shown);
+        die_user("%s: no elements in it, expected SPHERE, HEX, TETRA, WEDGE or PYRAMID ones",
+                 file->shown);
     if (sizes.num_dim != 3)
         die_user("%s: %lld dimensions, expected 3", file->shown, (long long)sizes.num_dim);
     /* Three coordinates a node, a node and a volume an element, in single precision at least. */
     exodus_bound(file, sizes.num_nodes, 12, "nodes");
     exodus_bound(file, sizes.num_elem, 8, "elements");
-    exodus_bound(file, sizes.num_node_sets, 4, "node sets");
     if (sizes.num_elem_blk < 1 || sizes.num_elem_blk > MOST_PHASES)
         die_user("%s: %lld element blocks, expected 1 to %d", file->shown,
                  (long long)sizes.num_elem_blk, MOST_PHASES);
@@ -49,18 +32,6 @@ static ex_init_params read_sizes(const struct exodus_file *file)
 }
 
 /* --- blocks ----------------------------------------------------------------------------------- */
-
-/* Corners of a block's elements; dies where they are neither spheres nor hexahedra. */
-static int corners_of(const struct exodus_file *file, const ex_block *block, const char *name)
-{
-    if (strncasecmp(block->topology, "SPHERE", 6) == 0 && block->num_nodes_per_entry == 1) return 1;
-    if (strncasecmp(block->topology, "HEX", 3) == 0 && block->num_nodes_per_entry == CORNERS)
-        return CORNERS;
-    die_user(
-        "%s: block '%s' holds '%s' elements of %lld nodes, expected SPHERE (of one) or HEX (of "
-        "eight)",
-        file->shown, name, block->topology, (long long)block->num_nodes_per_entry);
-}
 
 static ex_block read_block_sizes(const struct exodus_file *file, int64_t id, char **name)
 {
@@ -98,8 +69,9 @@ static double *read_volumes(const struct exodus_file *file, const ex_block *bloc
     return values;
 }
 
-static int64_t *read_corners(const struct mesh *mesh, const ex_block *block, int corners)
+static int64_t *read_corners(const struct mesh *mesh, const ex_block *block)
 {
+    const int64_t corners = block->num_nodes_per_entry;
     exodus_bound(mesh->file, block->num_entry, 4 * corners, "elements");
     int64_t *nodes = memory_new((size_t)(block->num_entry * corners), sizeof *nodes);
     exodus_read(mesh->file,
@@ -112,25 +84,19 @@ static int64_t *read_corners(const struct mesh *mesh, const ex_block *block, int
     return nodes;
 }
 
-static double hexahedron_of(const struct mesh *mesh, const int64_t nodes[CORNERS],
-                            double centroid[3])
-{
-    struct hexahedron hexahedron;
-    for (int c = 0; c < CORNERS; c++) {
-        hexahedron.corner[c][0] = mesh->x[nodes[c] - 1];
-        hexahedron.corner[c][1] = mesh->y[nodes[c] - 1];
-        hexahedron.corner[c][2] = mesh->z[nodes[c] - 1];
-    }
-    return hexahedron_volume(&hexahedron, centroid);
-}
+struct block {
+    ex_block sizes;
+    const struct element_shape *shape; /* NULL: surfaces or lines, or none */
+};
 
-static void add_spheres(struct mesh *mesh, const ex_block *block, uint8_t phase,
+/* The particles that follow from a block, under the next numbers. */
+static void add_spheres(struct mesh *mesh, const struct block *block, uint8_t phase,
                         struct domain *domain)
 {
-    int64_t *nodes = read_corners(mesh, block, 1);
-    double *volumes = read_volumes(mesh->file, block);
-    for (int64_t i = 0; i < block->num_entry; i++) {
-        const int64_t node = nodes[i] - 1, particle = mesh->on_nodes ? node : mesh->read;
+    int64_t *nodes = read_corners(mesh, &block->sizes);
+    double *volumes = read_volumes(mesh->file, &block->sizes);
+    for (int64_t i = 0; i < block->sizes.num_entry; i++) {
+        const int64_t node = nodes[i] - 1, particle = mesh->on_nodes ? node : mesh->n_particles;
         if (domain->phase[particle] != UNSEEN)
             die_user("%s: damaged: element with node %lld, which is unknown or taken",
                      mesh->file->shown, (long long)nodes[i]);
@@ -143,64 +109,114 @@ static void add_spheres(struct mesh *mesh, const ex_block *block, uint8_t phase,
         domain->y[particle] = mesh->y[node];
         domain->z[particle] = mesh->z[node];
         if (!mesh->on_nodes) mesh->elements[particle] = (struct element){{node}, 1};
-        mesh->read++;
+        mesh->n_particles++;
     }
     free(nodes);
     free(volumes);
 }
 
-static void add_hexahedra(struct mesh *mesh, const ex_block *block, uint8_t phase,
-                          struct domain *domain)
+static void add_solids(struct mesh *mesh, const struct block *block, int64_t first, uint8_t phase,
+                       struct domain *domain)
 {
-    int64_t *nodes = read_corners(mesh, block, CORNERS);
-    for (int64_t i = 0; i < block->num_entry; i++) {
-        const int64_t particle = mesh->read++, *own = nodes + CORNERS * i;
-        double x[3], volume = hexahedron_of(mesh, own, x);
+    const struct element_shape *shape = block->shape;
+    int64_t *nodes = read_corners(mesh, &block->sizes);
+    for (int64_t i = 0; i < block->sizes.num_entry; i++) {
+        const int64_t particle = mesh->n_particles++,
+                      *own = nodes + block->sizes.num_nodes_per_entry * i;
+        double x[3], volume = element_volume(mesh, shape, own, x);
         if (!(volume > 0) || !isfinite(volume))
             die_user("%s: element %lld (from node %lld on) has the volume %g, expected a positive "
-                     "one: four corners around a face, then the four above them",
-                     mesh->file->shown, (long long)particle + 1, (long long)own[0], volume);
+                     "one: corners counter-clockwise around the lowest face seen from the others, "
+                     "then those",
+                     mesh->file->shown, (long long)(first + i) + 1, (long long)own[0], volume);
         domain->phase[particle] = phase;
         domain->volume[particle] = volume;
         domain->x[particle] = x[0];
         domain->y[particle] = x[1];
         domain->z[particle] = x[2];
-        mesh->elements[particle].corners = CORNERS;
-        mesh->n_hexahedra++;
-        for (int c = 0; c < CORNERS; c++) mesh->elements[particle].nodes[c] = own[c] - 1;
+        mesh->elements[particle].corners = shape->corners;
+        mesh->n_hexahedra += shape->corners == MOST_CORNERS;
+        for (int c = 0; c < shape->corners; c++) mesh->elements[particle].nodes[c] = own[c] - 1;
     }
     free(nodes);
 }
 
-/* Names and sizes of all blocks first: they say whether particles keep the nodes' numbers. */
-static void read_blocks(struct mesh *mesh, struct domain *domain)
+/* Names and sizes of all blocks first: they say whether particles keep the nodes' numbers.  Blocks without
+ * particles are no phases, but for empty ones. */
+static int64_t read_shapes(struct mesh *mesh, struct block blocks[], struct domain *domain)
 {
     const struct exodus_file *file = mesh->file;
-    int64_t ids[MOST_PHASES], elements = 0;
-    int corners[MOST_PHASES] = {0};
-    ex_block blocks[MOST_PHASES];
+    int64_t ids[MOST_PHASES], elements = 0, particles = 0;
     exodus_read(file, ex_get_ids(file->id, EX_ELEM_BLOCK, ids), "the blocks");
     domain->phase_names = memory_new((size_t)domain->n_phases, sizeof *domain->phase_names);
     mesh->on_nodes = true;
     for (int i = 0; i < domain->n_phases; i++) {
-        blocks[i] = read_block_sizes(file, ids[i], &domain->phase_names[i]);
-        exodus_bound(file, blocks[i].num_entry, 8, "elements");
-        elements += blocks[i].num_entry;
-        if (blocks[i].num_entry > 0)
-            corners[i] = corners_of(file, &blocks[i], domain->phase_names[i]);
-        mesh->on_nodes = mesh->on_nodes && corners[i] != CORNERS;
+        struct block *block = &blocks[i];
+        block->sizes = read_block_sizes(file, ids[i], &domain->phase_names[i]);
+        exodus_bound(file, block->sizes.num_entry, 8, "elements");
+        elements += block->sizes.num_entry;
+        if (block->sizes.num_entry == 0) continue;
+        block->shape = element_shape(file, &block->sizes, domain->phase_names[i]);
+        if (block->shape) particles += block->sizes.num_entry;
+        mesh->on_nodes = mesh->on_nodes && block->shape && block->shape->corners == 1;
     }
-    if (mesh->on_nodes && mesh->n_elements != mesh->n_nodes)
-        die_user("%s: %lld elements on %lld nodes, expected one SPHERE a node", file->shown,
-                 (long long)mesh->n_elements, (long long)mesh->n_nodes);
     if (elements > mesh->n_elements)
         die_user("%s: damaged: %lld elements in blocks, %lld in all", file->shown,
                  (long long)elements, (long long)mesh->n_elements);
-    if (!mesh->on_nodes)
-        mesh->elements = memory_new((size_t)mesh->n_elements, sizeof *mesh->elements);
-    for (int i = 0; i < domain->n_phases; i++) {
-        if (corners[i] == 1) add_spheres(mesh, &blocks[i], (uint8_t)i, domain);
-        if (corners[i] == CORNERS) add_hexahedra(mesh, &blocks[i], (uint8_t)i, domain);
+    if (mesh->on_nodes && mesh->n_elements != mesh->n_nodes)
+        die_user("%s: %lld elements on %lld nodes, expected one SPHERE a node", file->shown,
+                 (long long)mesh->n_elements, (long long)mesh->n_nodes);
+    /* Elements of no block are found below. */
+    particles += mesh->n_elements - elements;
+    if (particles == 0)
+        die_user("%s: no element has a volume, expected SPHERE, HEX, TETRA, WEDGE or PYRAMID ones",
+                 file->shown);
+    return particles;
+}
+
+static void forget_block(struct domain *domain, int phase)
+{
+    free(domain->phase_names[phase]);
+    domain->n_phases--;
+    for (int i = phase; i < domain->n_phases; i++)
+        domain->phase_names[i] = domain->phase_names[i + 1];
+}
+
+static void make_room(struct mesh *mesh, int64_t particles, struct domain *domain)
+{
+    const size_t n = (size_t)particles;
+    domain->n_nodes = particles;
+    domain->x = memory_new(n, sizeof(double));
+    domain->y = memory_new(n, sizeof(double));
+    domain->z = memory_new(n, sizeof(double));
+    domain->volume = memory_new(n, sizeof(double));
+    domain->phase = memory_new(n, 1);
+    memset(domain->phase, UNSEEN, n);
+    if (!mesh->on_nodes) mesh->elements = memory_new(n, sizeof *mesh->elements);
+    mesh->particle = memory_new((size_t)mesh->n_elements, sizeof *mesh->particle);
+    for (int64_t i = 0; i < mesh->n_elements; i++) mesh->particle[i] = -1;
+}
+
+static void read_blocks(struct mesh *mesh, struct domain *domain)
+{
+    struct block blocks[MOST_PHASES] = {{.shape = NULL}};
+    const int n_blocks = domain->n_phases;
+    int64_t first = 0;
+    int phase = 0;
+    make_room(mesh, read_shapes(mesh, blocks, domain), domain);
+    for (int i = 0; i < n_blocks; i++) {
+        const struct block *block = &blocks[i];
+        const int64_t count = block->sizes.num_entry, before = mesh->n_particles;
+        if (block->shape && block->shape->corners == 1)
+            add_spheres(mesh, block, (uint8_t)phase, domain);
+        else if (block->shape)
+            add_solids(mesh, block, first, (uint8_t)phase, domain);
+        for (int64_t e = 0; block->shape && e < count; e++) mesh->particle[first + e] = before + e;
+        first += count;
+        if (count > 0 && !block->shape)
+            forget_block(domain, phase);
+        else
+            phase++;
     }
 }
 
@@ -217,76 +233,14 @@ static void check_particles(const struct mesh *mesh, const struct domain *domain
     }
 }
 
-/* --- sets ------------------------------------------------------------------------------------- */
-
-static int compare_nodes(const void *a, const void *b)
-{
-    int64_t first = *(const int64_t *)a, second = *(const int64_t *)b;
-    return (first > second) - (first < second);
-}
-
-/* The particles at least half of whose corners are among the nodes: a face of a hexahedron. */
-static void add_particles(const struct mesh *mesh, const char *name, const int64_t *nodes,
-                          int64_t count, struct domain *domain)
-{
-    uint8_t *chosen = memory_new((size_t)mesh->n_nodes, 1);
-    int64_t *particles = memory_new((size_t)domain->n_nodes, sizeof *particles), n = 0;
-    for (int64_t i = 0; i < count; i++) chosen[nodes[i]] = 1;
-    for (int64_t p = 0; p < domain->n_nodes; p++) {
-        const struct element *element = &mesh->elements[p];
-        int in_set = 0;
-        for (int c = 0; c < element->corners; c++) in_set += chosen[element->nodes[c]];
-        if (2 * in_set >= element->corners) particles[n++] = p;
-    }
-    domain_add_set(domain, name, n, particles);
-    free(particles);
-    free(chosen);
-}
-
-static void read_set(const struct mesh *mesh, int64_t id, struct domain *domain)
-{
-    const struct exodus_file *file = mesh->file;
-    int64_t count, factors;
-    char name[EXODUS_NAME + 1] = "";
-    exodus_read(file, ex_get_set_param(file->id, EX_NODE_SET, id, &count, &factors), "a node set");
-    exodus_bound(file, count, 4, "nodes of a set");
-    int64_t *nodes = memory_new((size_t)count, sizeof *nodes);
-    if (count > 0)
-        exodus_read(file, ex_get_set(file->id, EX_NODE_SET, id, nodes, NULL), "a node set");
-    exodus_read(file, ex_get_name(file->id, EX_NODE_SET, id, name), "a node set's name");
-    qsort(nodes, (size_t)count, sizeof *nodes, compare_nodes);
-    for (int64_t i = 0; i < count; i++) {
-        if (nodes[i] < 1 || nodes[i] > mesh->n_nodes || (i > 0 && nodes[i] - 1 == nodes[i - 1]))
-            die_user("%s: node set '%s' has node %lld, which is unknown or there twice",
-                     file->shown, name, (long long)nodes[i]);
-        nodes[i]--;
-    }
-    char *own = *name ? memory_text(name) : memory_print("set_%lld", (long long)id);
-    if (mesh->on_nodes)
-        domain_add_set(domain, own, count, nodes);
-    else
-        add_particles(mesh, own, nodes, count, domain);
-    if (domain->corners) domain_add_set(domain->corners, own, count, nodes);
-    free(own);
-    free(nodes);
-}
-
-static void read_sets(const struct mesh *mesh, int64_t count, struct domain *domain)
-{
-    int64_t *ids = memory_new((size_t)count, sizeof *ids);
-    if (count > 0)
-        exodus_read(mesh->file, ex_get_ids(mesh->file->id, EX_NODE_SET, ids), "the node sets");
-    for (int64_t i = 0; i < count; i++) read_set(mesh, ids[i], domain);
-    free(ids);
-}
-
 /* Where all particles are hexahedra, the domain keeps their corners; it takes over the positions. */
 static void keep_corners(struct mesh *mesh, struct domain *domain)
 {
-    if (mesh->n_hexahedra < mesh->n_elements) return;
-    domain->hexahedra = memory_new(CORNERS * (size_t)domain->n_nodes, sizeof(int64_t));
+    if (mesh->n_hexahedra < domain->n_nodes) return;
+    domain->hexahedra = memory_new(MOST_CORNERS * (size_t)domain->n_nodes, sizeof(int64_t));
     for (int64_t p = 0; p < domain->n_nodes; p++)
-        memcpy(domain->hexahedra + CORNERS * p, mesh->elements[p].nodes, CORNERS * sizeof(int64_t));
+        memcpy(domain->hexahedra + MOST_CORNERS * p, mesh->elements[p].nodes,
+               MOST_CORNERS * sizeof(int64_t));
     domain->corners = memory_new(1, sizeof *domain->corners);
     *domain->corners =
         (struct domain){.n_nodes = mesh->n_nodes, .x = mesh->x, .y = mesh->y, .z = mesh->z};
@@ -314,6 +268,7 @@ static void mesh_free(struct mesh *mesh)
     free(mesh->y);
     free(mesh->z);
     free(mesh->elements);
+    free(mesh->particle);
 }
 
 struct domain exodus_read_domain(const struct spool *input)
@@ -321,18 +276,11 @@ struct domain exodus_read_domain(const struct spool *input)
     struct exodus_file file = exodus_open(input, true);
     ex_init_params sizes = read_sizes(&file);
     struct mesh mesh = mesh_new(&file, &sizes);
-    const size_t particles = (size_t)sizes.num_elem;
-    struct domain domain = {.n_nodes = sizes.num_elem, .n_phases = (int)sizes.num_elem_blk};
-    domain.x = memory_new(particles, sizeof(double));
-    domain.y = memory_new(particles, sizeof(double));
-    domain.z = memory_new(particles, sizeof(double));
-    domain.volume = memory_new(particles, sizeof(double));
-    domain.phase = memory_new(particles, 1);
-    memset(domain.phase, UNSEEN, particles);
+    struct domain domain = {.n_phases = (int)sizes.num_elem_blk};
     read_blocks(&mesh, &domain);
     check_particles(&mesh, &domain);
     keep_corners(&mesh, &domain);
-    read_sets(&mesh, sizes.num_node_sets, &domain);
+    exodus_read_sets(&mesh, &sizes, &domain);
     mesh_free(&mesh);
     domain.attributes = exodus_read_attributes(&file);
     exodus_close(&file);

@@ -322,7 +322,8 @@ static size_t copy(FILE *from, const char *name, const char *path)
     return all;
 }
 
-/* gnuplot's exit status says nothing of a full disk: its bytes come here, and are written where that is seen. */
+/* gnuplot's exit status says nothing of a full disk: its bytes come here, and are written where
+ * that is seen. */
 static void draw(const char *name, const char *path, void (*write)(FILE *, const struct drawing *),
                  const struct drawing *drawing)
 {

@@ -18,8 +18,9 @@ struct group {
     double *least, *largest; /* [n] Pa */
 };
 
-/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last of them begins to where the first ends, each
- * curve's envelope linear between its rows.  *n_groups is their number; the caller frees them. */
+/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last
+ * of them begins to where the first ends, each curve's envelope linear between its rows.
+ * *n_groups is their number; the caller frees them. */
 struct group *groups_make(const struct analysis analyses[], const struct label labels[], int count,
                           int *n_groups);
 void groups_free(struct group groups[], int n_groups);

@@ -40,7 +40,8 @@ static bool differ(const char *a, const char *b, int line)
     return n != m || memcmp(first, second, n) != 0;
 }
 
-/* Lines of deck k that are not the same in all sisters; "" where decks are missing or of other lengths. */
+/* Lines of deck k that are not the same in all sisters; "" where decks are missing or of other
+ * lengths. */
 static char *what_varies(const struct label labels[], const char *const decks[], int count, int k)
 {
     char *text = memory_text("");

@@ -5,8 +5,8 @@
 #include "varied.h"
 
 struct label {
-    char *
-        curve; /* in legends and tables: the title, where it is alone; else with what varied, or the file */
+    /* In legends and tables: the title, where it is alone; else with what varied, or the file. */
+    char *curve;
     const char *title; /* the group: sisters have the same */
     const char *file;
     char *

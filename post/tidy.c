@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns in which a curve has a value, by their names in the order of the first curve that has them. */
+/* Columns in which a curve has a value, by their names in the order of the first curve that has
+ * them. */
 struct names {
     int count;
     const char **items;

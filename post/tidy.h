@@ -1,4 +1,5 @@
-/* tidy.h - all curves in one long table, a row a point, for pandas and R as it is: no comments, one header. */
+/* tidy.h - all curves in one long table, a row a point, for pandas and R as it is: no comments,
+ * one header. */
 #ifndef HS_TIDY_H
 #define HS_TIDY_H
 

@@ -13,6 +13,7 @@
 #include "memory.h"
 #include "mesh.h"
 #include "options.h"
+#include "pieces.h"
 #include "simulation_parts.h"
 #include "stable_step.h"
 #include "yield.h"
@@ -34,6 +35,13 @@ static void read_particles(struct simulation *s)
     if (lattice_recognise(&s->domain, &s->lattice)) return;
     double thickness = attributes_number(&s->domain.attributes, "thickness_m", 0);
     s->lattice = lattice_scattered(&s->domain, thickness);
+}
+
+static bool is_repeated(const struct lattice *lattice)
+{
+    bool repeated = false;
+    for (int a = 0; a < 3; a++) repeated = repeated || lattice->periodic[a] || lattice->mirror[a];
+    return repeated;
 }
 
 static void check_plane(const struct simulation *s)
@@ -67,6 +75,7 @@ static void read_model(struct simulation *s)
         s->materials.items[p].density *= scene->mass_scaling;
     const struct formulation *formulation = s->materials.formulation;
     const bool scattered = lattice_is_scattered(&s->lattice) && !formulation->corners;
+    scene_measure_horizon(&s->scene, s->lattice.spacing);
     if (scene->horizon == 0)
         s->scene.horizon = scattered ? formulation->scattered : formulation->horizon;
     if (scene->horizon == 0) deck_get(scene->solver, "horizon"); /* dies */
@@ -77,12 +86,24 @@ static void read_model(struct simulation *s)
     s->model = model_new(scene->solver, &s->family, &s->materials);
 }
 
+/* Graded meshes have gaps where their elements are longer than a horizon of mean spacings. */
+static void warn_of_pieces(const struct simulation *s)
+{
+    const double reach = s->scene.horizon * s->lattice.spacing;
+    const int64_t pieces = pieces_count(s->lattice.point, s->lattice.n_sites, reach);
+    if (pieces > 1)
+        warn("the particles are %lld bodies: no bond joins these within a horizon of %g spacings, "
+             "%.4g m; where they should be one, take a longer horizon",
+             (long long)pieces, s->scene.horizon, reach);
+}
+
 /* Bonds have one length along all axes, and nodes one volume, but for scattered ones. */
 static void refuse_cells(const struct simulation *s)
 {
     const char *name = s->materials.formulation->name;
     if (lattice_is_scattered(&s->lattice)) {
         note("the particles lie on no lattice: a list of neighbours serves them");
+        warn_of_pieces(s);
         return;
     }
     if (lattice_is_oblong(&s->lattice))
@@ -157,6 +178,12 @@ static void read_inputs(struct simulation *s)
         read_model(s);
         take_corners(s);
         check_plane(s);
+        s->lattice.axis = (int)attributes_number(&s->domain.attributes, "axis", 0);
+        if (s->lattice.axis > 0 && is_repeated(&s->lattice))
+            die_user(
+                "domain.axis: a body that is periodic or has planes of symmetry is tested along x");
+        if (s->lattice.dimensions == 2 && s->lattice.axis == 2)
+            die_user("domain.axis: z is no axis of a test of a sheet in x and y");
         scene_resolve(&s->scene, &s->domain, nodes_of(s), &s->lattice);
         text = memory_text(deck_text(s->deck));
         length = (long)strlen(text);
@@ -258,13 +285,15 @@ static void check_grips(const struct simulation *s)
     if (!boundary_has_grips(boundary)) return;
     for (int k = 0; k < 2; k++) {
         const struct boundary_set *set = &boundary->sets[k ? boundary->right : boundary->left];
-        const double layers = 1 + (set->members.high_x - set->members.low_x) / s->lattice.spacing;
-        if (layers < needed - 0.5)
-            deck_error(set->where,
-                       "this grip is %.3g layers of particles thick, and a horizon of %g spacings "
-                       "needs %d: the free particles beside it would miss a part of their "
-                       "families; hold more of the body, or shorten the horizon",
-                       layers, s->scene.horizon, needed);
+        const double layers = 1 + (set->members.high - set->members.low) / s->lattice.spacing;
+        static const char thin[] =
+            "this grip is %.3g layers of particles thick, and a horizon of %g spacings needs %d: "
+            "the free particles beside it%s miss a part of their families%s";
+        if (layers >= needed - 0.5) continue;
+        if (!s->scene.accept)
+            deck_error(set->where, thin, layers, s->scene.horizon, needed, " would",
+                       "; hold more of the body, or shorten the horizon; 'accept: true' takes it");
+        if (s->ranks.rank == 0) warn(thin, layers, s->scene.horizon, needed, "", "");
     }
 }
 
@@ -353,17 +382,21 @@ static double mean_poissons_ratio(const struct simulation *s)
 /* Time in which the grips stretch the gauge to its end. */
 static double time_to_strain(const struct simulation *s)
 {
-    const struct deck_node where = deck_get(s->scene.solver, "end_strain");
+    const char *key = legs_are(s) ? "programme" : "end_strain";
+    const struct deck_node where = deck_get(s->scene.solver, key);
     const double rate = boundary_full_strain_rate(&s->boundary);
     if (!s->gauge)
-        deck_error(where, "end_strain needs a gauge: node sets gauge_left and gauge_right, or a "
-                          "body that is periodic along x");
+        deck_error(where,
+                   "%s needs a gauge: node sets gauge_left and gauge_right, or a body that "
+                   "is periodic along x",
+                   key);
     if (!(rate > 0))
         deck_error(where,
-                   "end_strain needs grips that move apart: two sets, one right of the other, with "
-                   "velocities along x that are numbers, or of a periodic body a rate of xx in "
+                   "%s needs grips that move apart: two sets, one right of the other, with "
+                   "velocities along %c that are numbers, or of a periodic body a rate of xx in "
                    "macroscopic (strain rate %g 1/s)",
-                   rate);
+                   key, "xyz"[s->lattice.axis], rate);
+    if (legs_are(s)) return programme_way(&s->scene.programme) / rate;
     /* By the ramp's end the grips have gone half of what they would at full speed. */
     return s->scene.end_strain / rate + 0.5 * boundary_ramp(&s->boundary);
 }
@@ -424,6 +457,7 @@ static void plan_time(struct simulation *s)
     s->integration = integration_new(moving, dt, s->scene.damping, &s->materials, &s->body,
                                      &s->boundary, s->model);
     s->integration.damage = s->damage;
+    if (legs_are(s)) legs_begin(s);
     s->integration.local_damping = s->scene.local_damping;
 }
 

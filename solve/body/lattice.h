@@ -45,6 +45,7 @@ struct lattice {
     int32_t *
         hexahedron; /* [8 n_sites] of a mesh: sites of the corners of the particle at a site, in the order of
                           * Exodus; else NULL */
+    int axis;      /* of the test: grips, gauge and what is measured along it */
     double finest; /* m, of a mesh: edge of the cube that is as stiff as its stiffest element */
 };
 

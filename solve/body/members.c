@@ -57,7 +57,7 @@ static struct members find(const struct body *body, bool particles, const int64_
                            int64_t count)
 {
     const struct lattice *lattice = body->lattice;
-    struct members members = {.n_all = count, .low_x = INFINITY, .high_x = -INFINITY};
+    struct members members = {.n_all = count, .low = INFINITY, .high = -INFINITY};
     ranks_share(&members.n_all, sizeof members.n_all);
     int64_t *sites = memory_new((size_t)members.n_all, sizeof *sites);
     if (nodes) memcpy(sites, nodes, (size_t)count * sizeof *sites);
@@ -70,14 +70,15 @@ static struct members find(const struct body *body, bool particles, const int64_
         lattice_position(lattice, sites[i], at);
         double x[3];
         (particles ? lattice_particle : lattice_coordinates)(lattice, at, x);
-        sum += x[0];
-        members.low_x = fmin(members.low_x, x[0]);
-        members.high_x = fmax(members.high_x, x[0]);
+        const double along = x[lattice->axis];
+        sum += along;
+        members.low = fmin(members.low, along);
+        members.high = fmax(members.high, along);
         int64_t site = grid_site(&body->grid, at);
         if (site >= 0 && (body->grid.flags[site] & SITE_OWNED))
             members.sites[members.count++] = site;
     }
-    members.mean_x = sum / (double)members.n_all;
+    members.mean = sum / (double)members.n_all;
     free(sites);
     return members;
 }

@@ -8,8 +8,8 @@
 struct members {
     int64_t n_all; /* nodes of the whole set */
     int64_t count;
-    int64_t *sites;               /* [count] box sites of the owned ones */
-    double mean_x, low_x, high_x; /* of the whole set, m */
+    int64_t *sites;         /* [count] box sites of the owned ones */
+    double mean, low, high; /* of the whole set along the axis of the test, m */
 };
 
 /* The nodes of a set of the domain, whose particles' corners they are where corners are the nodes, or, of a mesh, of

@@ -98,6 +98,7 @@ static struct domain renumbered(const struct domain *nodes, const int64_t *numbe
             if (number[set->nodes[i]] >= 0) list[count++] = number[set->nodes[i]];
         qsort(list, (size_t)count, sizeof *list, compare_numbers);
         domain_add_set(&corners, set->name, count, list);
+        if (set->alias) domain_alias_set(&corners, set->alias);
         free(list);
     }
     return corners;

@@ -1,9 +1,11 @@
 #include "domain_input.h"
 
 #include "die.h"
+#include "domain_facts.h"
 #include "domain_order.h"
 #include "domain_text.h"
 #include "exodus.h"
+#include "foreign.h"
 #include "keys.h"
 #include "memory.h"
 #include "spool.h"
@@ -16,7 +18,7 @@ enum { LONGEST_DECK = 1 << 20 };
 enum file_kind { FILE_NETCDF, FILE_TEXT, FILE_OTHER };
 
 /* Text has no bytes below space but tab and line ends. */
-static enum file_kind kind_of(const char *path)
+static enum file_kind kind_of(const char *path, const char *shown)
 {
     unsigned char bytes[512] = {0};
     FILE *file = fopen(path, "rb");
@@ -24,16 +26,14 @@ static enum file_kind kind_of(const char *path)
     const size_t got = fread(bytes, 1, sizeof bytes, file);
     fclose(file);
     if (memcmp(bytes, "CDF", 3) == 0 || memcmp(bytes, "\211HDF", 4) == 0) return FILE_NETCDF;
+    const char *foreign = foreign_format(bytes, got);
+    if (foreign)
+        die_user("%s is %s, expected Genesis (Exodus), or text with 'x y z block volume' a line: "
+                 "programs such as meshio turn meshes into Exodus",
+                 shown, foreign);
     for (size_t i = 0; i < got; i++)
         if (bytes[i] < ' ' && !memchr("\n\r\t", bytes[i], 3)) return FILE_OTHER;
     return got > 0 ? FILE_TEXT : FILE_OTHER;
-}
-
-/* A key of the deck's domain section; index 0 where there is none. */
-static struct deck_node said_of_domain(const struct deck *deck, const char *key)
-{
-    struct deck_node section = deck_find(deck_root(deck), "domain");
-    return section.index == 0 ? section : deck_find(section, key);
 }
 
 /* domain.spacing, a number or a list of three. */
@@ -48,17 +48,16 @@ static void edges(struct deck_node spacing, double edge[3])
 
 /* What a file from elsewhere does not say and the deck's domain section does: that the particles are a
  * sheet, and its thickness. */
-static void take_dimensions(struct domain *domain, const struct deck *deck)
+static void take_dimensions(struct domain *domain, const struct domain_facts *said)
 {
     struct attributes *facts = &domain->attributes;
-    struct deck_node dimensions = said_of_domain(deck, "dimensions");
+    const struct deck_node dimensions = said->dimensions;
     if (attributes_number(facts, "spacing_m", 0) > 0 || dimensions.index == 0) return;
-    const long said = deck_integer(dimensions, 2, 3);
-    attributes_set_number(facts, "dimensions", (double)said);
-    if (said == 3) return;
+    const long number = deck_integer(dimensions, 2, 3);
+    attributes_set_number(facts, "dimensions", (double)number);
+    if (number == 3) return;
     static const struct key row = {"size", KEY_LENGTH, .low = 1e-12, .high = 1e3, .size = 3};
-    const struct deck_node spacing = said_of_domain(deck, "spacing"),
-                           given = said_of_domain(deck, "size");
+    const struct deck_node spacing = said->spacing, given = said->size;
     double size[3], edge[3] = {0};
     if (given.index == 0)
         deck_error(dimensions, "a sheet needs its size here, whose third length is the thickness");
@@ -68,11 +67,10 @@ static void take_dimensions(struct domain *domain, const struct deck *deck)
 }
 
 /* Cells that are no cubes, or cut, cannot be seen in the particles of a text: the deck says so. */
-static bool take_cells(struct domain *domain, const struct deck *deck)
+static bool take_cells(struct domain *domain, const struct domain_facts *said)
 {
     struct attributes *facts = &domain->attributes;
-    const struct deck_node spacing = said_of_domain(deck, "spacing"),
-                           volumes = said_of_domain(deck, "volumes");
+    const struct deck_node spacing = said->spacing, volumes = said->volumes;
     const bool cut = volumes.index != 0 && strcmp(deck_string(volumes), "cut") == 0;
     if (spacing.index == 0 || !(cut || deck_is_list(spacing))) return false;
     double edge[3];
@@ -87,10 +85,9 @@ static bool take_cells(struct domain *domain, const struct deck *deck)
 
 /* That a body from elsewhere repeats itself after its particles, or is the half of one, along the axes that the deck
  * names. */
-static void take_axes(struct domain *domain, const struct deck *deck, const char *key)
+static void take_axes(struct domain *domain, struct deck_node said, const char *key)
 {
     static const char *const axes[] = {"x", "y", "z", NULL};
-    const struct deck_node said = said_of_domain(deck, key);
     char letters[4] = "";
     if (said.index == 0 || attributes_text(&domain->attributes, key)) return;
     for (int i = 0; i < deck_count(said); i++) {
@@ -103,12 +100,15 @@ static void take_axes(struct domain *domain, const struct deck *deck, const char
 }
 
 /* Of scattered particles the deck may say what a spacing is to mean. */
-static void take_spacing(struct domain *domain, const struct deck *deck)
+static void take_spacing(struct domain *domain, const struct domain_facts *said)
 {
-    struct deck_node spacing = said_of_domain(deck, "spacing");
-    if (spacing.index != 0)
+    if (said->spacing.index != 0)
         attributes_set_number(&domain->attributes, "mean_spacing_m",
-                              deck_number(spacing, "m", 1e-12, 1e3));
+                              deck_number(said->spacing, "m", 1e-12, 1e3));
+    else if (attributes_number(&domain->attributes, "dimensions", 3) == 2 &&
+             !(attributes_number(&domain->attributes, "thickness_m", 0) > 0))
+        die_user("the particles are a sheet and lie on no lattice: how thick it is says the third "
+                 "of domain.size, beside domain.dimensions: 2");
 }
 
 static struct deck *deck_inside(const struct domain *domain, const char *shown)
@@ -136,7 +136,7 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     struct spool input = spool_input(a->input);
     bool piped = !a->input || strncmp(a->input, "/proc/", strlen("/proc/")) == 0;
     const char *shown = piped ? "standard input" : a->input;
-    const bool text = kind_of(input.path) == FILE_TEXT;
+    const bool text = kind_of(input.path, shown) == FILE_TEXT;
     *deck = a->deck ? deck_beside(a->deck) : NULL;
     if (text && !*deck)
         die_user("%s is text: a deck goes through hsgen first; particles in Peridigm's text format "
@@ -145,16 +145,20 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     *domain = text ? domain_text_read(&input, shown, *deck) : exodus_read_domain(&input);
     spool_close(&input);
     if (!*deck) *deck = deck_inside(domain, shown);
-    take_dimensions(domain, *deck);
-    if (text) take_axes(domain, *deck, "periodic");
-    if (text) take_axes(domain, *deck, "symmetry");
-    const bool cells = text && take_cells(domain, *deck), lattice = domain_sort(domain);
+    const struct domain_facts facts = domain_facts_read(*deck);
+    domain_facts_scale(&facts, domain);
+    domain_facts_node_sets(&facts, domain);
+    take_dimensions(domain, &facts);
+    if (text) take_axes(domain, facts.periodic, "periodic");
+    if (text) take_axes(domain, facts.symmetry, "symmetry");
+    const bool cells = text && take_cells(domain, &facts), lattice = domain_sort(domain);
     if (cells && !lattice)
-        deck_error(said_of_domain(*deck, "spacing"),
+        deck_error(facts.spacing,
                    "the particles of %s lie on no lattice of such cells, each in one of its own: "
                    "say which "
                    "spacing they have, or leave 'volumes: cut' and the list of edges out",
                    shown);
-    if (!lattice) take_spacing(domain, *deck);
-    if (text) domain_text_sets(domain, lattice, *deck);
+    if (!lattice) take_spacing(domain, &facts);
+    domain_facts_planes(&facts, lattice, domain);
+    if (facts.axis > 0) attributes_set_number(&domain->attributes, "axis", facts.axis);
 }

@@ -3,26 +3,93 @@
 #include "die.h"
 #include "memory.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* --- reading the lines --- */
+/* --- columns --- */
+
+enum column { COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_BLOCK, COLUMN_VOLUME, COLUMNS };
+static const char *const names[COLUMNS][2] = {
+    {"x", "x"}, {"y", "y"}, {"z", "z"}, {"block_id", "block"}, {"volume", "vol"}};
+
+enum { MOST_COLUMNS = 64, MOST_BLOCKS = 16, LONGEST_NAME = 64, LONGEST_LINE = 4096 };
+static const char between[] = " \t\r,;";
 
 struct particle {
-    double x, y, z, volume;
-    int block;
+    double value[COLUMNS];
 };
-
-enum { MOST_BLOCKS = 16, LONGEST_NAME = 64, LONGEST_LINE = 1024 };
 
 struct particles {
+    const char *shown;
     int64_t count;
     struct particle *items;
-    char names[MOST_BLOCKS][LONGEST_NAME]; /* of the blocks, where a comment says so */
+    int n_columns, column[MOST_COLUMNS]; /* COLUMNS: passed over */
+    bool flat;                           /* no column of z */
+    int n_blocks;
+    double numbers[MOST_BLOCKS]; /* rising */
+    int n_names;
+    struct {
+        double number;
+        char name[LONGEST_NAME];
+    } names[MOST_BLOCKS]; /* where a comment has them */
 };
+
+/* What a line has to hold, for messages. */
+static char *expected(const struct particles *all)
+{
+    char *list = memory_text("");
+    for (int i = 0; i < all->n_columns; i++) {
+        static const char *const shown[COLUMNS + 1] = {"x", "y", "z", "block", "volume", "..."};
+        char *longer = memory_print("%s%s%s", list, i ? " " : "", shown[all->column[i]]);
+        free(list);
+        list = longer;
+    }
+    return list;
+}
+
+static int find_column(const char *word, size_t length)
+{
+    for (int c = 0; c < COLUMNS; c++)
+        for (int k = 0; k < 2; k++)
+            if (strlen(names[c][k]) == length && strncasecmp(names[c][k], word, length) == 0)
+                return c;
+    return COLUMNS;
+}
+
+/* A line of words that names the columns; false where it is none. */
+static bool read_header(struct particles *all, const char *line, long number)
+{
+    bool found[COLUMNS + 1] = {false};
+    const char *at = line + strspn(line, between);
+    const size_t word = strlen("header:");
+    const bool said = strncasecmp(at, "header:", word) == 0;
+    if (said) at += word + strspn(at + word, between);
+    if (!said && find_column(at, strcspn(at, between)) == COLUMNS) return false;
+    for (all->n_columns = 0; *at; all->n_columns++) {
+        const size_t length = strcspn(at, between);
+        if (all->n_columns == MOST_COLUMNS)
+            die_user("%s:%ld: more than %d columns", all->shown, number, MOST_COLUMNS);
+        const int column = find_column(at, length);
+        if (column < COLUMNS && found[column])
+            die_user("%s:%ld: two columns '%s'", all->shown, number, names[column][0]);
+        if (column == COLUMNS)
+            note("%s:%ld: column '%.*s' is passed over", all->shown, number, (int)length, at);
+        all->column[all->n_columns] = column;
+        found[column] = true;
+        at += length + strspn(at + length, between);
+    }
+    for (int c = 0; c < COLUMNS; c++)
+        if (!found[c] && c != COLUMN_Z)
+            die_user("%s:%ld: no column '%s' among '%s'", all->shown, number, names[c][0], line);
+    all->flat = !found[COLUMN_Z];
+    return true;
+}
+
+/* --- lines --- */
 
 static void append(struct particles *all, struct particle particle)
 {
@@ -30,24 +97,40 @@ static void append(struct particles *all, struct particle particle)
     all->items[all->count++] = particle;
 }
 
-static struct particle read_line(const char *line, const char *shown, long number)
+static void add_block(struct particles *all, double number, long line)
 {
-    double values[5];
-    const char *at = line;
-    for (int i = 0; i < 5; i++) {
+    int at = 0;
+    while (at < all->n_blocks && all->numbers[at] < number) at++;
+    if (at < all->n_blocks && all->numbers[at] == number) return;
+    if (all->n_blocks == MOST_BLOCKS)
+        die_user("%s:%ld: more than %d blocks", all->shown, line, MOST_BLOCKS);
+    for (int i = all->n_blocks++; i > at; i--) all->numbers[i] = all->numbers[i - 1];
+    all->numbers[at] = number;
+}
+
+static void read_line(struct particles *all, const char *line, long number)
+{
+    struct particle particle = {.value = {0}};
+    const char *at = line + strspn(line, between);
+    for (int i = 0; i < all->n_columns; i++) {
         char *end;
-        values[i] = strtod(at, &end);
-        if (end == at || !isfinite(values[i]))
-            die_user("%s:%ld: expected 'x y z block volume', found '%s'", shown, number, line);
-        at = end;
+        const int column = all->column[i];
+        const double value = strtod(at, &end);
+        const size_t length = column == COLUMNS ? strcspn(at, between) : (size_t)(end - at);
+        if (length == 0 ||
+            (column < COLUMNS && (!isfinite(value) || (*end && !strchr(between, *end)))))
+            die_user("%s:%ld: expected '%s', found '%s'", all->shown, number, expected(all), line);
+        if (column < COLUMNS) particle.value[column] = value;
+        at += length;
+        at += strspn(at, between);
     }
-    if (at[strspn(at, " \t\r")] != '\0')
-        die_user("%s:%ld: more than 'x y z block volume' on the line", shown, number);
-    if (values[3] != floor(values[3]) || values[3] < 1 || values[3] > 16)
-        die_user("%s:%ld: block %g, expected a whole number from 1 to 16", shown, number,
-                 values[3]);
-    if (!(values[4] > 0)) die_user("%s:%ld: volume %g, expected > 0", shown, number, values[4]);
-    return (struct particle){values[0], values[1], values[2], values[4], (int)values[3]};
+    if (*at) die_user("%s:%ld: more than '%s' on the line", all->shown, number, expected(all));
+    const double block = particle.value[COLUMN_BLOCK], volume = particle.value[COLUMN_VOLUME];
+    if (block != floor(block) || block < 0 || block > INT32_MAX)
+        die_user("%s:%ld: block %g, expected a whole number from 0 on", all->shown, number, block);
+    if (!(volume > 0)) die_user("%s:%ld: volume %g, expected > 0", all->shown, number, volume);
+    add_block(all, block, number);
+    append(all, particle);
 }
 
 /* "blocks: 1 CG 2 UFG" in a comment */
@@ -57,25 +140,31 @@ static void read_names(struct particles *all, const char *comment)
     int block, length;
     char name[LONGEST_NAME];
     if (at) at += strlen("blocks:");
-    while (at && sscanf(at, "%d %63s%n", &block, name, &length) == 2) {
-        if (block >= 1 && block <= MOST_BLOCKS)
-            snprintf(all->names[block - 1], LONGEST_NAME, "%s", name);
+    while (at && all->n_names < MOST_BLOCKS &&
+           sscanf(at, "%d %63s%n", &block, name, &length) == 2) {
+        all->names[all->n_names].number = block;
+        snprintf(all->names[all->n_names++].name, LONGEST_NAME, "%s", name);
         at += length;
     }
 }
 
 static struct particles read_particles(const struct spool *input, const char *shown)
 {
-    struct particles all = {0};
+    struct particles all = {.shown = shown, .n_columns = COLUMNS};
+    for (int i = 0; i < COLUMNS; i++) all.column[i] = i;
     FILE *file = fopen(input->path, "r");
     if (!file) die_user("cannot open %s: %s", shown, strerror(errno));
     char line[LONGEST_LINE];
+    bool first = true;
     for (long number = 1; fgets(line, sizeof line, file); number++) {
         size_t length = strcspn(line, "#\n");
         if (line[length] == '\0' && !feof(file)) die_user("%s:%ld: line too long", shown, number);
         if (line[length] == '#') read_names(&all, line + length);
+        while (length > 0 && strchr(between, line[length - 1])) length--;
         line[length] = '\0';
-        if (line[strspn(line, " \t\r")] != '\0') append(&all, read_line(line, shown, number));
+        if (line[strspn(line, between)] == '\0') continue;
+        if (!(first && read_header(&all, line, number))) read_line(&all, line, number);
+        first = false;
     }
     if (ferror(file)) die_run("cannot read %s: %s", shown, strerror(errno));
     fclose(file);
@@ -83,134 +172,37 @@ static struct particles read_particles(const struct spool *input, const char *sh
     return all;
 }
 
-/* --- node sets from lengths --- */
-
-struct layer {
-    const char *name;
-    double from, to; /* m along x */
-};
-
-static void add_layer(struct domain *domain, struct layer layer)
-{
-    int64_t *nodes = memory_new((size_t)domain->n_nodes, sizeof *nodes), count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (domain->x[i] >= layer.from && domain->x[i] <= layer.to) nodes[count++] = i;
-    domain_add_set(domain, layer.name, count, nodes);
-    free(nodes);
-}
-
-/* x of the layer of nodes next to a position; of two equally near the one farther from the middle, as
- * hsgen has it. */
-static double nearest_layer(const struct domain *domain, double position, double middle,
-                            double slack)
-{
-    double best = INFINITY;
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        double x = domain->x[i], gain = fabs(best - position) - fabs(x - position);
-        bool outer = fabs(x - middle) > fabs(best - middle) + slack;
-        if (gain > slack || (gain > -slack && outer)) best = x;
-    }
-    return best;
-}
-
-/* Body along x, from the faces of its outermost nodes. */
-struct extent {
-    double low, high, middle, spacing; /* m */
-};
-
-static struct extent extent_of(const struct domain *domain)
-{
-    struct extent e = {.low = domain_smallest(domain->x, domain->n_nodes),
-                       .high = domain_largest(domain->x, domain->n_nodes),
-                       .spacing = domain_spacing(domain)};
-    e.middle = 0.5 * (e.low + e.high);
-    e.low -= 0.5 * e.spacing;
-    e.high += 0.5 * e.spacing;
-    return e;
-}
-
-/* By x, of one x by volume, so that the order of the file does not matter. */
-static int by_x(const void *a, const void *b)
-{
-    const double *p = a, *q = b;
-    return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
-/* Section of scattered particles between two places: the slope of their summed volume over x, each counted to its middle, by
- * least squares.  It does not depend on how many layers happen to lie between, as the quotient of volume and length does. */
-static double slope_of_volume(const struct domain *domain, double left, double right)
-{
-    double(*all)[2] = memory_new((size_t)domain->n_nodes, sizeof *all), sum = 0;
-    double n = 0, x = 0, v = 0, xx = 0, xv = 0;
-    int64_t count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        if (domain->x[i] < left || domain->x[i] > right) continue;
-        all[count][0] = domain->x[i] - left;
-        all[count++][1] = domain->volume[i];
-    }
-    qsort(all, (size_t)count, sizeof *all, by_x);
-    for (int64_t i = 0; i < count; i++) {
-        const double at = all[i][0], volume = sum + 0.5 * all[i][1];
-        sum += all[i][1];
-        n++;
-        x += at;
-        v += volume;
-        xx += at * at;
-        xv += at * volume;
-    }
-    free(all);
-    const double spread = n * xx - x * x;
-    return spread > 0 ? (n * xv - x * v) / spread : 0;
-}
-
-/* The planes of a lattice are layers of nodes; of scattered ones a spacing's width of them. */
-static void add_gauge(struct domain *domain, double gauge, bool lattice, const struct extent *e)
-{
-    const double slack = (lattice ? 1e-3 : 0.5) * e->spacing;
-    double left = e->middle - 0.5 * gauge, right = e->middle + 0.5 * gauge, volume = 0;
-    if (lattice) {
-        left = nearest_layer(domain, left, e->middle, slack);
-        right = nearest_layer(domain, right, e->middle, slack);
-    }
-    add_layer(domain, (struct layer){"gauge_left", left - slack, left + slack});
-    add_layer(domain, (struct layer){"gauge_right", right - slack, right + slack});
-    for (int64_t i = 0; lattice && i < domain->n_nodes; i++)
-        if (domain->x[i] >= left && domain->x[i] < right - slack) volume += domain->volume[i];
-    if (right > left)
-        attributes_set_number(&domain->attributes, "section_m2",
-                              lattice ? volume / (right - left)
-                                      : slope_of_volume(domain, left, right));
-}
-
-void domain_text_sets(struct domain *domain, bool lattice, const struct deck *deck)
-{
-    struct deck_node section = deck_find(deck_root(deck), "domain");
-    if (section.index == 0) return;
-    struct deck_node grips = deck_find(section, "grips"), gauge = deck_find(section, "gauge");
-    struct extent e = extent_of(domain);
-    if (grips.index != 0) {
-        double grip = deck_length(deck_get(grips, "length"), e.spacing, 0, 1e6);
-        add_layer(domain, (struct layer){"grip_left", e.low, e.low + grip});
-        add_layer(domain, (struct layer){"grip_right", e.high - grip, e.high});
-    }
-    if (gauge.index != 0)
-        add_gauge(domain, deck_length(deck_get(gauge, "length"), e.spacing, 0, 1e6), lattice, &e);
-}
-
 /* --- the domain --- */
 
-static void name_phases(struct domain *domain, const struct particles *all, const char *shown,
-                        const struct deck *deck)
+static char *name_of_block(const struct particles *all, double number, struct deck_node materials)
+{
+    for (int i = 0; i < all->n_names; i++)
+        if (all->names[i].number == number) return memory_text(all->names[i].name);
+    char *own = memory_print("block_%.0f", number);
+    if (deck_has(materials, own)) return own;
+    if (number < 1 || number > deck_count(materials))
+        deck_error(materials,
+                   "%s has block %.0f, but there are %d materials: call its material '%s', or name "
+                   "the blocks in a comment of the file, '# blocks: 1 NAME 2 NAME'",
+                   all->shown, number, deck_count(materials), own);
+    free(own);
+    return memory_text(deck_key(materials, (int)number - 1));
+}
+
+static void name_phases(struct domain *domain, const struct particles *all, const struct deck *deck)
 {
     struct deck_node materials = deck_get(deck_root(deck), "materials");
+    domain->n_phases = all->n_blocks;
     domain->phase_names = memory_new((size_t)domain->n_phases, sizeof(char *));
-    for (int p = 0; p < domain->n_phases; p++) {
-        if (!all->names[p][0] && p >= deck_count(materials))
-            deck_error(materials, "%s has %d blocks, but there are %d materials", shown,
-                       domain->n_phases, deck_count(materials));
-        domain->phase_names[p] =
-            memory_text(all->names[p][0] ? all->names[p] : deck_key(materials, p));
-    }
+    for (int p = 0; p < domain->n_phases; p++)
+        domain->phase_names[p] = name_of_block(all, all->numbers[p], materials);
+}
+
+static uint8_t phase_of(const struct particles *all, double number)
+{
+    uint8_t phase = 0;
+    while (all->numbers[phase] != number) phase++;
+    return phase;
 }
 
 struct domain domain_text_read(const struct spool *input, const char *shown,
@@ -225,15 +217,15 @@ struct domain domain_text_read(const struct spool *input, const char *shown,
                             .volume = memory_new(n, sizeof(double)),
                             .phase = memory_new(n, 1)};
     for (size_t i = 0; i < n; i++) {
-        const struct particle *p = &all.items[i];
-        domain.x[i] = p->x;
-        domain.y[i] = p->y;
-        domain.z[i] = p->z;
-        domain.volume[i] = p->volume;
-        domain.phase[i] = (uint8_t)(p->block - 1);
-        if (p->block > domain.n_phases) domain.n_phases = p->block;
+        const double *value = all.items[i].value;
+        domain.x[i] = value[COLUMN_X];
+        domain.y[i] = value[COLUMN_Y];
+        domain.z[i] = value[COLUMN_Z];
+        domain.volume[i] = value[COLUMN_VOLUME];
+        domain.phase[i] = phase_of(&all, value[COLUMN_BLOCK]);
     }
+    if (all.flat) attributes_set_number(&domain.attributes, "dimensions", 2);
     free(all.items);
-    name_phases(&domain, &all, shown, deck);
+    name_phases(&domain, &all, deck);
     return domain;
 }

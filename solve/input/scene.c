@@ -6,6 +6,7 @@
 #include "sections.h"
 #include "stabilisation.h"
 #include "surface_correction.h"
+#include "units.h"
 
 #include <math.h>
 
@@ -55,9 +56,9 @@ static const struct section back = {
     .keys = KEYS(back_keys)};
 
 static const struct key solver_keys[] = {
-    {"horizon", KEY_NUMBER, AT(horizon), "1", 1, 8,
+    {"horizon", KEY_NODE, AT(given_horizon), .form = "NUMBER or LENGTH",
      .otherwise = "of correspondence 1, among scattered particles 1.8; else required",
-     .help = "in spacings; not for corner"},
+     .help = "in spacings, 1 to 8 of them, or a length; not for corner"},
     {"influence", KEY_CHOICE, AT(influence), .usual = -1, .names = family_influences,
      .otherwise = "constant; of ordinary ones linear, of madenci_oterkus inverse and no other",
      .help = "of a bond of the length r, the horizon being d: constant; steep (dx/r)^8, not for "
@@ -86,13 +87,17 @@ static const struct key solver_keys[] = {
          "meshed apart; part leaves them apart, as along a crack"},
     {"accept", KEY_FLAG, AT(accept),
      .help = "true: also moduli, densities, yield and hardening that no metal has, as a forgotten "
-             "GPa makes of it, and tests that are over in one step"},
+             "GPa makes of it, tests that are over in one step, and grips thinner than the horizon "
+             "needs"},
     {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",
      .help = "of the gauge, at which the run ends; needs grips with velocities that are numbers"},
     {"end_time", KEY_NUMBER, AT(end_time), "s", 1e-15, 1e12, .otherwise = "none",
      .help = "in place of end_strain"},
     {"end_steps", KEY_INTEGER, AT(end_steps), NULL, 1, 1e12, .otherwise = "none",
      .help = "in place of end_strain"},
+    {"programme", KEY_NODE, AT(legs), .form = "list", .section = &section_programme,
+     .users = 1 << SOLVER_quasi_static,
+     .help = "in place of end_strain: unloading, reloading and cycles, one after the other"},
     {"end_load", KEY_NUMBER, AT(end_load), "1", 0, 1,
      .help = "a broken body that carries less than this share of its largest load ends the run"},
     {"safety", KEY_NUMBER, AT(safety), "1", 1e-3, 10, .usual = 0.8, .users = MOVING,
@@ -153,8 +158,8 @@ static const struct key solver_keys[] = {
 
 const struct section section_solver = {
     .path = "solver",
-    .help = "How the body is made and how the run advances.  Exactly one of end_strain, end_time "
-            "and end_steps says where it ends.",
+    .help = "How the body is made and how the run advances.  Exactly one of end_strain, end_time, "
+            "end_steps and programme says where it ends.",
     .keys = KEYS(solver_keys),
     .chooser = "type",
     .variant = type_variant,
@@ -200,14 +205,34 @@ static void read_events(struct scene_hybrid *hybrid)
             true;
 }
 
+/* A length waits for the body, whose spacing it is measured in. */
+static void read_horizon(struct scene *scene)
+{
+    double number;
+    const struct deck_node given = scene->given_horizon;
+    if (given.index && !units_read(deck_string(given), "1", &number))
+        scene->horizon = deck_number(given, "1", 1, 8);
+}
+
+void scene_measure_horizon(struct scene *scene, double spacing)
+{
+    if (scene->given_horizon.index && scene->horizon == 0)
+        scene->horizon = deck_length(scene->given_horizon, spacing, spacing, 8 * spacing) / spacing;
+}
+
 static void read_solver(struct scene *scene)
 {
     const struct deck_node solver = scene->solver;
     scene->type = (enum scene_type)keys_variant(solver, &section_solver);
     keys_read(solver, &section_solver, (int)scene->type, 0, scene, NULL);
+    read_horizon(scene);
     scene->plane++; /* SPACE stands before the two names */
-    if ((scene->end_strain > 0) + (scene->end_time > 0) + (scene->end_steps > 0) != 1)
-        deck_error(solver, "give one of end_strain, end_time and end_steps");
+    scene->programme = programme_read(scene->legs);
+    if ((scene->end_strain > 0) + (scene->end_time > 0) + (scene->end_steps > 0) +
+            (scene->programme.count > 0) !=
+        1)
+        deck_error(solver, "give one of end_strain, end_time, end_steps and programme");
+    if (scene->programme.count > 0) scene->end_strain = programme_farthest(&scene->programme);
     if (scene->start == START_RAMP)
         deck_get(solver, "ramp"); /* dies */
     else if (scene->ramp > 0)

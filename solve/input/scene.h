@@ -6,6 +6,7 @@
 #include "domain.h"
 #include "keys.h"
 #include "material.h"
+#include "programme.h"
 #include "selection.h"
 #include "value.h"
 
@@ -118,10 +119,12 @@ struct scene {
     enum scene_type type;
     struct scene_static statics;
     struct scene_hybrid hybrid;
-    double horizon;             /* spacings; 0: that of the formulation */
+    struct deck_node given_horizon;
+    double horizon;             /* spacings; 0: that of the formulation, or a length so far */
     int influence;              /* -1: that of the formulation */
     struct deck_node solver;    /* for what belongs to the formulation */
     struct deck_node elsewhere; /* of keys that it looks up there */
+    struct deck_node legs;      /* solver.programme */
     int partial_volumes;
     int coincident; /* nodes of a mesh: enum mesh_coincident (mesh.h), -1: not said */
     enum plane plane;
@@ -132,6 +135,7 @@ struct scene {
     struct scene_component *components;
     double end_strain, end_time; /* s */
     int64_t end_steps;           /* one of the three; the others are 0 */
+    struct programme programme;  /* in their place; then end_strain is its farthest strain */
     double end_load; /* share of the largest load below which a broken body ends the run; 0: none */
     double safety;
     bool accept; /* numbers that no metal has */
@@ -154,6 +158,9 @@ struct scene {
 /* Reads and checks everything but the materials, which need the domain's phases.  The deck must
  * outlive the scene. */
 struct scene scene_read(struct deck *deck);
+
+/* A horizon that the deck gives as a length becomes one in spacings [m]. */
+void scene_measure_horizon(struct scene *scene, double spacing);
 
 /* The parts of scene_read that have files of their own; output.index may be 0. */
 void scene_read_entries(struct scene *scene, struct deck_node root);

@@ -7,16 +7,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void find_grips(struct boundary *boundary)
+static void find_grips(struct boundary *boundary, int axis)
 {
     const struct boundary_set *sets = boundary->sets;
     int left = -1, right = -1;
     for (int i = 0; i < boundary->count; i++) {
-        if (sets[i].direction != 0 || sets[i].place[0]) continue;
-        if (left < 0 || sets[i].members.mean_x < sets[left].members.mean_x) left = i;
-        if (right < 0 || sets[i].members.mean_x > sets[right].members.mean_x) right = i;
+        if (sets[i].direction != axis || sets[i].place[0]) continue;
+        if (left < 0 || sets[i].members.mean < sets[left].members.mean) left = i;
+        if (right < 0 || sets[i].members.mean > sets[right].members.mean) right = i;
     }
-    const bool two = left >= 0 && sets[left].members.high_x < sets[right].members.low_x;
+    const bool two = left >= 0 && sets[left].members.high < sets[right].members.low;
     boundary->left = two ? left : -1;
     boundary->right = two ? right : -1;
 }
@@ -25,15 +25,16 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
                                    double largest_stress)
 {
     const struct lattice *lattice = body->lattice;
-    const double middle = lattice_middle(lattice, 0);
+    const double middle = lattice_middle(lattice, lattice->axis);
     const double area = lattice_largest_face(lattice);
     struct members members = members_of_nodes(body, entry->nodes.numbers, entry->nodes.count);
     struct boundary_set set = {.where = entry->where,
                                .direction = entry->direction,
                                .kind = entry->kind,
                                .value = entry->value,
+                               .sense = 1,
                                .members = members,
-                               .inner = members.mean_x < middle ? members.high_x : members.low_x,
+                               .inner = members.mean < middle ? members.high : members.low,
                                .zero =
                                    exact_sum_new((double)members.n_all * largest_stress * area)};
     if (value_depends_on_place(&entry->value)) members_places(&set.members, body, set.place);
@@ -57,7 +58,7 @@ static void add_mirrors(struct boundary *boundary, const struct scene *scene,
                                          .direction = a,
                                          .kind = SCENE_DISPLACEMENT,
                                          .members = members_of_nodes(body, nodes, count)};
-            set->inner = set->members.high_x;
+            set->inner = set->members.high;
             set->zero = exact_sum_new((double)set->members.n_all * largest_stress *
                                       lattice_largest_face(lattice));
         }
@@ -80,7 +81,7 @@ struct boundary boundary_new(const struct scene *scene, struct body *body, doubl
             boundary.sets[boundary.count++] = set_new(&scene->boundary[i], body, largest_stress);
     add_mirrors(&boundary, scene, body, largest_stress);
     boundary_mark(&boundary, body);
-    find_grips(&boundary);
+    find_grips(&boundary, body->lattice->axis);
     boundary.loads = loads_new(scene, body);
     boundary.macroscopic = macroscopic_new(scene, body);
     return boundary;
@@ -114,7 +115,16 @@ static double given(const struct boundary_set *set, int64_t i, double time)
 {
     double x[3] = {0, 0, 0};
     for (int a = 0; a < 3 && set->place[a]; a++) x[a] = set->place[a][i];
-    return value_at(&set->value, x, time);
+    return set->sense * value_at(&set->value, x, time);
+}
+
+void boundary_turn(struct boundary *boundary, double sense)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *set = &boundary->sets[b];
+        if (set->kind == SCENE_VELOCITY && set->value.kind == VALUE_CONSTANT) set->sense = sense;
+    }
+    if (boundary->macroscopic) macroscopic_turn(boundary->macroscopic, sense);
 }
 
 /* At a full step a prescribed displacement has its mean velocity over the half steps beside it, which
@@ -257,7 +267,8 @@ void boundary_add_work(const struct boundary *boundary, const struct body *body,
 static double full_speed(const struct boundary_set *set)
 {
     if (set->kind == SCENE_DISPLACEMENT) return set->value.kind == VALUE_CONSTANT ? 0 : NAN;
-    return set->value.kind == VALUE_EXPRESSION ? NAN : set->value.number;
+    return set->value.kind == VALUE_CONSTANT || set->value.kind == VALUE_RAMP ? set->value.number
+                                                                              : NAN;
 }
 
 static double full_rate(const struct boundary *boundary)
@@ -285,7 +296,7 @@ double boundary_ramp(const struct boundary *boundary)
 static bool alike(const struct boundary_set *left, const struct boundary_set *right)
 {
     return left->kind == SCENE_VELOCITY && right->kind == SCENE_VELOCITY &&
-           left->value.kind == right->value.kind && left->value.kind != VALUE_EXPRESSION &&
+           left->value.kind == right->value.kind && isfinite(full_speed(left)) &&
            left->value.ramp == right->value.ramp;
 }
 
@@ -313,19 +324,22 @@ void boundary_affine_start(const struct boundary *boundary, struct body *body,
                  left_speed = boundary_speed(left, 0, dt);
     double centre[3];
     for (int a = 0; a < 3; a++) centre[a] = lattice_middle(body->lattice, a);
-    const double width =
-        0.5 * fmax(lattice_extent(body->lattice, 1), lattice_extent(body->lattice, 2));
+    const int axis = body->lattice->axis, across[2] = {(axis + 1) % 3, (axis + 2) % 3};
+    const double width = 0.5 * fmax(lattice_extent(body->lattice, across[0]),
+                                    lattice_extent(body->lattice, across[1]));
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++) {
             int64_t site = body->owned.items[s].site + i;
             double x[3];
             body_position(body, site, x);
-            double along = fmin(fmax(x[0], left->inner), right->inner);
-            body->v[0][site] = left_speed + rate * (along - left->inner);
+            double along = fmin(fmax(x[axis], left->inner), right->inner);
+            body->v[axis][site] = left_speed + rate * (along - left->inner);
             const double inside = fmin(along - left->inner, right->inner - along);
-            for (int a = 1; a < 3; a++)
+            for (int k = 0; k < 2; k++) {
+                const int a = across[k];
                 body->v[a][site] = -poissons_ratio * rate * (x[a] - centre[a]) *
                                    (inside < width ? inside / width : 1);
+            }
         }
 }
 

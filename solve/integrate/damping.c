@@ -4,13 +4,15 @@
 
 /* The affine motion between the grips at a node: what damping leaves alone. */
 struct affine {
+    int axis;
     double left_velocity, rate, left, right, contraction, centre[3];
 };
 
 static struct affine affine_motion(const struct boundary *boundary, const struct body *body,
                                    double time, double dt)
 {
-    struct affine affine = {.contraction = 0.5}; /* of plastic flow, which lasts longest */
+    struct affine affine = {.axis = body->lattice->axis,
+                            .contraction = 0.5}; /* of plastic flow, which lasts longest */
     if (!boundary_has_grips(boundary)) return affine;
     const struct boundary_set *left = &boundary->sets[boundary->left];
     affine.left_velocity = boundary_speed(left, time, dt);
@@ -27,11 +29,11 @@ static void affine_velocity(const struct affine *affine, const struct body *body
 {
     double x[3];
     body_position(body, site, x);
-    double along = fmin(fmax(x[0], affine->left), affine->right) - affine->left;
-    velocity[0] = affine->left_velocity + affine->rate * along;
-    for (int a = 1; a < 3; a++) {
-        velocity[a] = -affine->contraction * affine->rate * (x[a] - affine->centre[a]);
-    }
+    double along = fmin(fmax(x[affine->axis], affine->left), affine->right) - affine->left;
+    for (int a = 0; a < 3; a++)
+        velocity[a] = a == affine->axis
+                          ? affine->left_velocity + affine->rate * along
+                          : -affine->contraction * affine->rate * (x[a] - affine->centre[a]);
 }
 
 /* What a velocity beyond the affine one loses of itself in half a step: a share, then the speed that a force of

@@ -16,8 +16,8 @@
 #define HS_EQUILIBRIUM_H
 
 #include "integration.h"
+#include "preconditioner.h"
 #include "stop.h"
-#include "transform.h"
 #include "unknowns.h"
 
 struct checkpoint;
@@ -47,10 +47,11 @@ struct equilibrium {
     int64_t most_evaluations; /* of one method for one solution */
     struct unknowns unknowns;
     struct symbol symbol;
-    struct transform *transform; /* NULL: the method does not precondition */
+    struct preconditioner *preconditioner; /* NULL: the method does not precondition */
     double
         mean_inverse[COMPONENTS]
                     [COMPONENTS]; /* of the stiffness against the mean gradient's unknowns, m^4/N */
+    double *weights;              /* [n_nodes] V/mean V, where nodes' volumes differ; else NULL */
     double *bound;                /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
     struct members held;          /* nodes with held components */
     double *x, *g;                /* m, N/m^3 */
@@ -62,6 +63,9 @@ struct equilibrium {
     /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
     const struct stop *stop;
     bool cut; /* it was, and what it leaves is nothing */
+    /* Told of each evaluation, for those who wait; NULL: nobody. */
+    void (*watch)(void *watcher, const struct equilibrium *equilibrium);
+    void *watcher;
 };
 
 /* method: its number in equilibrium_methods.  Collective. */
@@ -81,8 +85,8 @@ double equilibrium_residual(const struct equilibrium *equilibrium);
 
 /* For methods: g at x, and its norm; sets the reference.  Collective, both. */
 double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
-/* z = M^-1 g (transform.h), and what (equilibrium.3) gives where particles share a site. */
-void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
+/* z = M^-1 g (transform.h), a direction (direction.h), and what (equilibrium.3) gives where particles share a site. */
+void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, float *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
 /* The methods that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */

@@ -57,13 +57,14 @@ static void append(struct pieces *pieces, struct piece piece, bool joins)
 
 /* Where the numbers of component a go. */
 static void find_pieces(const struct unknowns *unknowns, const struct box *box,
-                        const struct slabs *slabs, int a, bool joins, struct pieces *pieces)
+                        const struct slabs *slabs, int a, bool joins, bool held,
+                        struct pieces *pieces)
 {
     const struct body *body = unknowns->body;
     int64_t at = a * unknowns->n_nodes;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++, at++) {
-            if (!(unknowns->free[at] > 0)) continue;
+            if (!(unknowns->free[at] > 0) && !held) continue;
             const int64_t site = body->owned.items[s].site + i, number = body_number(body, site);
             int places[BOX_PLACES][3];
             float shares[BOX_PLACES];
@@ -159,7 +160,7 @@ static int64_t runs_length(const struct runs *runs)
 }
 
 struct placement *placement_new(const struct unknowns *unknowns, const struct box box[3],
-                                const struct slabs *slabs)
+                                const struct slabs *slabs, bool held)
 {
     struct placement *placement = memory_new(1, sizeof *placement);
     struct pieces owned = {0};
@@ -168,7 +169,8 @@ struct placement *placement_new(const struct unknowns *unknowns, const struct bo
                                     .n_values = slabs->n_values,
                                     .length = unknowns->length,
                                     .sums = lattice_is_row(unknowns->body->lattice)};
-    for (int a = 0; a < 3; a++) find_pieces(unknowns, &box[a], slabs, a, !placement->sums, &owned);
+    for (int a = 0; a < 3; a++)
+        find_pieces(unknowns, &box[a], slabs, a, !placement->sums, held, &owned);
     if (slabs->ranks.size > 1) make_messages(placement, &owned);
     placement->owned = runs_of(&owned);
     placement->places = !placement->sums && runs_length(&placement->owned) == placement->length;
@@ -212,7 +214,7 @@ HS_SIMD static void put(struct runs runs, const double *restrict from, float *re
             to[run.to + i] = run.share * (float)from[run.from + i];
     }
 }
-HS_SIMD static void take(struct runs runs, const float *restrict to, double *restrict from)
+HS_SIMD static void take(struct runs runs, const float *restrict to, float *restrict from)
 {
     for (int64_t r = 0; r < runs.count; r++) {
         const struct run run = runs.items[r];
@@ -226,21 +228,13 @@ HS_SIMD static void sort_in(struct runs runs, const float *restrict from, float 
         for (int32_t i = 0; i < run.count; i++) to[run.to + i] = from[run.from + i];
     }
 }
-HS_SIMD static void sort_out(struct runs runs, const float *restrict to, float *restrict from)
-{
-    for (int64_t r = 0; r < runs.count; r++) {
-        const struct run run = runs.items[r];
-        for (int32_t i = 0; i < run.count; i++) from[run.from + i] = to[run.to + i];
-    }
-}
-
 /* The same of single numbers that meet others. */
 static void put_sums(struct runs runs, const double *from, float *to)
 {
     for (int64_t r = 0; r < runs.count; r++)
         to[runs.items[r].to] += runs.items[r].share * (float)from[runs.items[r].from];
 }
-static void take_sums(struct runs runs, const float *to, double *from)
+static void take_sums(struct runs runs, const float *to, float *from)
 {
     for (int64_t r = 0; r < runs.count; r++)
         from[runs.items[r].from] += runs.items[r].share * to[runs.items[r].to];
@@ -261,14 +255,14 @@ void placement_put(struct placement *p, const double *vector)
         (p->sums ? put_sums : put)(p->owned, vector, p->values);
 }
 
-void placement_take(struct placement *p, double *vector)
+void placement_take(struct placement *p, float *direction)
 {
     const float *values = p->values;
     if (p->given) {
-        sort_out(p->taken, p->values, p->got);
+        take(p->taken, p->values, p->got);
         shares_send(p->got, &p->in, p->given, &p->out);
         values = p->given;
     }
-    if (!p->places) memset(vector, 0, (size_t)p->length * sizeof *vector);
-    (p->sums ? take_sums : take)(p->owned, values, vector);
+    if (!p->places) memset(direction, 0, (size_t)p->length * sizeof *direction);
+    (p->sums ? take_sums : take)(p->owned, values, direction);
 }

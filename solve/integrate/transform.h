@@ -12,19 +12,25 @@
 #ifndef HS_TRANSFORM_H
 #define HS_TRANSFORM_H
 
+#include "box.h"
 #include "symbol.h"
 #include "unknowns.h"
 
 struct transform;
 
-/* Collective. */
-struct transform *transform_new(const struct unknowns *unknowns, const struct symbol *symbol);
+/* held: held components that lie in a box are in r and z like the others.  Collective. */
+struct transform *transform_new(const struct unknowns *unknowns, const struct box box[3],
+                                const struct symbol *symbol, bool held);
 void transform_free(struct transform *transform);
 
 /* Whether particles share a site: then M^-1 does not tell them apart. */
 bool transform_is_crowded(const struct transform *transform);
 
+/* Share of the places of the boxes that free nodes stand for, of the component that has the least: how far the waves are those of
+ * the body. */
+double transform_filled(const struct transform *transform);
+
 /* z = M^-1 r.  Collective. */
-void transform_apply(struct transform *transform, const double *r, double *z);
+void transform_apply(struct transform *transform, const double *r, float *z);
 
 #endif

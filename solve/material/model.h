@@ -35,8 +35,9 @@ struct node_state {
     int count;
     double H[9][LANES];      /* displacement gradient, row by row */
     double cauchy[6][LANES]; /* Pa: xx yy zz xy yz zx */
-    double nominal[LANES];   /* first Piola-Kirchhoff stress xx [Pa] at the last record */
-    double plastic[LANES];   /* equivalent plastic strain */
+    double nominal
+        [LANES]; /* first Piola-Kirchhoff stress along the axis of the test [Pa], at the last record */
+    double plastic[LANES]; /* equivalent plastic strain */
 };
 
 /* Whose law gives the stress.  Of nodes: each needs a deformation gradient; the force leaves body->H as that of u, and what

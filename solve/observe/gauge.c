@@ -10,7 +10,7 @@
 struct gauge {
     int n_phases;
     struct members left, right; /* of a periodic body empty */
-    double from, to;            /* x of the planes, m */
+    double from, to;            /* of the planes along the axis of the test, m */
     double *fraction;           /* [n_phases] */
     double *volume;             /* [n_phases] of the nodes between the planes, in mean volumes */
     double *layer; /* [layers] volume of the particles of the body in each layer, in mean volumes */
@@ -18,9 +18,9 @@ struct gauge {
 
 const struct gauge_mean gauge_means[] = {
     {"stress", "Pa", offsetof(struct node_state, nominal), 1e13,
-     "nominal axial stress (first Piola-Kirchhoff, xx)"},
+     "nominal axial stress (first Piola-Kirchhoff)"},
     {"true_stress", "Pa", offsetof(struct node_state, cauchy), 1e13, "axial Cauchy stress"},
-    {"strain", "1", offsetof(struct node_state, H), 1e3, "axial nominal strain F_xx - 1"},
+    {"strain", "1", offsetof(struct node_state, H), 1e3, "axial nominal strain F - 1"},
     {"plastic_strain", "1", offsetof(struct node_state, plastic), 1e3, "equivalent plastic strain"},
 };
 enum { MEANS = sizeof gauge_means / sizeof *gauge_means };
@@ -32,15 +32,21 @@ static bool between(const struct gauge *gauge, const struct lattice *lattice, do
     return x >= gauge->from - slack && x <= gauge->to + slack;
 }
 
-/* Layers of nodes along x: those of the lattice, or slices as thick. */
+static double thickness_of_layer(const struct lattice *lattice)
+{
+    return lattice_is_row(lattice) ? lattice->spacing : lattice->edge[lattice->axis];
+}
+/* Layers of nodes along the axis of the test: those of the lattice, or slices as thick. */
 static int layers(const struct lattice *lattice)
 {
-    return (int)lround(lattice_extent(lattice, 0) / lattice->spacing) + 1;
+    return (int)lround(lattice_extent(lattice, lattice->axis) / thickness_of_layer(lattice)) + 1;
 }
 /* x, at: of a particle and of its site. */
-static int layer(const struct lattice *lattice, double x, int at)
+static int layer(const struct lattice *lattice, const double x[3], const int at[3])
 {
-    return lattice_is_row(lattice) ? (int)lround((x - lattice->origin[0]) / lattice->spacing) : at;
+    const int a = lattice->axis;
+    return lattice_is_row(lattice) ? (int)lround((x[a] - lattice->origin[a]) / lattice->spacing)
+                                   : at[a];
 }
 
 /* Volume of a node over the mean one. */
@@ -60,8 +66,8 @@ static void count_phases(struct gauge *gauge, const struct body *body)
         lattice_position(lattice, site, at);
         lattice_particle(lattice, at, x);
         const double volume = relative_volume(lattice, site);
-        gauge->layer[layer(lattice, x[0], at[0])] += volume;
-        if (!between(gauge, lattice, x[0])) continue;
+        gauge->layer[layer(lattice, x, at)] += volume;
+        if (!between(gauge, lattice, x[lattice->axis])) continue;
         gauge->volume[lattice->phase[site]] += volume;
         all += volume;
     }
@@ -72,32 +78,35 @@ static void count_phases(struct gauge *gauge, const struct body *body)
 static void find_planes(struct gauge *gauge, const struct body *body, const struct domain *domain)
 {
     const struct lattice *lattice = body->lattice;
-    if (lattice->periodic[0]) {
-        gauge->from = lattice->origin[0];
-        gauge->to = lattice->origin[0] + lattice_period(lattice, 0);
+    const int axis = lattice->axis;
+    if (lattice->periodic[axis]) {
+        gauge->from = lattice->origin[axis];
+        gauge->to = lattice->origin[axis] + lattice_period(lattice, axis);
         return;
     }
     gauge->right = members_new(body, domain, "gauge_right");
-    if (lattice->mirror[0])
-        gauge->from = lattice->origin[0];
+    if (lattice->mirror[axis])
+        gauge->from = lattice->origin[axis];
     else {
         gauge->left = members_new(body, domain, "gauge_left");
-        gauge->from = gauge->left.mean_x;
+        gauge->from = gauge->left.mean;
     }
-    gauge->to = gauge->right.mean_x;
+    gauge->to = gauge->right.mean;
 }
 
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases)
 {
     bool wanted = domain && (domain_set(domain, "gauge_left") || domain_set(domain, "gauge_right"));
     ranks_share(&wanted, sizeof wanted);
-    if (!wanted && !body->lattice->periodic[0]) return NULL;
+    const int axis = body->lattice->axis;
+    if (!wanted && !body->lattice->periodic[axis]) return NULL;
     struct gauge *gauge = memory_new(1, sizeof *gauge);
     gauge->n_phases = n_phases;
     find_planes(gauge, body, domain);
+    const char letter = "xyz"[axis];
     if (!(gauge->to > gauge->from))
-        die_user("the gauge planes are not apart: gauge_left at x = %g m, gauge_right at %g m",
-                 gauge->from, gauge->to);
+        die_user("the gauge planes are not apart: gauge_left at %c = %g m, gauge_right at %g m",
+                 letter, gauge->from, gauge->to);
     gauge->fraction = memory_new((size_t)n_phases, sizeof *gauge->fraction);
     gauge->volume = memory_new((size_t)n_phases, sizeof *gauge->volume);
     gauge->layer = memory_new((size_t)layers(body->lattice), sizeof *gauge->layer);
@@ -140,27 +149,31 @@ static double images_of(const struct body *body, int64_t site)
 struct gauge_planes gauge_displacements(const struct gauge *gauge, const struct body *body)
 {
     const struct members *sets[2] = {&gauge->left, &gauge->right};
-    const double reach = 100 * (lattice_extent(body->lattice, 0) + body->lattice->spacing);
+    const int axis = body->lattice->axis;
+    const double reach = 100 * (lattice_extent(body->lattice, axis) + body->lattice->spacing);
     struct exact_sum sums[4];
-    if (body->lattice->periodic[0])
-        return (struct gauge_planes){0, body->mean_gradient[0] * gauge_length(gauge)};
+    if (body->lattice->periodic[axis])
+        return (struct gauge_planes){0, body->mean_gradient[4 * axis] * gauge_length(gauge)};
     for (int k = 0; k < 2; k++) {
         sums[k] = exact_sum_new(8 * (double)sets[k]->n_all * reach);
         sums[2 + k] = exact_sum_new(8 * (double)sets[k]->n_all);
         for (int64_t i = 0; i < sets[k]->count; i++) {
             const double images = images_of(body, sets[k]->sites[i]);
-            exact_sum_add(&sums[k], images * body->u[0][sets[k]->sites[i]]);
+            exact_sum_add(&sums[k], images * body->u[axis][sets[k]->sites[i]]);
             exact_sum_add(&sums[2 + k], images);
         }
     }
     double values[4];
     exact_sum_finish(sums, 4, values);
-    const bool fixed = body->lattice->mirror[0]; /* the left plane */
+    const bool fixed = body->lattice->mirror[axis]; /* the left plane */
     return (struct gauge_planes){fixed ? 0 : values[0] / values[2], values[1] / values[3]};
 }
 
-static const double *member(const struct node_state *node, size_t offset)
+/* Of tensors the component along the axis of the test twice. */
+static const double *member(const struct node_state *node, size_t offset, int axis)
 {
+    if (offset == offsetof(struct node_state, H)) return node->H[4 * axis];
+    if (offset == offsetof(struct node_state, cauchy)) return node->cauchy[axis];
     return (const double *)((const char *)node + offset);
 }
 
@@ -168,6 +181,7 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
                       const struct node_state *node, struct exact_sum *sums,
                       struct exact_sum *sections)
 {
+    const int axis = body->lattice->axis, b = (axis + 1) % 3, c = (axis + 2) % 3;
     for (int i = 0; i < strip->count; i++) {
         int64_t site = strip->site + i;
         if (!(body->grid.flags[site] & SITE_OWNED)) continue;
@@ -176,13 +190,13 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
         body_particle_position(body, site, x);
         grid_position(&body->grid, site, at);
         const double volume = body_particle_volume(body, site) / body->volume,
-                     section =
-                         (1 + node->H[4][i]) * (1 + node->H[8][i]) - node->H[5][i] * node->H[7][i];
-        exact_sum_add(&sections[layer(body->lattice, x[0], at[0])], volume * section);
-        if (!between(gauge, body->lattice, x[0])) continue;
+                     section = (1 + node->H[4 * b][i]) * (1 + node->H[4 * c][i]) -
+                               node->H[3 * b + c][i] * node->H[3 * c + b][i];
+        exact_sum_add(&sections[layer(body->lattice, x, at)], volume * section);
+        if (!between(gauge, body->lattice, x[axis])) continue;
         struct exact_sum *phase = sums + body->grid.phase[site] * MEANS;
         for (int k = 0; k < MEANS; k++)
-            exact_sum_add(&phase[k], volume * member(node, gauge_means[k].member)[i]);
+            exact_sum_add(&phase[k], volume * member(node, gauge_means[k].member, axis)[i]);
     }
 }
 
@@ -191,12 +205,13 @@ static struct gauge_section smallest_section(const struct gauge *gauge, const st
 {
     const struct lattice *lattice = body->lattice;
     struct gauge_section smallest = {INFINITY, 0};
-    const double first = lattice->origin[0] +
-                         (lattice->corner && !lattice_is_row(lattice) ? 0.5 * lattice->spacing : 0);
+    const double thick = thickness_of_layer(lattice),
+                 first = lattice->origin[lattice->axis] +
+                         (lattice->corner && !lattice_is_row(lattice) ? 0.5 * thick : 0);
     for (int x = 0; x < layers(lattice); x++) {
         const double volume = gauge->layer[x];
         if (!(volume > 0) || sections[x] / volume >= smallest.ratio) continue;
-        smallest = (struct gauge_section){sections[x] / volume, first + x * lattice->spacing};
+        smallest = (struct gauge_section){sections[x] / volume, first + x * thick};
     }
     return smallest;
 }

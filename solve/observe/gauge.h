@@ -14,7 +14,7 @@ void gauge_free(struct gauge *gauge);
 
 double gauge_length(const struct gauge *gauge); /* m, between the planes */
 
-/* Mean displacement along x of the left and of the right plane [m].  Collective. */
+/* Mean displacement along the axis of the test of the left and of the right plane [m].  Collective. */
 struct gauge_planes {
     double left, right;
 };
@@ -33,7 +33,7 @@ struct gauge_mean {
 extern const struct gauge_mean gauge_means[];
 extern const int gauge_mean_count;
 
-/* Smallest section along x: over its initial size, and where [m]. */
+/* Smallest section along the axis of the test: over its initial size, and where [m]. */
 struct gauge_section {
     double ratio, x;
 };

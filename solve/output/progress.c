@@ -32,6 +32,19 @@ void progress_update(struct progress *progress, double done, int64_t step, doubl
     fflush(stderr);
 }
 
+void progress_search(struct progress *progress, int64_t step, int64_t evaluations, double residual,
+                     double tolerance)
+{
+    if (!progress->shown) return;
+    const double now = ranks_clock();
+    if (now - progress->last < (progress->terminal ? 0.5 : 10)) return;
+    progress->last = now;
+    fprintf(stderr, "%shssolve: step %lld: %lld evaluations, residual %.1e of %.1e%s",
+            progress->terminal ? "\r\033[K" : "", (long long)step, (long long)evaluations, residual,
+            tolerance, progress->terminal ? "" : "\n");
+    fflush(stderr);
+}
+
 double progress_finish(struct progress *progress)
 {
     if (progress->shown && progress->terminal) fprintf(stderr, "\r\033[K");

@@ -45,8 +45,8 @@ static void add_test(struct list *columns, const struct record *record)
     const double internal = energy_internal(energy), per_internal = internal > 0 ? 1 / internal : 0;
     const struct record_column rows[] = {
         {"force_left", "N", NEEDS_LOAD, record->force_left,
-         "axial force that the left grip exerts on the specimen, along +x: below 0 in tension; of "
-         "a body periodic along x minus the next"},
+         "axial force that the left grip exerts on the specimen, along the axis of the test: below "
+         "0 in tension; of a body periodic along x minus the next"},
         {"force_right", "N", NEEDS_LOAD, record->force_right,
          "axial force that the right grip exerts on the specimen: above 0 in tension; of a body "
          "periodic along x the mean stress xx times its section, volume over period"},
@@ -66,13 +66,14 @@ static void add_test(struct list *columns, const struct record *record)
         {"kinetic_to_internal", "1", 0, energy->kinetic * per_internal,
          "kinetic over internal energy (stored, plastic, of the stabilisation)"},
         {"minimum_section_ratio", "1", NEEDS_GAUGE, record->section.ratio,
-         "smallest current section along x over the initial one, from the mean of F_yy F_zz of "
-         "each layer of nodes"},
-        {"minimum_section_x", "m", NEEDS_GAUGE, record->section.x, "reference x of that section"},
+         "smallest current section across the axis over the initial one, from the mean of F_yy "
+         "F_zz (of the axis x) of each layer of nodes"},
+        {"minimum_section_x", "m", NEEDS_GAUGE, record->section.x,
+         "reference place of that section along the axis of the test"},
         {"gauge_left_displacement", "m", NEEDS_GAUGE, planes.left,
-         "mean displacement along x of the left gauge plane"},
+         "mean axial displacement of the left gauge plane"},
         {"gauge_right_displacement", "m", NEEDS_GAUGE, planes.right,
-         "mean displacement along x of the right gauge plane"},
+         "mean axial displacement of the right gauge plane"},
     };
     add_columns(columns, COUNT(rows), rows);
 }

@@ -57,9 +57,10 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     grep -q "unknown key 'youngs_modulos'" said
     # the law of the plate comes back from its curve
     law=$(grep hardening coarse.yaml)
-    near "$(sed 's/.*yield: \([0-9.]*\) MPa.*/\1/' <<<"$law")" 250 1
-    near "$(sed 's/.*saturation: \([0-9.]*\) MPa.*/\1/' <<<"$law")" 220 1
-    near "$(sed 's/.*rate: \([0-9.]*\).*/\1/' <<<"$law")" 12 0.1
+    number() { [[ $law =~ $1:\ ([0-9.]+) ]] && echo "${BASH_REMATCH[1]}"; }
+    near "$(number yield)" 250 1
+    near "$(number saturation)" 220 1
+    near "$(number rate)" 12 0.1
     for file in plate.svg mine.svg structure.png fractions/gathered/curves.svg error/gathered/extrapolated.svg; do [ -s "$file" ]; done
     [ "$(sed 1d fractions/gathered/properties.csv | sed 's/"[^"]*"/q/g' | cut -d, -f4 | sort -u | tr '\n' ' ')" = "0.4 0.5 0.6 " ]
     tail -1 said | grep -q 'Rp0.2,MPa,2,'
@@ -76,7 +77,7 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
 @test "make install puts programs, pages, examples, documents and completion in place, and uninstall takes them away" {
     make -s -C "$root" BUILD="$HS_BUILD" DESTDIR="$PWD/there" PREFIX=/usr install >said 2>&1 || { cat said; false; }
     for file in bin/hsgen bin/hssolve bin/hspost share/man/man1/hsgen.1 share/man/man5/hsdeck.5 share/doc/hstools/README.md \
-        share/doc/hstools/CHANGELOG.md share/doc/hstools/CITATION.cff share/doc/hstools/docs/tutorial.md \
+        share/doc/hstools/docs/CHANGELOG.md share/doc/hstools/docs/CITATION.cff share/doc/hstools/docs/tutorial.md \
         share/doc/hstools/examples/plate.yaml share/bash-completion/completions/hspost share/zsh/site-functions/_hssolve; do
         [ -s "there/usr/$file" ] || { echo "no $file"; false; }
     done
@@ -123,5 +124,5 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     mkdir tree
     cp "$root/Makefile" tree
     (cd tree && make -s -p -n help 2>/dev/null) | grep -qx "DESCRIBED := ${version%%+*}"
-    for file in CITATION.cff codemeta.json; do grep -q "version\"*: \"*${version%%+*}" "$root/$file"; done
+    for file in CITATION.cff codemeta.json; do grep -q "version\"*: \"*${version%%+*}" "$root/docs/$file"; done
 }

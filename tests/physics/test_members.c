@@ -33,8 +33,8 @@ static void test_nodes_become_sites(void **state)
         assert_memory_equal(found, at[i], sizeof found);
         sum += at[i][0] * SMALL_SPACING;
     }
-    assert_true(members.low_x == 0 && members.high_x == 6 * SMALL_SPACING);
-    assert_relative(members.mean_x, sum / NODES, 1e-15); /* a few roundings */
+    assert_true(members.low == 0 && members.high == 6 * SMALL_SPACING);
+    assert_relative(members.mean, sum / NODES, 1e-15); /* a few roundings */
     members_free(&members);
     small_body_free(&small);
 }

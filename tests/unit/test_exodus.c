@@ -331,7 +331,7 @@ static void test_foreign_input_is_refused(void **state)
     assert_dies(EXIT_USER, "text: not a netCDF file", try_domain, "text");
     assert_dies(EXIT_USER, "short: not a netCDF file, or a truncated or damaged one", try_domain,
                 "short");
-    assert_dies(EXIT_USER, "hdf5: netCDF-4; convert it", try_history, "hdf5");
+    assert_dies(EXIT_USER, "hdf5: cannot read it as Exodus", try_history, "hdf5");
     write_domain("domain.g");
     write_history("history.e");
     assert_dies(EXIT_USER, "domain.g: no history in it", try_history, "domain.g");

@@ -134,7 +134,7 @@ static void expect_set(const struct domain *domain, const char *name, int count,
 /* The hexahedra fill the bar, whose volume the shear does not change: 6, to rounding. */
 static void hexahedra_become_particles(void **state)
 {
-    static const int64_t left[] = {0, 3, 6}, right[] = {2}, edge[] = {6};
+    static const int64_t left[] = {0, 3, 6}, right[] = {2, 5}, edge[] = {0, 6};
     (void)state;
     need_ncgen();
     write_mesh("mesh.g", &(struct mesh_case){.type = "HEX8"});
@@ -154,11 +154,11 @@ static void hexahedra_become_particles(void **state)
     assert_relative(moment / sum, 1.5, 1e-14);
     assert_int_equal(domain.phase[HEXES], 2);
     assert_true(domain.volume[HEXES] == 0.125 && domain.x[HEXES] == 0 && domain.y[HEXES] == 0);
-    /* Half of the corners at least: the face's elements, the sphere on its node; two nodes of eight do not
-     * make an element a member, three of a face's four neither. */
+    /* A node of the set makes an element a member, and the sphere on it. */
     expect_set(&domain, "left", 3, left);
-    expect_set(&domain, "edge", 1, edge);
-    expect_set(&domain, "right", 1, right);
+    expect_set(&domain, "edge", 2, edge);
+    expect_set(&domain, "right", 2, right);
+    expect_set(&domain, "nodelist_3", 2, right);
     domain_free(&domain);
 }
 

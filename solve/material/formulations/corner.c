@@ -30,7 +30,7 @@ struct corner {
     const struct residual *residual;
     void *self; /* the residual's parameters and state */
     struct point_store *points;
-    double *nominal; /* box field: stress xx of particles, as of the last force to be recorded */
+    double *nominal; /* box field: axial stress of particles, as of the last force to be recorded */
     int64_t row[4];  /* shifts to the corners' rows (0, 0), (1, 0), (0, 1), (1, 1) along y and z */
     double slope[3]; /* 1/(4 dx) */
     struct hexahedra *hexahedra; /* of a mesh, in place of rows and slopes; else NULL */
@@ -267,9 +267,10 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     if (mode.energy) sum_energies(body, &cells, share, energy);
     model->residual->add(model->self, body, &cells, flow, mode, energy);
     if (body->stress_sums) sum_stress(body, &cells);
+    const int axial = 4 * body->lattice->axis;
     if (mode.record)
         for (int i = 0; i < strip->count; i++)
-            model->nominal[strip->site + i] = cells.A[0][PAD + i] / cells.volume[i];
+            model->nominal[strip->site + i] = cells.A[axial][PAD + i] / cells.volume[i];
     if (model->hexahedra)
         hexahedra_scatter(model->hexahedra, &cells, body->f);
     else

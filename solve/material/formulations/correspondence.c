@@ -47,7 +47,7 @@ struct correspondence {
     struct task *tasks;
     struct point_store *points; /* of the nodes */
     double *flow;               /* [n_sites] flow stress, where the stabilisation wants it */
-    double *nominal; /* [n_sites] stress xx, share of the bonds included, at the last record */
+    double *nominal; /* [n_sites] axial stress, share of the bonds included, at the last record */
 };
 
 static int compare_tasks(const void *a, const void *b)
@@ -198,7 +198,7 @@ static void node_law(struct correspondence *model, struct body *body, const stru
     for (int k = 0; k < TENSOR; k++)
         write_scaled(strip->count, points.P[k], model->node_share, body->S[k] + site);
     for (int k = 0; k < 3; k++) memset(body->f[k] + site, 0, bytes);
-    if (mode.record) memcpy(model->nominal + site, body->S[0] + site, bytes);
+    if (mode.record) memcpy(model->nominal + site, body->S[4 * body->lattice->axis] + site, bytes);
     if (model->flow) {
         double buffer[LANES];
         memcpy(model->flow + site, points_flow_stress(model->points, strip, buffer), bytes);

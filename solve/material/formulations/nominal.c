@@ -37,7 +37,7 @@ void node_state_from_nominal(const struct body *body, const struct strip *strip,
         for (int i = 0; i < strip->count; i++)
             state->H[8][i] = strain_across(&materials->items[body->grid.phase[strip->site + i]],
                                            state->H[0][i], state->H[4][i]);
-    memcpy(state->nominal, P[0], (size_t)strip->count * sizeof(double));
+    memcpy(state->nominal, P[4 * body->lattice->axis], (size_t)strip->count * sizeof(double));
     node_state_cauchy(state, P);
     if (materials->plane == PLANE_STRAIN) hold_across(body, strip, materials, state);
 }

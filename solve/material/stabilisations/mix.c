@@ -204,8 +204,9 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
         }
     }
     if (mode.record) {
-        add_one(count, points.P[0], gi, a, mix->nominal + i);
-        add_one(count, points.P[0], gj, a, mix->nominal + j);
+        const double *axial = points.P[4 * body->lattice->axis];
+        add_one(count, axial, gi, a, mix->nominal + i);
+        add_one(count, axial, gj, a, mix->nominal + j);
     }
     if (mode.energy) mix_energy(mix, body, &points, beta, i, energy);
 }

@@ -20,7 +20,7 @@ struct stabilisation {
     /* The half offsets its bonds run along. */
     int (*bonds)(const void *self, const struct family *family, const struct offset **offsets);
     /* Allocates the bonds' state, kept strip by strip; bonds[o]: the strips along half offset o, of add.  nominal: to whose
-     * nodes the bonds add their nominal stress xx where mode.record, where they carry a share of it (box field). */
+     * nodes the bonds add their nominal axial stress where mode.record, where they carry a share of it (box field). */
     void (*start)(void *self, const struct body *body, const struct materials *materials,
                   const struct strips bonds[], double *nominal);
     double (*node_share)(const void *self); /* weight of the node's own law; NULL: 1 */

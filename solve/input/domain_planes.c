@@ -1,0 +1,178 @@
+/* Grips and gauge planes of a body that brings none. */
+#include "domain_facts.h"
+
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct layer {
+    const char *name;
+    double from, to; /* m along the axis */
+    double
+        node_slack; /* m by which nodes of a mesh, half an element beside particles, may lie outside */
+};
+
+/* Body along the axis of the test, from the faces of its outermost nodes. */
+struct extent {
+    int axis;
+    double low, high, middle, spacing; /* m */
+};
+
+static const double *along(const struct domain *domain, int axis)
+{
+    return axis == 0 ? domain->x : axis == 1 ? domain->y : domain->z;
+}
+
+/* Of the particles and of a mesh's nodes; a set that the file has stands. */
+static void add_layer(struct domain *domain, int axis, struct layer layer)
+{
+    struct domain *const both[2] = {domain, domain->corners};
+    for (int k = 0; k < 2 && both[k]; k++) {
+        const double *x = along(both[k], axis);
+        int64_t *nodes = memory_new((size_t)both[k]->n_nodes, sizeof *nodes), count = 0;
+        for (int64_t i = 0; i < both[k]->n_nodes; i++)
+            if (x[i] >= layer.from - k * layer.node_slack &&
+                x[i] <= layer.to + k * layer.node_slack)
+                nodes[count++] = i;
+        domain_add_set(both[k], layer.name, count, nodes);
+        free(nodes);
+    }
+}
+
+/* The layer of nodes next to a position; of two equally near the one farther from the middle, as hsgen has
+ * it. */
+static double nearest_layer(const struct domain *domain, const struct extent *e, double position,
+                            double slack)
+{
+    const double *all = along(domain, e->axis);
+    double best = INFINITY;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        double x = all[i], gain = fabs(best - position) - fabs(x - position);
+        bool outer = fabs(x - e->middle) > fabs(best - e->middle) + slack;
+        if (gain > slack || (gain > -slack && outer)) best = x;
+    }
+    return best;
+}
+
+static struct extent extent_of(const struct domain *domain, int axis)
+{
+    static const char *const edges[] = {"spacing_m", "spacing_y_m", "spacing_z_m"};
+    const double *x = along(domain, axis);
+    struct extent e = {
+        .axis = axis,
+        .low = domain_smallest(x, domain->n_nodes),
+        .high = domain_largest(x, domain->n_nodes),
+        .spacing = attributes_number(&domain->attributes, edges[axis], domain_spacing(domain))};
+    e.middle = 0.5 * (e.low + e.high);
+    e.low -= 0.5 * e.spacing;
+    e.high += 0.5 * e.spacing;
+    return e;
+}
+
+/* By place, of one place by volume, so that the order of the file does not matter. */
+static int by_place(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* Section of scattered particles between two places: the slope of their summed volume along the axis, each counted to its
+ * middle, by least squares.  It does not depend on how many layers happen to lie between, as the quotient of volume and
+ * length does. */
+static double slope_of_volume(const struct domain *domain, int axis, double left, double right)
+{
+    double(*all)[2] = memory_new((size_t)domain->n_nodes, sizeof *all), sum = 0;
+    double n = 0, x = 0, v = 0, xx = 0, xv = 0;
+    int64_t count = 0;
+    for (int64_t i = 0; i < domain->n_nodes; i++) {
+        const double at = along(domain, axis)[i];
+        if (at < left || at > right) continue;
+        all[count][0] = at - left;
+        all[count++][1] = domain->volume[i];
+    }
+    qsort(all, (size_t)count, sizeof *all, by_place);
+    for (int64_t i = 0; i < count; i++) {
+        const double at = all[i][0], volume = sum + 0.5 * all[i][1];
+        sum += all[i][1];
+        n++;
+        x += at;
+        v += volume;
+        xx += at * at;
+        xv += at * volume;
+    }
+    free(all);
+    const double spread = n * xx - x * x;
+    return spread > 0 ? (n * xv - x * v) / spread : 0;
+}
+
+/* Where a list of two lengths says, or, without one, a length from the middle. */
+static bool two_planes(struct deck_node map, const struct extent *e, double planes[2])
+{
+    static const struct key row = {"planes",    KEY_LENGTH, .low = -1e6,
+                                   .high = 1e6, .size = 2,  .rising = true};
+    const struct deck_node given = deck_find(map, "planes"), length = deck_find(map, "length");
+    if (given.index && length.index)
+        deck_error(length, "'length' beside 'planes', expected one of them");
+    if (!given.index) return false;
+    keys_list(&row, given, e->spacing, planes);
+    return true;
+}
+
+static double length_of(struct deck_node map, const struct extent *e)
+{
+    return deck_length(deck_get(map, "length"), e->spacing, 0, 1e6);
+}
+
+static void add_grips(struct domain *domain, struct deck_node grips, const struct extent *e)
+{
+    double planes[2];
+    if (!two_planes(grips, e, planes)) {
+        planes[0] = e->low + length_of(grips, e);
+        planes[1] = e->high - length_of(grips, e);
+    }
+    add_layer(domain, e->axis, (struct layer){"grip_left", -INFINITY, planes[0], 0});
+    add_layer(domain, e->axis, (struct layer){"grip_right", planes[1], INFINITY, 0});
+}
+
+/* The planes of a lattice are layers of nodes; of scattered ones a spacing's width of them. */
+static void add_gauge(const struct domain_facts *facts, bool lattice, const struct extent *e,
+                      struct domain *domain)
+{
+    const double slack = (lattice ? 1e-3 : 0.5) * e->spacing;
+    const double *x = along(domain, e->axis);
+    double planes[2], volume = 0;
+    if (!two_planes(facts->gauge, e, planes)) {
+        const double length = length_of(facts->gauge, e);
+        planes[0] = e->middle - 0.5 * length;
+        planes[1] = e->middle + 0.5 * length;
+    }
+    for (int k = 0; k < 2 && lattice; k++) planes[k] = nearest_layer(domain, e, planes[k], slack);
+    const double more = (lattice ? 0.5 : 1e-3) * e->spacing;
+    const struct layer left = {"gauge_left", planes[0] - slack, planes[0] + slack, more},
+                       right = {"gauge_right", planes[1] - slack, planes[1] + slack, more};
+    add_layer(domain, e->axis, left);
+    add_layer(domain, e->axis, right);
+    for (int64_t i = 0; lattice && i < domain->n_nodes; i++)
+        if (x[i] >= planes[0] && x[i] < planes[1] - slack) volume += domain->volume[i];
+    if (planes[1] > planes[0])
+        attributes_set_number(&domain->attributes, "section_m2",
+                              lattice ? volume / (planes[1] - planes[0])
+                                      : slope_of_volume(domain, e->axis, planes[0], planes[1]));
+}
+
+static bool has(const struct domain *domain, const char *left, const char *right)
+{
+    return domain_set(domain, left) || domain_set(domain, right);
+}
+
+void domain_facts_planes(const struct domain_facts *facts, bool lattice, struct domain *domain)
+{
+    const struct extent e = extent_of(domain, facts->axis);
+    if (facts->grips.index && !has(domain, "grip_left", "grip_right"))
+        add_grips(domain, facts->grips, &e);
+    if (facts->gauge.index && !has(domain, "gauge_left", "gauge_right"))
+        add_gauge(facts, lattice, &e, domain);
+    if (facts->section > 0)
+        attributes_set_number(&domain->attributes, "section_m2", facts->section);
+}
