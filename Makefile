@@ -4,6 +4,7 @@
 #   make check           all tests (under ten minutes on two cores)
 #   make install         DESTDIR and PREFIX as usual: programs, manual pages, examples, documents, completion of bash and zsh
 #   make html            the manual pages as HTML (mandoc)
+#   make deb             a Debian package of the last commit (debhelper, lintian)
 #   make stress          numerical stability, the long form (minutes)
 #   make faults          disks that fail and kills at each call of small runs (some ten minutes)
 #   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
@@ -87,7 +88,7 @@ SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
-.PHONY: all check check-unit check-cli check-physics check-format docs html install uninstall clean format help \
+.PHONY: all check check-unit check-cli check-physics check-format docs html deb install uninstall clean format help \
         stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -268,11 +269,15 @@ uninstall:
 	rm -f $(addprefix $(BASH_COMPLETIONS)/,$(PROGRAMS)) $(addprefix $(ZSH_COMPLETIONS)/_,$(PROGRAMS))
 	rm -rf $(DOCUMENTS)
 
+# hstools_VERSION_ARCHITECTURE.deb of the last commit, in $(BUILD)/deb; packages debhelper and, for its checks, lintian.
+deb:
+	.packaging/build $(BUILD)/deb $(DESCRIBED)
+
 clean:
 	rm -rf build
 
 help:
-	@sed -n '3,22s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,23s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

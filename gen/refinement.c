@@ -88,6 +88,7 @@ static size_t length_in_spacings(const char *text, double *value)
 char *refinement_scale(const char *text, double factor)
 {
     struct text_edits edits = {0};
+    if (factor == 1) return memory_text(text);
     for (size_t i = 0; text[i];) {
         double value;
         const bool within =

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LARGEST = 100000000 };
+enum { LARGEST = 5000000 };
 
 /* A place in the file. */
 struct reader {

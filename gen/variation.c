@@ -139,7 +139,9 @@ static void read_table(const struct deck_paths *paths, struct variation *variati
     struct value_table table = value_table_read(path);
     if (table.n_rows == 0) deck_error(file, "%s has headings and no values", path);
     for (int j = 0; j < table.n_columns; j++) {
-        struct variation_key *key = add_key(variation, memory_text(table.headings[j]));
+        char *heading = memory_text(table.headings[j]);
+        struct variation_key *key = add_key(variation, heading);
+        key->heading = heading;
         int count = 0;
         set_place(paths, variation, key, file);
         for (int i = 0; i < table.n_rows; i++)
@@ -277,6 +279,7 @@ void variations_free(struct variations *variations)
         struct variation *variation = &variations->items[i];
         for (int j = 0; j < variation->n_keys; j++) {
             for (int v = 0; v < variation->count; v++) free(variation->keys[j].texts[v]);
+            free(variation->keys[j].heading);
             free(variation->keys[j].texts);
             free(variation->keys[j].where);
         }

@@ -10,6 +10,7 @@
 /* Values of one key. */
 struct variation_key {
     const char *name;        /* as the study calls it */
+    char *heading;           /* where that is of a table; NULL */
     const char *path;        /* in the deck, whole; NULL: no key, but what to call the values */
     struct deck_node node;   /* the value that is replaced */
     char **texts;            /* as YAML writes them */

@@ -356,15 +356,15 @@ static size_t byte_of(const struct deck *deck, size_t characters)
     return (size_t)(at - deck->text);
 }
 
-/* An anchor or a tag belongs to the place, not to the value. */
-static size_t skip_properties(const struct deck *deck, size_t at)
+/* An anchor or a tag belongs to the place, not to the value, which may be nothing. */
+static size_t skip_properties(const struct deck *deck, struct deck_span span)
 {
-    const char *text = deck->text + at;
-    while (*text == '&' || *text == '!') {
-        text += strcspn(text, " \t\r\n");
-        text += strspn(text, " \t\r\n");
+    size_t at = span.begin;
+    while (at < span.end && (deck->text[at] == '&' || deck->text[at] == '!')) {
+        at += strcspn(deck->text + at, " \t\r\n");
+        at += strspn(deck->text + at, " \t\r\n");
     }
-    return (size_t)(text - deck->text);
+    return at < span.end ? at : span.end;
 }
 
 /* A block goes on, for libyaml, to what follows it; here it ends with the last of what it holds.  What an alias names
@@ -386,7 +386,7 @@ struct deck_span deck_span(struct deck_node node)
     const yaml_node_t *found = yaml_node(node);
     struct deck_span span = {byte_of(node.deck, found->start_mark.index),
                              byte_of(node.deck, found->end_mark.index)};
-    if (span.begin < span.end) span.begin = skip_properties(node.deck, span.begin);
+    span.begin = skip_properties(node.deck, span);
     if (!deck_is_scalar(node) && deck_is_block(node)) span.end = end_of_block(node, span.begin);
     return span;
 }

@@ -32,7 +32,7 @@ char *text_edits_apply(struct text_edits *edits, const char *text)
     size_t length = strlen(text), at = 0;
     for (int i = 0; i < edits->count; i++) length += strlen(edits->items[i].text);
     char *result = memory_new(length + 1, 1), *end = result;
-    qsort(edits->items, (size_t)edits->count, sizeof *edits->items, by_begin);
+    if (edits->count > 1) qsort(edits->items, (size_t)edits->count, sizeof *edits->items, by_begin);
     for (int i = 0; i < edits->count; i++) {
         const struct text_edit *edit = &edits->items[i];
         end = mempcpy(end, text + at, edit->begin - at);

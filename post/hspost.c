@@ -112,7 +112,7 @@ int main(int argc, char **argv)
     else
         treat_curves(&request, maker);
     free(maker);
-    free(request.choices);
+    request_free(&request);
     if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
     return 0;
 }

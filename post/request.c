@@ -191,24 +191,29 @@ static int read_options(struct request *r, int argc, char **argv)
 /* The names of a list behind those of the command line, of which there are so many. */
 static void add_files(struct request *r, int given)
 {
-    enum { LARGEST = 100000000 };
+    enum { LARGEST = 20000000 };
     long length;
-    const char **files = NULL;
     int count = 0;
-    /* The names live as long as the request. */
-    char *text = spool_text(r->files_from, LARGEST, &length), *rest = text, *name;
     for (int i = 0; i < given; i++) {
-        files = memory_grow(files, count, sizeof *files);
-        files[count++] = r->files[i];
+        r->listed = memory_grow(r->listed, count, sizeof *r->listed);
+        r->listed[count++] = r->files[i];
     }
-    while ((name = strsep(&rest, "\r\n"))) {
+    r->list = spool_text(r->files_from, LARGEST, &length);
+    for (char *rest = r->list, *name; (name = strsep(&rest, "\r\n"));) {
         if (!*name) continue;
-        files = memory_grow(files, count, sizeof *files);
-        files[count++] = name;
+        r->listed = memory_grow(r->listed, count, sizeof *r->listed);
+        r->listed[count++] = name;
     }
     if (count == 0) die_user("--files-from %s: no names in it", r->files_from);
-    r->files = files;
+    r->files = r->listed;
     r->n_files = count;
+}
+
+void request_free(struct request *request)
+{
+    free(request->list);
+    free(request->listed);
+    free(request->choices);
 }
 
 struct request request_read(int argc, char **argv)

@@ -27,9 +27,12 @@ struct request {
     struct view_request view;
     int n_files;              /* with --check perhaps none */
     const char *const *files; /* [n_files]; "-": standard input */
+    char *list;               /* what files_from holds, and files of it, */
+    const char **listed;      /* together with those of the command line; NULL: all are of that */
 };
 
 /* Reads and checks it; dies (exit 2) where options do not go together. */
 struct request request_read(int argc, char **argv);
+void request_free(struct request *request);
 
 #endif

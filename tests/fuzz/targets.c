@@ -9,6 +9,7 @@
 #include "domain_order.h"
 #include "domain_text.h"
 #include "exodus.h"
+#include "expansion.h"
 #include "expression.h"
 #include "image.h"
 #include "lattice.h"
@@ -17,6 +18,7 @@
 #include "recipe.h"
 #include "restart.h"
 #include "scene.h"
+#include "value_table.h"
 
 #include <fcntl.h>
 #include <math.h>
@@ -58,6 +60,36 @@ static void read_deck(const char *text, size_t size)
     struct scene scene = scene_read(deck);
     scene_free(&scene);
     deck_free(deck);
+}
+
+/* Spans of all values lie in the text; the first and the last run of what it varies are decks. */
+static void read_study(const char *text, size_t size)
+{
+    static const char *const none[] = {NULL};
+    struct deck *deck = deck_parse(text, size, "deck");
+    struct deck_paths paths = deck_paths_list(deck, none);
+    for (int i = 0; i < paths.count; i++) {
+        const struct deck_span span = deck_span(paths.items[i].node);
+        if (span.begin > span.end || span.end > size) abort();
+    }
+    deck_paths_free(&paths);
+    struct expansion expansion = expansion_of(deck);
+    const int64_t runs[] = {0, expansion.variations.runs - 1};
+    for (int k = 0; k < 2; k++) {
+        const bool own = expansion_maker(&expansion, runs[k]) == runs[k];
+        char *run = expansion_text(&expansion, runs[k], own ? NULL : "cores/0");
+        expansion_check(&expansion, runs[k], run, "run");
+        free(run);
+    }
+    expansion_free(&expansion);
+    deck_free(deck);
+}
+
+static void read_values(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    struct value_table table = value_table_read(fuzz.path);
+    value_table_free(&table);
 }
 
 /* In single quotes, which are doubled. */
@@ -164,7 +196,7 @@ static const struct target {
     {"deck", read_deck},       {"expression", read_expression}, {"text", read_text},
     {"genesis", read_genesis}, {"cores", read_cores},           {"table", read_table},
     {"history", read_table},   {"frames", read_frames},         {"checkpoint", read_checkpoint},
-    {"image", read_image}};
+    {"study", read_study},     {"values", read_values},         {"image", read_image}};
 
 /* --- as libFuzzer calls them -------------------------------------------------------------------- */
 
