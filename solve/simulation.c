@@ -331,8 +331,8 @@ static void check_periods(struct simulation *s)
     if (!s->materials.formulation->mean_stress)
         deck_error(deck_get(deck_root(s->deck), "materials"),
                    "%s materials cannot be periodic: take corner", s->materials.formulation->name);
-    if (s->scene.type != SOLVER_quasi_static)
-        deck_error(s->scene.solver, "a periodic body takes load steps: type: quasi_static");
+    if (s->scene.type == SOLVER_hybrid)
+        deck_error(s->scene.solver, "a periodic body takes load steps or explicit ones, not both");
     if (lattice->periodic[0] && s->ranks.rank == 0)
         attributes_set_number(&s->domain.attributes, "section_m2",
                               lattice_whole_volume(lattice) / lattice_period(lattice, 0));

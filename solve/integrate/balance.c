@@ -40,6 +40,9 @@ static void sum_staggered(const struct integration *integration, const struct bo
 {
     const double factor = -0.125 * integration->dt * integration->dt;
     if (!integration->moving) return;
+    if (boundary->macroscopic && body->ranks.rank == 0)
+        exact_sum_add(staggered,
+                      macroscopic_staggered(boundary->macroscopic, body, integration->dt));
     for (int64_t s = 0; s < body->owned.count; s++) {
         const struct strip *strip = &body->owned.items[s];
         double inverse_density[LANES], terms[LANES] = {0};
@@ -121,6 +124,8 @@ static void sum_loaded(const struct integration *integration, const struct body 
 void balance_masses(const struct integration *integration, const struct body *body,
                     struct boundary *boundary)
 {
+    if (boundary->macroscopic)
+        macroscopic_weigh(boundary->macroscopic, body, integration->inverse_density);
     struct exact_sum *sums = memory_new((size_t)boundary->count, sizeof *sums);
     double *masses = memory_new((size_t)boundary->count, sizeof *masses);
     for (int b = 0; b < boundary->count; b++) {
@@ -179,6 +184,8 @@ static void finish(struct integration *integration, const struct body *body,
     if (energy) {
         sum_kinetic(integration, body, &sums[KINETIC]);
         sum_staggered(integration, body, boundary, &sums[STAGGERED]);
+        if (body->ranks.rank == 0 && integration->moving && boundary->macroscopic)
+            exact_sum_add(&sums[KINETIC], macroscopic_kinetic(boundary->macroscopic, body));
         sums[STORED] = energy->stored;
         sums[PLASTIC] = energy->plastic;
         sums[STABILISATION] = energy->stabilisation;
@@ -248,7 +255,8 @@ void balance_step(struct integration *integration, const struct body *body,
     integration->balance.damping += values[DAMPED];
     add_work_of_sets(boundary, &integration->balance.work);
     if (boundary->macroscopic)
-        integration->balance.work += macroscopic_take_work(boundary->macroscopic, body);
+        integration->balance.work +=
+            macroscopic_take_work(boundary->macroscopic, body, integration->moving);
     integration->balance.work += values[WORK] + (values[HELD] - integration->held);
     integration->held = values[HELD];
     if (energy) take_energies(integration, body, boundary, values);

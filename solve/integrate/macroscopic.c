@@ -89,6 +89,57 @@ void macroscopic_move(const struct macroscopic *m, struct body *body)
         if (m->component[k].given) body->mean_gradient[k] += m->way[k];
 }
 
+void macroscopic_weigh(struct macroscopic *m, const struct body *body,
+                       const double inverse_density[])
+{
+    const struct lattice *lattice = body->lattice;
+    m->mass = 0;
+    for (int64_t site = 0; site < lattice->n_sites; site++)
+        if (lattice->phase[site] != ABSENT)
+            m->mass += lattice_volume(lattice, site) / inverse_density[lattice->phase[site]];
+}
+
+static double inertia(const struct macroscopic *m, int k)
+{
+    return m->mass * m->period[k % 3] * m->period[k % 3] / (M_PI * M_PI);
+}
+
+/* What moves component k [J]. */
+static double pull(const struct macroscopic *m, const struct body *body, int k)
+{
+    return m->volume * (m->target[k] - body->mean_stress[k]);
+}
+
+void macroscopic_kick(const struct macroscopic *m, struct body *body, double time)
+{
+    for (int k = 0; k < COMPONENTS; k++)
+        if (!m->component[k].given) body->mean_rate[k] += time * pull(m, body, k) / inertia(m, k);
+}
+
+void macroscopic_drift(const struct macroscopic *m, struct body *body, double time)
+{
+    for (int k = 0; k < COMPONENTS; k++)
+        if (!m->component[k].given) body->mean_gradient[k] += time * body->mean_rate[k];
+}
+
+double macroscopic_kinetic(const struct macroscopic *m, const struct body *body)
+{
+    double energy = 0;
+    for (int k = 0; k < COMPONENTS; k++)
+        if (!m->component[k].given)
+            energy += 0.5 * inertia(m, k) * body->mean_rate[k] * body->mean_rate[k];
+    return energy;
+}
+
+double macroscopic_staggered(const struct macroscopic *m, const struct body *body, double dt)
+{
+    double energy = 0;
+    for (int k = 0; k < COMPONENTS; k++)
+        if (!m->component[k].given)
+            energy -= 0.125 * dt * dt * pull(m, body, k) * pull(m, body, k) / inertia(m, k);
+    return energy;
+}
+
 double macroscopic_force(const struct macroscopic *m, const struct body *body, int k)
 {
     return body->mean_stress[k] * m->volume / m->period[k % 3];
@@ -112,12 +163,16 @@ double macroscopic_reactions(const struct macroscopic *m, const struct body *bod
     return sqrt(square);
 }
 
-double macroscopic_take_work(struct macroscopic *m, const struct body *body)
+double macroscopic_take_work(struct macroscopic *m, const struct body *body, bool moving)
 {
     double work = 0;
-    for (int k = 0; k < COMPONENTS; k++)
-        work += 0.5 * (m->stress_before[k] + body->mean_stress[k]) *
-                (body->mean_gradient[k] - m->before[k]);
+    for (int k = 0; k < COMPONENTS; k++) {
+        const double stress = m->component[k].given || !moving
+                                  ? 0.5 * (m->stress_before[k] + body->mean_stress[k])
+                                  : 0.5 * (m->target_before[k] + m->target[k]);
+        work += stress * (body->mean_gradient[k] - m->before[k]);
+    }
+    memcpy(m->target_before, m->target, sizeof m->target_before);
     memcpy(m->before, body->mean_gradient, sizeof m->before);
     memcpy(m->stress_before, body->mean_stress, sizeof m->stress_before);
     return work * m->volume;
@@ -139,6 +194,9 @@ void macroscopic_visit(struct macroscopic *m, struct body *body, struct checkpoi
 {
     checkpoint_numbers(checkpoint, "mean gradient", body->mean_gradient, COMPONENTS);
     checkpoint_numbers(checkpoint, "mean stress", body->mean_stress, COMPONENTS);
+    checkpoint_numbers(checkpoint, "mean rate", body->mean_rate, COMPONENTS);
+    checkpoint_numbers(checkpoint, "given mean stress", m->target, COMPONENTS);
+    checkpoint_numbers(checkpoint, "given mean stress before", m->target_before, COMPONENTS);
     checkpoint_numbers(checkpoint, "ways of the mean gradient", m->way, COMPONENTS);
     checkpoint_numbers(checkpoint, "mean gradient before", m->before, COMPONENTS);
     checkpoint_numbers(checkpoint, "mean stress before", m->stress_before, COMPONENTS);

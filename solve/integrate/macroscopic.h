@@ -9,6 +9,9 @@
  * (1963) 357: the mean stress does the work).  (macroscopic.3) are the unknowns whose stress is given, and what an
  * equilibrium makes 0: the displacement of one face against the other, and the force on it over the volume of a node.
  *
+ * In explicit steps unknown components have an inertia of their own, W d2H/dt2 = V (given - P), W_ab = M (L_b/pi)^2, M the
+ * mass of the body (after Parrinello, Rahman, J. Appl. Phys. 52 (1981) 7182): they swing as the body's longest standing wave.
+ *
  * Turning the body changes nothing: components that no entry of the deck names have no stress on the diagonal and above
  * it, and below it, where that is a turn, they stay 0; so do those that turn an axis without period into one with. */
 #ifndef HS_MACROSCOPIC_H
@@ -30,7 +33,9 @@ struct macroscopic {
     bool axis[3];              /* periodic */
     double period[3];          /* m; of other axes of no meaning */
     double volume;             /* m^3 */
+    double mass;               /* kg */
     double target[COMPONENTS]; /* mean stress as it is given now, Pa */
+    double target_before[COMPONENTS];
     double way[COMPONENTS];    /* of given components in this step */
     double before[COMPONENTS]; /* H and P at the end of the step before */
     double stress_before[COMPONENTS];
@@ -38,6 +43,9 @@ struct macroscopic {
 
 /* NULL where the body is not periodic.  The scene lives on. */
 struct macroscopic *macroscopic_new(const struct scene *scene, const struct body *body);
+/* Inverse densities of phases [m^3/kg]. */
+void macroscopic_weigh(struct macroscopic *macroscopic, const struct body *body,
+                       const double inverse_density[]);
 
 /* body->mean_rate at the start: the given rates, and of diagonal components whose stress is given the contraction under
  * those along other axes. */
@@ -50,6 +58,15 @@ void macroscopic_set_ways(struct macroscopic *macroscopic, const struct body *bo
 /* Given components of body->mean_gradient go these ways. */
 void macroscopic_move(const struct macroscopic *macroscopic, struct body *body);
 
+/* Of explicit steps: unknown components of body->mean_rate under the stress that is there, in a time [s], and of
+ * body->mean_gradient under this rate. */
+void macroscopic_kick(const struct macroscopic *macroscopic, struct body *body, double time);
+void macroscopic_drift(const struct macroscopic *macroscopic, struct body *body, double time);
+/* Kinetic energy of unknown components, and what leapfrog keeps beyond it with steps of this length [J] (balance.1). */
+double macroscopic_kinetic(const struct macroscopic *macroscopic, const struct body *body);
+double macroscopic_staggered(const struct macroscopic *macroscopic, const struct body *body,
+                             double dt);
+
 /* Force on the faces across axis b, along a [N]: k = 3 a + b; and of given components the way of one face against the
  * other in this step [m]. */
 double macroscopic_force(const struct macroscopic *macroscopic, const struct body *body, int k);
@@ -58,8 +75,8 @@ double macroscopic_way(const struct macroscopic *macroscopic, int k);
 /* What a norm of forces on nodes would be, if the mean stress were the reactions of two faces (equilibrium.2) [N/m^3]. */
 double macroscopic_reactions(const struct macroscopic *macroscopic, const struct body *body);
 
-/* Work of the mean stress since the last call [J]. */
-double macroscopic_take_work(struct macroscopic *macroscopic, const struct body *body);
+/* Work of the mean stress since the last call, of unknown components in motion (moving) that of the given stress [J]. */
+double macroscopic_take_work(struct macroscopic *macroscopic, const struct body *body, bool moving);
 
 /* Rate of F_xx that is given as a number, at full speed [1/s]; else 0. */
 double macroscopic_full_rate(const struct macroscopic *macroscopic);

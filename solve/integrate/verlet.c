@@ -113,12 +113,18 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     struct force_energy energy = integration->zero;
 
     half_kick(integration, body);
+    if (boundary->macroscopic) macroscopic_kick(boundary->macroscopic, body, 0.5 * integration->dt);
     if (damping_acts(integration))
         damping_apply(integration, body, boundary, integration->time, 0.5 * integration->dt,
                       &sums.damped);
     boundary_set_ways(boundary, body, integration->time, integration->dt);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
-    const double most = move(integration, body);
+    double most = move(integration, body);
+    if (boundary->macroscopic) {
+        macroscopic_move(boundary->macroscopic, body);
+        macroscopic_drift(boundary->macroscopic, body, integration->dt);
+        most = INFINITY; /* what it moves is not looked at node by node */
+    }
     if (integration->damage) damage_moved(integration->damage, most);
     integration->step++;
     integration->time += integration->dt;
@@ -132,6 +138,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     if (integration->damage) damage_grow(integration->damage);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     half_kick(integration, body);
+    if (boundary->macroscopic) macroscopic_kick(boundary->macroscopic, body, 0.5 * integration->dt);
     if (damping_acts(integration))
         damping_apply(integration, body, boundary, integration->time, 0, &sums.damped);
     boundary_set_velocities(boundary, body, integration->time, integration->dt);
