@@ -2,7 +2,8 @@
 #
 #   make                 programs in build/bin
 #   make check           all tests (under ten minutes on two cores)
-#   make install         DESTDIR and PREFIX as usual
+#   make install         DESTDIR and PREFIX as usual: programs, manual pages, examples, documents, completion of bash and zsh
+#   make html            the manual pages as HTML (mandoc)
 #   make stress          numerical stability, the long form (minutes)
 #   make faults          disks that fail and kills at each call of small runs (some ten minutes)
 #   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
@@ -19,6 +20,13 @@
 # Options: CC=clang, WERROR=1 (warnings are errors), SANITIZE=1 (ASan and UBSan, own build tree).
 
 VERSION := 0.1.0
+# "0.1.0+12.g8e158c7", commits since the tag v0.1.0, or since the first, and the last one; ".changed" where the tree is not that
+# of the commit.  Without git, or outside of a repository of its own: "0.1.0".
+DESCRIBED := $(VERSION)$(shell [ -e .git ] && { \
+    count=$$(git rev-list --count HEAD ^v$(VERSION) 2>/dev/null || git rev-list --count HEAD 2>/dev/null) && \
+    hash=$$(git rev-parse --short HEAD 2>/dev/null) && \
+    { [ "$$count" -eq 0 ] || printf '+%s.g%s' "$$count" "$$hash"; } && \
+    { git diff --quiet HEAD 2>/dev/null || printf '.changed'; }; })
 PREFIX ?= /usr/local
 CC ?= cc
 CFLAGS ?=
@@ -51,6 +59,10 @@ LIB_LIBS := $(EXODUS_LIBS) $(call package,--libs,netcdf,-lnetcdf) $(call package
 EXPRESSION_LIBS := $(call package,--libs,muparser,-lmuparser)
 CAIRO_CFLAGS := $(call package,--cflags,cairo,)
 CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
+IMAGE_CFLAGS := $(call package,--cflags,libtiff-4 libpng zlib,) \
+                $(call package,--cflags,hdf5-serial,-I/usr/include/hdf5/serial)
+IMAGE_LIBS := $(call package,--libs,libtiff-4 libpng zlib,-ltiff -lpng -lz) \
+              $(call package,--libs,hdf5-serial,-lhdf5_serial)
 EXPAT_LIBS := $(call package,--libs,expat,-lexpat)
 JANSSON_LIBS := $(call package,--libs,jansson,-ljansson)
 MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))
@@ -63,6 +75,7 @@ ALL_CFLAGS = $(STANDARD) $(OPTIMISE) $(WARNINGS) $(SANITIZERS) $(LIB_CFLAGS) -Il
 ALL_LDFLAGS = $(SANITIZERS) $(LDFLAGS)
 
 PROGRAMS := hsgen hssolve hspost
+EXAMPLES := $(sort $(wildcard gen/examples/*.yaml))
 lib_SOURCES := $(sort $(wildcard lib/*.c))
 gen_SOURCES := $(sort $(filter-out gen/hsgen.c,$(wildcard gen/*.c)))
 solve_SOURCES := $(sort $(filter-out solve/hssolve.c,$(wildcard solve/*.c solve/*/*.c solve/*/*/*.c)))
@@ -74,19 +87,30 @@ SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
-.PHONY: all check check-unit check-cli check-physics check-format docs install uninstall clean format help \
+.PHONY: all check check-unit check-cli check-physics check-format docs html install uninstall clean format help \
         stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
 
 all: $(addprefix $(BUILD)/bin/,$(PROGRAMS))
 
-$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen
+$(BUILD)/gen/%.o: ALL_CFLAGS += -Igen $(IMAGE_CFLAGS)
 $(BUILD)/post/%.o: ALL_CFLAGS += -Ipost
 $(BUILD)/solve/%.o: ALL_CFLAGS += $(SOLVE_INCLUDES) $(MPI_CFLAGS)
-$(BUILD)/tests/%.o: ALL_CFLAGS += -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
+$(BUILD)/tests/%.o: ALL_CFLAGS += $(IMAGE_CFLAGS) -Igen -Ipost -Itests -Itests/physics $(SOLVE_INCLUDES) $(MPI_CFLAGS)
 $(BUILD)/lib/canvas.o: ALL_CFLAGS += $(CAIRO_CFLAGS)
-$(BUILD)/lib/options.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
+$(BUILD)/lib/version.o: ALL_CFLAGS += -DHS_VERSION='"$(VERSION)"'
+$(BUILD)/gen/examples.o: $(EXAMPLES)
+
+# The programs say the commit that they are made of; the tests, of which there are many, are not linked anew for each.
+$(BUILD)/version/version.o: lib/version.c Makefile $(BUILD)/version/described
+	$(CC) $(ALL_CFLAGS) $(CPPFLAGS) -DHS_VERSION='"$(DESCRIBED)"' -c $< -o $@
+ifneq ($(DESCRIBED),$(file <$(BUILD)/version/described))
+.PHONY: $(BUILD)/version/described
+endif
+$(BUILD)/version/described:
+	@mkdir -p $(@D)
+	@printf '%s' '$(DESCRIBED)' >$@
 
 $(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -99,11 +123,11 @@ $(call archive,$(1)): $$(call object,$$($(1)_SOURCES))
 endef
 $(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
 
-$(BUILD)/bin/hsgen: $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
-$(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(EXPAT_LIBS)
-$(BUILD)/bin/hssolve: $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
+$(BUILD)/bin/hsgen: $(BUILD)/version/version.o $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
+$(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS)
+$(BUILD)/bin/hssolve: $(BUILD)/version/version.o $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
 $(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS)
-$(BUILD)/bin/hspost: $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
+$(BUILD)/bin/hspost: $(BUILD)/version/version.o $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
 $(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS)
 
 $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
@@ -113,23 +137,23 @@ $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 # Tests: every tests/*/test_*.c is a program of its own, linked to all that the tools are made of.
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(addprefix $(BUILD)/tests/physics/,small_body.o small_static.o scene_body.o)
 
 # Readers of files on changed ones; FUZZER=1: by libFuzzer, which has a main of its own.
 $(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/targets.o $(BUILD)/tests/fuzz/targets_post.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/drive.o) \
     $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
 
 # Not a test: prints the table of errors (pipelines/errors).
 $(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/physics/small_body.o \
     $(BUILD)/tests/physics/small_static.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
 # Not a test: times of the kernels beside the bounds of the machine.
 $(BUILD)/tests/bench/kernels: $(BUILD)/tests/bench/kernels.o $(BUILD)/tests/physics/small_body.o \
     $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
 # QUICK=1: the kernels on 64,000 nodes alone, to standard output.
 BENCH := $(BUILD)/results/bench
@@ -209,21 +233,45 @@ check-format:
 	@if command -v $(CLANG_FORMAT) >/dev/null; then $(CLANG_FORMAT) --dry-run -Werror $(FORMATTED); \
 	else echo "check-format: skipped, no $(CLANG_FORMAT)" >&2; fi
 
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/man/man5
+# The manual pages as HTML, where there is mandoc.
+PAGES := $(sort $(wildcard docs/man/*.[15]))
+HTML := $(PAGES:docs/man/%=$(BUILD)/html/%.html)
+html: $(HTML)
+$(BUILD)/html/%.html: docs/man/%
+	@mkdir -p $(@D)
+	mandoc -T html -O man=%N.%S.html $< > $@
+
+SHARE := $(DESTDIR)$(PREFIX)/share
+DOCUMENTS := $(SHARE)/doc/hstools
+BASH_COMPLETIONS := $(SHARE)/bash-completion/completions
+ZSH_COMPLETIONS := $(SHARE)/zsh/site-functions
+install: all $(if $(shell command -v mandoc),html)
+	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/man/man1 $(SHARE)/man/man5 $(DOCUMENTS)/examples $(DOCUMENTS)/docs/figures \
+	    $(DOCUMENTS)/html $(BASH_COMPLETIONS) $(ZSH_COMPLETIONS)
 	install -m 755 $(addprefix $(BUILD)/bin/,$(PROGRAMS)) $(DESTDIR)$(PREFIX)/bin
-	install -m 644 $(wildcard docs/man/*.1) $(DESTDIR)$(PREFIX)/share/man/man1
-	install -m 644 $(wildcard docs/man/*.5) $(DESTDIR)$(PREFIX)/share/man/man5
+	install -m 644 $(wildcard docs/man/*.1) $(SHARE)/man/man1
+	install -m 644 $(wildcard docs/man/*.5) $(SHARE)/man/man5
+	install -m 644 $(EXAMPLES) $(DOCUMENTS)/examples
+	install -m 644 README.md LICENSE $(DOCUMENTS)
+	install -m 644 $(wildcard docs/*.md) docs/CITATION.cff docs/codemeta.json $(DOCUMENTS)/docs
+	install -m 644 $(wildcard docs/figures/*) $(DOCUMENTS)/docs/figures
+	$(if $(shell command -v mandoc),install -m 644 $(HTML) $(DOCUMENTS)/html)
+	for program in $(PROGRAMS); do \
+	    $(BUILD)/bin/$$program --completion bash > $(BASH_COMPLETIONS)/$$program && \
+	    $(BUILD)/bin/$$program --completion zsh > $(ZSH_COMPLETIONS)/_$$program || exit 1; \
+	done
 uninstall:
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/bin/,$(PROGRAMS))
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/share/man/man1/,$(notdir $(wildcard docs/man/*.1)))
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/share/man/man5/,$(notdir $(wildcard docs/man/*.5)))
+	rm -f $(addprefix $(SHARE)/man/man1/,$(notdir $(wildcard docs/man/*.1)))
+	rm -f $(addprefix $(SHARE)/man/man5/,$(notdir $(wildcard docs/man/*.5)))
+	rm -f $(addprefix $(BASH_COMPLETIONS)/,$(PROGRAMS)) $(addprefix $(ZSH_COMPLETIONS)/_,$(PROGRAMS))
+	rm -rf $(DOCUMENTS)
 
 clean:
 	rm -rf build
 
 help:
-	@sed -n '3,17s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,22s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -73,7 +73,7 @@ static void set_attributes(const struct recipe *recipe, const struct structure *
     set_symmetry(specimen, attributes);
     if (structure->sites->volume) attributes_set_text(attributes, "volumes", "cut");
     if (specimen->angle != 0) attributes_set_number(attributes, "angle_rad", specimen->angle);
-    if (!recipe->topology->single_phase)
+    if (!recipe->topology->no_cores)
         attributes_set_number(attributes, "ufg_fraction", findings->ufg_fraction);
     char *words = recipe->topology->describe(recipe, findings);
     char *label = fault ? memory_print("%s; overridden: %s", words, fault) : memory_text(words);
@@ -104,6 +104,11 @@ struct domain assemble_domain(const struct recipe *recipe, const struct structur
         domain.z[node] = position[2];
         domain.volume[node] = sites_volume(sites, (int64_t)node);
         domain.phase[node] = structure->phase[node];
+    }
+    if (structure->grain) {
+        domain.grain = memory_new(n_nodes, sizeof *domain.grain);
+        for (size_t node = 0; node < n_nodes; node++)
+            domain.grain[node] = (double)structure->grain[node];
     }
     specimen_add_sets(&recipe->specimen, sites, recipe->sets, &domain);
     set_attributes(recipe, structure, findings, fault, &domain);

@@ -82,7 +82,8 @@ struct cores cores_lattice(enum core_lattice lattice, enum core_shape shape, dou
     int64_t low[3], high[3];
     double cells = 1;
     for (int axis = 0; axis < 3; axis++) {
-        high[axis] = (int64_t)ceil((0.5 * box->size[axis] + reach) / edge);
+        const double most = 0.5 * box->size[axis] + reach + fabs(box->offset[axis]);
+        high[axis] = (int64_t)ceil(most / edge);
         low[axis] = -high[axis];
         if (box->periodic[axis]) {
             low[axis] = 0;
@@ -101,7 +102,8 @@ struct cores cores_lattice(enum core_lattice lattice, enum core_shape shape, dou
                     double cell[3] = {(double)i, (double)j, (double)k};
                     double centre[3];
                     for (int axis = 0; axis < 3; axis++) {
-                        centre[axis] = edge * (cell[axis] + basis.site[b][axis]);
+                        centre[axis] =
+                            edge * (cell[axis] + basis.site[b][axis]) + box->offset[axis];
                         if (jitter > 0) centre[axis] += jitter * distance * random_gaussian(stream);
                     }
                     add_centre(&cores, centre, reach);

@@ -16,6 +16,7 @@ enum core_lattice { LATTICE_SC, LATTICE_BCC, LATTICE_FCC };
 struct cores_box {
     double size[3]; /* m */
     bool periodic[3];
+    double offset[3]; /* m, from the body's centre to a site of a lattice of cores */
 };
 
 /* The periodic axes in their order, "xyz" or "xz" or ""; returns text. */
@@ -47,8 +48,8 @@ struct cores {
  * number of edges long. */
 double cores_lattice_edge(enum core_lattice lattice);
 
-/* A cubic lattice of centres with a site at the origin; jitter: deviation of each coordinate, in
- * distances, Gaussian (stream "jitter"). */
+/* A cubic lattice of centres with a site at the box's offset; jitter: deviation of each coordinate,
+ * in distances, Gaussian (stream "jitter"). */
 struct cores cores_lattice(enum core_lattice lattice, enum core_shape shape, double distance,
                            double jitter, const struct cores_box *box, long seed);
 

@@ -10,7 +10,7 @@ struct findings findings_of(const struct recipe *recipe, const struct structure 
                             const struct cores *cores)
 {
     struct findings findings = {.core_film = INFINITY, .contact.film = INFINITY};
-    if (recipe->topology->single_phase) {
+    if (recipe->topology->no_cores) {
         for (int64_t node = 0; node < structure->sites->n_nodes; node++)
             findings.counted += structure->counted[node];
         findings.ufg_fraction = NAN;

@@ -1,8 +1,9 @@
 /* hsgen - from the deck to a domain of particles. */
 #include "assemble.h"
 #include "die.h"
+#include "examples.h"
 #include "exodus.h"
-#include "fill.h"
+#include "export.h"
 #include "memory.h"
 #include "options.h"
 #include "peridigm.h"
@@ -11,15 +12,27 @@
 #include "sections.h"
 #include "spool.h"
 #include "statistics.h"
+#include "study_folder.h"
 #include "topology.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct arguments {
-    const char *deck, *output, *statistics, *peridigm, *picture, *cores, *from, *units;
-    bool override, check, quiet;
+    const char *deck, *output, *statistics, *peridigm, *picture, *cores, *export;
+    const char *example, *from, *units;
+    bool study, examples, override, check, quiet;
 };
+
+static _Noreturn void print_examples(const struct arguments *c)
+{
+    if (c->example)
+        example_print(c->example);
+    else
+        examples_list();
+    if (fflush(stdout) != 0 || ferror(stdout)) die_run("cannot write to standard output");
+    exit(EXIT_SUCCESS);
+}
 
 static struct arguments read_arguments(int argc, char **argv)
 {
@@ -31,7 +44,14 @@ static struct arguments read_arguments(int argc, char **argv)
         {'s', "statistics", "FILE", "write the structure's statistics as CSV", NULL, &c.statistics},
         {'p', "picture", "FILE", "draw the middle sections (.png, .svg, .pdf)", NULL, &c.picture},
         {'c', "cores", "FILE", "write the cores, to be used at other spacings", NULL, &c.cores},
+        {0, "export", "FILE", "write the structure as voxels (.vti) or elements (.inp)", NULL,
+         &c.export},
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
+        {0, "study", NULL,
+         "write the decks of a study (vary, refine) and a Makefile into -o FOLDER", &c.study, NULL},
+        {0, "examples", NULL, "list the decks that --example writes, and leave", &c.examples, NULL},
+        {0, "example", "NAME", "write a deck that runs, with comments, and leave", NULL,
+         &c.example},
         {0, "from", "PROGRAM", "make a deck of ours of one of another program: peridigm", NULL,
          &c.from},
         {0, "units", "L,M,T", "its units of length, mass and time, as cm,g,s (m,kg,s)", NULL,
@@ -42,7 +62,7 @@ static struct arguments read_arguments(int argc, char **argv)
     };
     const struct option_table table = {
         "hsgen",
-        "[deck.yaml] [-o domain.g]",
+        "[deck.yaml] [-o domain.g], or --study study.yaml -o FOLDER",
         "Makes a particle domain with a harmonic, random or homogeneous microstructure.",
         rows,
         sizeof rows / sizeof *rows,
@@ -52,6 +72,7 @@ static struct arguments read_arguments(int argc, char **argv)
     if (first < argc - 1)
         die_user("one deck is enough; found '%s' and '%s'", argv[first], argv[first + 1]);
     if (first < argc) c.deck = argv[first];
+    if (c.examples || c.example) print_examples(&c);
     if (c.units && !c.from) die_user("--units belongs to --from");
     note_set_quiet(c.quiet);
     return c;
@@ -73,10 +94,12 @@ static void check_side_files(const struct arguments *c, const struct recipe *rec
 {
     const bool *periodic = recipe->specimen.periodic;
     if (c->picture) picture_check_name(c->picture);
+    if (c->export) export_check_name(c->export);
     if (c->peridigm && (periodic[0] || periodic[1] || periodic[2]))
         die_user("--peridigm %s: that format has no place for a periodic body", c->peridigm);
-    if (c->cores && recipe->topology->single_phase)
-        die_user("--cores %s: a homogeneous structure has no cores", c->cores);
+    if (c->cores && recipe->topology->no_cores)
+        die_user("--cores %s: a structure of the topology %s has no cores", c->cores,
+                 recipe->topology->deck.name);
 }
 
 static void write_side_files(const struct arguments *c, const struct recipe *recipe,
@@ -108,9 +131,13 @@ static void set_provenance(const struct deck *deck, int argc, char **argv,
 static void say_plan(const struct arguments *c, struct recipe *recipe)
 {
     enum { NODE_BYTES = 80 }; /* of memory, measured */
-    const char *const files[] = {c->output ? c->output : "standard output", c->statistics,
-                                 c->picture, c->cores, c->peridigm};
-    struct sites sites = fill_sites(&recipe->specimen);
+    const char *const files[] = {c->output ? c->output : "standard output",
+                                 c->statistics,
+                                 c->picture,
+                                 c->cores,
+                                 c->peridigm,
+                                 c->export};
+    struct sites sites = recipe_sites(recipe);
     struct cores cores = recipe_cores(recipe);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
@@ -132,6 +159,18 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
     sites_free(&sites);
 }
 
+static void treat_study(const struct arguments *c, const struct deck *deck)
+{
+    if (c->statistics || c->picture || c->cores || c->peridigm || c->override)
+        die_user("--study makes decks, and takes -o FOLDER and --check alone");
+    if (!c->output && !c->check) die_user("--study needs -o FOLDER, where the decks go");
+    sections_read(deck);
+    if (c->check)
+        study_folder_check(deck);
+    else
+        study_folder_write(deck, c->output);
+}
+
 static void translate(const struct arguments *c)
 {
     if (strcmp(c->from, "peridigm") != 0)
@@ -148,16 +187,22 @@ int main(int argc, char **argv)
         return 0;
     }
     struct deck *deck = deck_read(c.deck);
+    if (c.study) {
+        treat_study(&c, deck);
+        deck_free(deck);
+        return 0;
+    }
     struct recipe recipe = recipe_read(deck);
     check_side_files(&c, &recipe);
     if (c.check) {
         say_plan(&c, &recipe);
+        recipe_free(&recipe);
         deck_free(deck);
         return 0;
     }
     struct spool output = spool_output(c.output);
 
-    struct sites sites = fill_sites(&recipe.specimen);
+    struct sites sites = recipe_sites(&recipe);
     struct cores cores = recipe_cores(&recipe);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);
@@ -168,6 +213,8 @@ int main(int argc, char **argv)
     struct domain domain = assemble_domain(&recipe, &structure, &findings, fault);
     set_provenance(deck, argc, argv, &domain.attributes);
     if (c.peridigm) peridigm_write(&domain, c.peridigm);
+    const struct export_source exported = {&recipe, &structure, &domain};
+    if (c.export) export_write(&exported, c.export);
     exodus_write_domain(&output, &domain);
     spool_finish(&output);
 
@@ -176,6 +223,7 @@ int main(int argc, char **argv)
     structure_free(&structure);
     cores_free(&cores);
     sites_free(&sites);
+    recipe_free(&recipe);
     deck_free(deck);
     return 0;
 }

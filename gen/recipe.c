@@ -2,7 +2,9 @@
 
 #include "die.h"
 #include "exodus.h"
+#include "fill.h"
 #include "periodic.h"
+#include "requirements.h"
 #include "sections.h"
 #include "symmetry.h"
 #include "topology.h"
@@ -14,7 +16,8 @@ static const char *const shapes[] = {"cell", "sphere", NULL};
 static const char *const matches[] = {"exact", "geometric", NULL};
 
 #define MEMBER(member) .place = offsetof(struct recipe, member)
-#define TWO_PHASES     ~1u /* all topologies but the first */
+#define TWO_PHASES     ~3u /* all topologies but the first two */
+#define ALL_BUT_IMAGE  ~2u
 
 static const struct key phase_rows[] = {
     {"cg", KEY_TEXT, MEMBER(phase_names[PHASE_CG]), .form = "name of a material", .required = true,
@@ -31,13 +34,14 @@ static const struct key rows[] = {
     {"dimensions", KEY_INTEGER, MEMBER(specimen.dimensions), .low = 2, .high = 3, .usual = 3,
      .help = "2: a sheet, one layer of nodes in the plane z = 0"},
     {"spacing", KEY_SPACING, MEMBER(specimen.spacing), .low = 1e-12, .high = 1e3, .size = 3,
-     .required = true,
+     .usual = NAN, .otherwise = "of an image that of its voxels",
      .help =
          "edges of the lattice's cells, along x, y, z, or of its cubes; the third of a sheet is "
          "its "
          "thickness.  Lengths in spacings are in the edge along x, but the components of size and "
          "of the boxes of sets in that axis' own"},
     {"size", KEY_NODE, MEMBER(size), .form = "[x, y, z], m or spacings", .required = true,
+     .users = ALL_BUT_IMAGE,
      .help = "of the whole, heads included, of a round one its length alone: whole numbers of that "
              "axis' "
              "spacings, 1 to 1e6 each, but of a turned one any along x and y; the third of a sheet "
@@ -74,7 +78,13 @@ static const struct key rows[] = {
              "together, and the fraction is the nearest that this allows"},
     {"cores", KEY_TEXT, MEMBER(cores_file), .form = "file", .users = TWO_PHASES,
      .help = "centres written by hsgen --cores, in place of lattice, core, core_distance, "
-             "core_diameter and jitter"},
+             "core_diameter, jitter and offset"},
+    {"require", KEY_NODE, MEMBER(require_list), .users = TWO_PHASES,
+     .form = "list of ufg_connected, cg_connected, cores_apart",
+     .otherwise = "[ufg_connected, cores_apart] of harmonic, [] of random",
+     .help =
+         "what the topology check asks for: that a phase percolates along all axes, that different "
+         "cores do not touch; the rest is found and said.  [] asks for nothing"},
     {"override", KEY_FLAG, MEMBER(override), .users = TWO_PHASES,
      .help = "write the domain though its topology check failed"},
     {"seed", KEY_INTEGER, MEMBER(seed), .low = 0, .high = INT32_MAX, .usual = 1,
@@ -117,15 +127,19 @@ static void check_name(struct deck_node where, const char *phase)
 static void check_names(struct deck_node domain, const struct recipe *recipe)
 {
     const struct deck_node one = deck_find(domain, "phase");
-    for (int p = 0; p < recipe->n_phases; p++)
-        check_name(one.index ? one : deck_get(domain, "phases"), recipe->phase_names[p]);
+    const struct deck_node labels = deck_find(domain, "labels");
+    struct deck_node where = one.index      ? one
+                             : labels.index ? labels
+                                            : deck_find(domain, "threshold");
+    if (!where.index) where = deck_get(domain, "phases");
+    for (int p = 0; p < recipe->n_phases; p++) check_name(where, recipe->phase_names[p]);
 }
 
 /* What the rows cannot say of two phases. */
 static void check_two_phases(struct deck_node domain, const struct recipe *recipe)
 {
-    static const char *const said[] = {"lattice", "core", "core_distance", "core_diameter",
-                                       "jitter"};
+    static const char *const said[] = {"lattice",       "core",   "core_distance",
+                                       "core_diameter", "jitter", "offset"};
     if (strcmp(recipe->phase_names[PHASE_CG], recipe->phase_names[PHASE_UFG]) == 0)
         deck_error(deck_get(domain, "phases"), "the two phases need two names");
     for (size_t i = 0; recipe->cores_file && i < sizeof said / sizeof *said; i++)
@@ -155,30 +169,77 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
     recipe->grip_phase = recipe->n_phases++;
 }
 
+/* A deck of many decks is none of a body. */
+static void refuse_study(struct sections sections)
+{
+    const struct deck_node study = sections.vary.index ? sections.vary : sections.refine;
+    if (study.index)
+        deck_error(study,
+                   "this deck is a study of several: 'hsgen --study %s -o FOLDER' writes them, "
+                   "'make -j2 -C FOLDER' runs them",
+                   deck_name(study.deck));
+}
+
 struct recipe recipe_read(const struct deck *deck)
 {
-    sections_read(deck);
+    refuse_study(sections_read(deck));
     struct recipe recipe = {0};
     struct deck_node root = deck_root(deck), domain = deck_get(root, "domain");
     const int choice = keys_variant(domain, &domain_section);
     recipe.topology = topologies[choice];
+    recipe.n_phases = recipe.topology->no_cores ? 1 : 2;
     keys_read(domain, &domain_section, choice, 0, &recipe, &recipe);
     periodic_read(domain, &recipe.specimen);
+    if (recipe.topology->measure)
+        recipe.topology->measure(domain, &recipe);
+    else
+        (void)deck_get(domain, "spacing"); /* dies where it is missing */
     specimen_read(&recipe.specimen, domain);
     symmetry_read(domain, &recipe.specimen);
-    recipe.n_phases = recipe.topology->single_phase ? 1 : 2;
     check_names(domain, &recipe);
-    if (!recipe.topology->single_phase) check_two_phases(domain, &recipe);
+    if (!recipe.topology->no_cores) check_two_phases(domain, &recipe);
+    recipe.require = requirements_read(recipe.require_list, recipe.topology->requires);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
     read_grip_phase(root, &recipe);
     return recipe;
+}
+
+void recipe_free(struct recipe *recipe)
+{
+    voxels_free(&recipe->voxels);
+}
+
+struct voxel recipe_voxel(const struct recipe *recipe, const double position[3])
+{
+    if (!recipe->voxels.phase) return (struct voxel){VOXEL_OUTSIDE, 0};
+    return voxels_at(&recipe->voxels, position, recipe->specimen.spacing, recipe->measured.rule);
+}
+
+static bool has_material(const void *all, int64_t site, const double point[3])
+{
+    const struct recipe *recipe = all;
+    (void)site;
+    return recipe_voxel(recipe, point).phase != VOXEL_EMPTY &&
+           symmetry_keeps(&recipe->specimen, point);
+}
+
+struct sites recipe_sites(const struct recipe *recipe)
+{
+    const struct specimen *specimen = &recipe->specimen;
+    if (!recipe->voxels.phase) return fill_sites(specimen);
+    struct sites sites = sites_new(specimen->count, specimen->spacing, has_material, recipe);
+    for (int axis = 0; axis < 3; axis++) sites.periodic[axis] = specimen->periodic[axis];
+    return sites;
 }
 
 struct cores_box recipe_box(const struct recipe *recipe)
 {
     struct cores_box box;
     specimen_extent(&recipe->specimen, box.size);
-    for (int axis = 0; axis < 3; axis++) box.periodic[axis] = recipe->specimen.periodic[axis];
+    for (int axis = 0; axis < 3; axis++) {
+        box.periodic[axis] = recipe->specimen.periodic[axis];
+        box.offset[axis] = recipe->offset[axis];
+    }
     return box;
 }
 
@@ -206,7 +267,7 @@ static void check_box(const struct recipe *recipe, const struct cores_box *file)
 
 struct cores recipe_cores(struct recipe *recipe)
 {
-    if (recipe->topology->single_phase) return (struct cores){0};
+    if (recipe->topology->no_cores) return (struct cores){0};
     if (!recipe->cores_file) return recipe->topology->place(recipe);
     struct cores cores = cores_read(recipe->cores_file, recipe->topology->deck.name);
     check_box(recipe, &cores.box);

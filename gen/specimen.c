@@ -257,12 +257,12 @@ static void read_hole(struct deck_node map, struct specimen *specimen)
 
 void specimen_read(struct specimen *specimen, struct deck_node domain)
 {
-    const struct deck_node size = deck_get(domain, "size"), gauge = deck_find(domain, "gauge"),
+    const struct deck_node size = deck_find(domain, "size"), gauge = deck_find(domain, "gauge"),
                            grips = deck_find(domain, "grips"), notch = deck_find(domain, "notch"),
                            hole = deck_find(domain, "hole");
-    if (specimen_is_round(specimen))
+    if (size.index && specimen_is_round(specimen))
         read_round_size(domain, size, specimen);
-    else
+    else if (size.index)
         read_flat_size(domain, size, specimen);
     if (shapes[specimen->shape].heads) deck_get(domain, "gauge"); /* dies where it is missing */
     if (gauge.index) read_gauge(gauge, specimen);

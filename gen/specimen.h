@@ -45,9 +45,10 @@ extern const char *const specimen_volumes[];
 extern const struct section specimen_gauge, specimen_grips, specimen_notch, specimen_hole,
     specimen_set;
 
-/* Reads the keys of the section domain that are left into a specimen whose shape, dimensions, spacing, diameter and
- * angle are known.  Along the axes of a lattice that it is to fill, each of the size's components must be a whole
- * number of that axis' spacings within 1e-6, but the thickness of a sheet. */
+/* Reads the keys of the section domain that are left into a specimen whose shape, dimensions,
+ * spacing, diameter and angle are known; without the key `size` count and size are, too.  Along the
+ * axes of a lattice that it is to fill, each of the size's components must be a whole number of
+ * that axis' spacings within 1e-6, but the thickness of a sheet. */
 void specimen_read(struct specimen *specimen, struct deck_node domain);
 
 bool specimen_is_sheet(const struct specimen *specimen);

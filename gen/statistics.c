@@ -69,7 +69,7 @@ static double crossings(const struct structure *structure, const int offset[3])
         int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
         if (!is_counted(structure, other)) continue;
         pairs++;
-        unlike += is_fine(structure, node) != is_fine(structure, other);
+        unlike += structure->phase[node] != structure->phase[other];
     }
     return pairs ? (double)unlike / (double)pairs : 0;
 }

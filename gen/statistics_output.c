@@ -2,6 +2,7 @@
 #include "memory.h"
 #include "outline.h"
 #include "output.h"
+#include "phases_output.h"
 #include "statistics.h"
 #include "topology.h"
 
@@ -65,7 +66,8 @@ void statistics_print(const struct recipe *recipe, const struct structure *struc
     note("%s", words);
     free(words);
     print_size(recipe, structure->sites);
-    if (recipe->topology->single_phase) return;
+    if (recipe->voxels.phase) phases_print(recipe, structure);
+    if (recipe->topology->no_cores) return;
     const bool sheet = specimen_is_sheet(&recipe->specimen);
     print_fraction(recipe, structure, findings);
     print_clusters(recipe->phase_names[PHASE_CG], &findings->cg, sheet);
@@ -151,7 +153,8 @@ void statistics_write(const struct recipe *recipe, const struct structure *struc
     row(&output, "volume", "", NAN, sites_whole_volume(sites, NULL), "m3");
     row(&output, "volume_counted", "", NAN, sites_whole_volume(sites, structure->counted), "m3");
     row(&output, "section", "", NAN, outline_section(&recipe->specimen, sites), "m2");
-    if (!recipe->topology->single_phase) {
+    if (recipe->voxels.phase) phases_write(recipe, structure, output.stream);
+    if (!recipe->topology->no_cores) {
         struct interface interface = statistics_interface(structure, sheet);
         row(&output, "ufg_fraction_asked", "", NAN, recipe->ufg_fraction, "1");
         row(&output, "ufg_fraction_nodes", "", NAN,

@@ -37,6 +37,21 @@ static void rank_nodes(const struct recipe *recipe, const struct cores *cores,
     free(score);
 }
 
+static void take_voxels(const struct recipe *recipe, struct structure *structure)
+{
+    const struct sites *sites = structure->sites;
+    if (recipe->voxels.grain)
+        structure->grain = memory_new((size_t)sites->n_nodes, sizeof *structure->grain);
+    for (int64_t node = 0; node < sites->n_nodes; node++) {
+        double position[3];
+        sites_position(sites, node, position);
+        const struct voxel here = recipe_voxel(recipe, position);
+        if (here.phase == VOXEL_OUTSIDE) continue; /* a grip */
+        structure->phase[node] = (uint8_t)here.phase;
+        if (structure->grain) structure->grain[node] = here.grain;
+    }
+}
+
 struct structure structure_new(const struct recipe *recipe, const struct sites *sites,
                                const struct cores *cores)
 {
@@ -45,7 +60,8 @@ struct structure structure_new(const struct recipe *recipe, const struct sites *
     structure.counted = specimen_counted(&recipe->specimen, sites);
     structure.phase = memory_new(n_nodes, sizeof *structure.phase);
     structure.core = memory_new(n_nodes, sizeof *structure.core);
-    if (!recipe->topology->single_phase) rank_nodes(recipe, cores, &structure);
+    if (!recipe->topology->no_cores) rank_nodes(recipe, cores, &structure);
+    if (recipe->voxels.phase) take_voxels(recipe, &structure);
     if (recipe->grip_phase >= 0)
         for (size_t node = 0; node < n_nodes; node++)
             if (!structure.counted[node]) structure.phase[node] = (uint8_t)recipe->grip_phase;
@@ -56,6 +72,7 @@ void structure_free(struct structure *structure)
 {
     free(structure->counted);
     free(structure->phase);
+    free(structure->grain);
     free(structure->core);
     *structure = (struct structure){0};
 }

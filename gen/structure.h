@@ -11,6 +11,7 @@ struct structure {
     const struct cores *cores; /* NULL: none whose images would have to be told apart */
     uint8_t *counted;          /* [n_nodes] 1: outside the grips */
     uint8_t *phase;            /* [n_nodes] PHASE_CG, PHASE_UFG, PHASE_GRIP */
+    int64_t *grain;            /* [n_nodes] ids of an image, 0 beyond it; NULL: none are known */
     int32_t *core;             /* [n_nodes] the core or cell that the node lies in or near to */
     struct threshold threshold;
 };

@@ -17,10 +17,14 @@ struct recipe;
 
 struct topology {
     struct variant deck; /* its name, and the keys that only it has, which fill the recipe */
-    bool single_phase;
-    bool cores_apart; /* different cores are meant not to touch */
+    bool no_cores;       /* phases are not found by ranking nodes about cores */
+    bool cores_apart;    /* different cores are meant not to touch */
+    unsigned requires;   /* REQUIRE_... (requirements.h) of a deck that does not say */
     /* Checks what the rows of the keys cannot say; NULL: nothing. */
     void (*check)(struct deck_node domain, struct recipe *recipe);
+    /* Finds size and phases of the body, and its spacing where the deck has none, before the rest
+     * of it is read; NULL: they are in the deck. */
+    void (*measure)(struct deck_node domain, struct recipe *recipe);
     struct cores (*place)(const struct recipe *recipe);
     /* Score of a point (m) and the core it belongs to. */
     int64_t (*score)(const struct recipe *recipe, const struct cores *cores, const double point[3],
@@ -32,8 +36,9 @@ struct topology {
     char *(*describe)(const struct recipe *recipe, const struct findings *findings);
 };
 
-/* All of them: topology_NAME, each in a file of its own; the first has one phase, the others two. */
-#define TOPOLOGIES(DO) DO(homogeneous), DO(harmonic), DO(random)
+/* All of them: topology_NAME, each in a file of its own; the first has one phase, the second as
+ * many as it finds, the others two. */
+#define TOPOLOGIES(DO) DO(homogeneous), DO(image), DO(harmonic), DO(random)
 #define TOPOLOGY(name) topology_##name
 extern const struct topology TOPOLOGIES(TOPOLOGY);
 

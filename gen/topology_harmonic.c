@@ -11,6 +11,7 @@
 #include "memory.h"
 #include "periodic.h"
 #include "recipe.h"
+#include "requirements.h"
 #include "steps.h"
 #include "topology.h"
 
@@ -28,6 +29,11 @@ static const struct key rows[] = {
      .usual = NAN, .help = "of the nearest centres; required without cores"},
     {"jitter", KEY_NUMBER, MEMBER(jitter), .unit = "1", .low = 0, .high = 1,
      .help = "standard deviation of each coordinate of the centres, in core distances"},
+    {"offset", KEY_SPACINGS, MEMBER(offset), .low = -LONGEST_DISTANCE, .high = LONGEST_DISTANCE,
+     .size = 3,
+     .help =
+         "from the body's centre to a core, along x, y, z; a part of a spacing leaves fewer nodes "
+         "equal by symmetry, which an exact match has to split by the seed"},
     {"minimum_shell", KEY_SPACINGS, MEMBER(minimum_shell), .low = 1, .high = 10, .usual = NAN,
      .otherwise = "one layer of nodes", .help = "what the topology check demands between cores"},
 };
@@ -43,6 +49,10 @@ static void check(struct deck_node domain, struct recipe *recipe)
         deck_error(lattice,
                    "in two dimensions the cores lie on sc or fcc (square lattices along x or along "
                    "the diagonals); the section of bcc has no shell of even width");
+    if (recipe->offset[2] != 0 && specimen_is_sheet(&recipe->specimen))
+        deck_error(
+            deck_get(domain, "offset"),
+            "a sheet is the section through the middle of the cores: its offset along z is 0");
     recipe->distance = periodic_distance(domain, &recipe->specimen, lattices[recipe->lattice],
                                          cores_lattice_edge(recipe->lattice), recipe->distance);
 }
@@ -103,15 +113,28 @@ static char *remedy(const struct recipe *recipe, const struct findings *findings
                         1e6 * spacing / parts, parts, 1e6 * recipe->distance * spacing / needed);
 }
 
+static bool lacks_cg(const struct recipe *recipe, const struct findings *findings)
+{
+    const bool *along = findings->cg.percolates;
+    return (recipe->require & REQUIRE_CG_CONNECTED) && !(along[0] && along[1] && along[2]);
+}
+
 static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
     const struct clusters *ufg = &findings->ufg;
-    bool shell = ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2];
+    const bool shell = !(recipe->require & REQUIRE_UFG_CONNECTED) ||
+                       (ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2]);
     const struct contact *contact = &findings->contact;
-    if (shell && is_film(recipe, contact->touching > 0, contact->film)) return NULL;
+    const bool apart = !(recipe->require & REQUIRE_CORES_APART) ||
+                       is_film(recipe, contact->touching > 0, contact->film);
+    if (shell && apart && !lacks_cg(recipe, findings)) return NULL;
+    if (shell && apart)
+        return memory_print("%s does not percolate along x, y and z, as 'require: [cg_connected]' "
+                            "asks for",
+                            recipe->phase_names[PHASE_CG]);
     char *help = remedy(recipe, findings);
     char *text;
-    if (contact->touching > 0)
+    if (!apart && contact->touching > 0)
         text = memory_print("not a harmonic structure: different cores touch (%lld pairs of nodes "
                             "share a face, an edge or a corner); %s",
                             (long long)contact->touching, help);
@@ -140,6 +163,7 @@ const struct topology topology_harmonic = {
                  "coarse cores on a lattice, isolated from each other in a connected fine shell",
              .keys = KEYS(rows)},
     .cores_apart = true,
+    .requires = REQUIRE_UFG_CONNECTED | REQUIRE_CORES_APART,
     .check = check,
     .place = place,
     .score = score,

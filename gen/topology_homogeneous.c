@@ -22,7 +22,7 @@ static char *describe(const struct recipe *recipe, const struct findings *findin
 
 const struct topology topology_homogeneous = {
     .deck = {.name = "homogeneous", .help = "one phase everywhere", .keys = KEYS(rows)},
-    .single_phase = true,
+    .no_cores = true,
     .fault = no_fault,
     .describe = describe,
 };

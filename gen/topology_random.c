@@ -1,4 +1,4 @@
-/* A random bimodal structure, in which both phases are to be connected.
+/* A random bimodal structure.
  *
  * cell: Voronoi cells of independent uniform points become coarse in random order; in an exact
  * match the last one is cut by a surface parallel to its faces.
@@ -7,10 +7,12 @@
  * is what none of them covers, phi_U = exp(-rho v) (Torquato, Random Heterogeneous Materials, 2002,
  * section 5.1), which sets the number density rho.
  *
- * A sheet shows the middle section of such a structure; phases are not asked to be connected in it. */
+ * Whether the phases are connected is found and said, and asked for where the deck requires it: to keep those samples alone in which
+ * they are is to choose.  A sheet shows the middle section of such a structure; phases are not asked to be connected in it. */
 #include "findings.h"
 #include "memory.h"
 #include "recipe.h"
+#include "requirements.h"
 #include "topology.h"
 
 #include <math.h>
@@ -72,9 +74,10 @@ static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
     /* Of two phases in a plane one at most can connect opposite sides both ways. */
     if (specimen_is_sheet(&recipe->specimen)) return NULL;
-    bool cg = everywhere(&findings->cg), ufg = everywhere(&findings->ufg);
+    const bool cg = !(recipe->require & REQUIRE_CG_CONNECTED) || everywhere(&findings->cg),
+               ufg = !(recipe->require & REQUIRE_UFG_CONNECTED) || everywhere(&findings->ufg);
     if (cg && ufg) return NULL;
-    return memory_print("not a random bimodal structure: %s%s%s must percolate along x, y and z "
+    return memory_print("not what the deck requires: %s%s%s must percolate along x, y and z "
                         "and %s not; use smaller cells or cores (core_distance, core_diameter) or "
                         "another seed",
                         cg ? "" : recipe->phase_names[PHASE_CG], cg || ufg ? "" : " and ",
@@ -91,8 +94,7 @@ static char *describe(const struct recipe *recipe, const struct findings *findin
 
 const struct topology topology_random = {
     .deck = {.name = "random",
-             .help =
-                 "cells or spheres at independent uniform places; both phases are to be connected",
+             .help = "cells or spheres at independent uniform places",
              .keys = KEYS(rows)},
     .check = check,
     .place = place,

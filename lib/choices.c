@@ -42,6 +42,8 @@ static const struct key rows[] = {
      .help = "where ISO 6892-1 and ASTM E8, E646 differ: upper yield point, strain of n"},
     {"loop_offset", NUMBER(loop_offset), .unit = "1", .low = 1e-7, .high = 0.1, .usual = 1e-4,
      .help = "strain off the elastic line at which a branch of a loop yields"},
+    {"resolution_order", NUMBER(resolution_order), .unit = "1", .low = 0.25, .high = 4, .usual = 1,
+     .help = "power of the spacing with which errors fall, in extrapolations that do not tell it"},
     {"fracture_share", NUMBER(fracture_share), .unit = "1", .low = 0, .high = 1, .usual = 0.1,
      .help = "share of Rm; the specimen counts as broken where the stress falls below"},
 };

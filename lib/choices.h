@@ -26,6 +26,8 @@ struct choices {
     enum standard standard;
     double loop_offset;    /* strain at which a branch of a loop yields */
     double fracture_share; /* share of Rm below which the specimen counts as broken */
+    double
+        resolution_order; /* with which what a study extrapolates falls, where it does not tell */
 };
 
 extern const struct section post_section;

@@ -334,3 +334,59 @@ const char *deck_string(struct deck_node node)
     if (scalar->data.scalar.length == 0) deck_error(node, "a value is missing here");
     return (const char *)scalar->data.scalar.value;
 }
+
+/* --- where it is written ---------------------------------------------------------------------- */
+
+bool deck_is_block(struct deck_node node)
+{
+    const yaml_node_t *found = yaml_node(node);
+    if (deck_is_map(node)) return found->data.mapping.style != YAML_FLOW_MAPPING_STYLE;
+    if (deck_is_list(node)) return found->data.sequence.style != YAML_FLOW_SEQUENCE_STYLE;
+    return found->data.scalar.style == YAML_LITERAL_SCALAR_STYLE ||
+           found->data.scalar.style == YAML_FOLDED_SCALAR_STYLE;
+}
+
+/* libyaml counts characters. */
+static size_t byte_of(const struct deck *deck, size_t characters)
+{
+    const size_t mark = sizeof byte_order_mark - 1;
+    const char *at = deck->text + (strncmp(deck->text, byte_order_mark, mark) == 0 ? mark : 0);
+    for (; characters > 0 && *at; characters--)
+        for (at++; (*at & 0xc0) == 0x80;) at++;
+    return (size_t)(at - deck->text);
+}
+
+/* An anchor or a tag belongs to the place, not to the value. */
+static size_t skip_properties(const struct deck *deck, size_t at)
+{
+    const char *text = deck->text + at;
+    while (*text == '&' || *text == '!') {
+        text += strcspn(text, " \t\r\n");
+        text += strspn(text, " \t\r\n");
+    }
+    return (size_t)(text - deck->text);
+}
+
+/* A block goes on, for libyaml, to what follows it; here it ends with the last of what it holds.  What an alias names
+ * stands elsewhere, before its key: such a line ends the block whole. */
+static size_t end_of_block(struct deck_node node, size_t begin)
+{
+    size_t end = begin;
+    for (int i = 0; i < deck_count(node); i++) {
+        const struct deck_node child = deck_is_map(node) ? deck_value(node, i) : deck_item(node, i);
+        const size_t from = deck_is_map(node) ? deck_span(deck_key_node(node, i)).end : end;
+        const struct deck_span span = deck_span(child);
+        end = span.begin >= from ? span.end : from + strcspn(node.deck->text + from, "#\r\n");
+    }
+    return end;
+}
+
+struct deck_span deck_span(struct deck_node node)
+{
+    const yaml_node_t *found = yaml_node(node);
+    struct deck_span span = {byte_of(node.deck, found->start_mark.index),
+                             byte_of(node.deck, found->end_mark.index)};
+    if (span.begin < span.end) span.begin = skip_properties(node.deck, span.begin);
+    if (!deck_is_scalar(node) && deck_is_block(node)) span.end = end_of_block(node, span.begin);
+    return span;
+}

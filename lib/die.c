@@ -1,5 +1,6 @@
 #include "die.h"
 
+#include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -15,6 +16,7 @@ static struct {
     void (*wait)(void);
     void (*clean[CLEANERS])(void);
     int n_clean;
+    void (*volatile at_signals[CLEANERS])(void); /* ended by NULL */
     bool quiet;
 } process = {.program = "hstools", .leave = _Exit};
 
@@ -44,6 +46,27 @@ void die_at_exit(void (*clean)(void))
         if (process.clean[i] == clean) return;
     if (process.n_clean == CLEANERS) die_run("more than %d functions at exit", CLEANERS);
     process.clean[process.n_clean++] = clean;
+}
+
+static void clean_and_die(int signal_number)
+{
+    for (int i = 0; i < CLEANERS && process.at_signals[i]; i++) process.at_signals[i]();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+void die_at_signals(void (*clean)(void))
+{
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    int n = 0;
+    while (n < CLEANERS && process.at_signals[n] && process.at_signals[n] != clean) n++;
+    if (n == CLEANERS) die_run("more than %d functions at signals", CLEANERS);
+    process.at_signals[n] = clean;
+    for (int i = 0; i < 3; i++) {
+        struct sigaction old;
+        if (sigaction(signals[i], NULL, &old) == 0 && old.sa_handler == SIG_DFL)
+            signal(signals[i], clean_and_die);
+    }
 }
 
 void note_set_quiet(int quiet)

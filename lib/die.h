@@ -1,9 +1,9 @@
 /* die.h - messages for people, and the end of a failed program.
  *
- * stdout is for data; every line printed here goes to stderr behind the program's name.
- * Exit codes: 2, the user can mend it (option, deck, input file); 1, the run failed
- * (disk, memory, non-finite numbers, lost energy balance); 143, it was asked to stop and did so in order (what a shell
- * says of SIGTERM).  Never 0. */
+ * stdout is for data; every line printed here goes to stderr behind the program's name. Exit
+ * codes: 2, the user can mend it (option, deck, input file); 1, the run failed (disk, memory,
+ * non-finite numbers, lost energy balance); 143, it was asked to stop and did so in order (what
+ * a shell says of SIGTERM).  Never 0. */
 #ifndef HS_DIE_H
 #define HS_DIE_H
 
@@ -23,8 +23,13 @@ void die_set_exit(void (*leave)(int code));
  * first. */
 void die_at_exit(void (*clean)(void));
 
-/* Called before a user's error is told.  A rank that follows another waits here: the first meets the
- * same error, tells it once and ends them all. */
+/* The same for the end by SIGINT, SIGTERM or SIGHUP, where these are not ignored (nohup) or
+ * handled by others (MPI). The function runs in a signal handler: it may call what is safe there
+ * alone. */
+void die_at_signals(void (*clean)(void));
+
+/* Called before a user's error is told.  A rank that follows another waits here: the first meets
+ * the same error, tells it once and ends them all. */
 void die_set_wait(void (*wait)(void));
 
 /* The user's error, exit 2.  Say what was wrong, where, and what was expected. */

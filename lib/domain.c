@@ -95,7 +95,8 @@ void domain_forget_nodes(struct domain *domain)
     free(domain->z);
     free(domain->volume);
     free(domain->phase);
-    domain->x = domain->y = domain->z = domain->volume = NULL;
+    free(domain->grain);
+    domain->x = domain->y = domain->z = domain->volume = domain->grain = NULL;
     domain->phase = NULL;
     domain_forget_mesh(domain);
 }

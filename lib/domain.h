@@ -38,6 +38,7 @@ struct domain {
     double *x, *y, *z; /* [n_nodes] m, reference positions */
     double *volume;    /* [n_nodes] m^3 */
     uint8_t *phase;    /* [n_nodes] index into phase_names */
+    double *grain;     /* [n_nodes] ids of grains, whole numbers; NULL: none are known */
     int n_phases;      /* at most 16 */
     char **phase_names;
     int n_sets;

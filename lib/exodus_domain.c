@@ -9,7 +9,7 @@
 
 enum { MOST_NODES = 200000000 };
 
-static char title[] = "hstools domain", radius[] = "RADIUS", volume[] = "VOLUME";
+static char title[] = "hstools domain", radius[] = "RADIUS", volume[] = "VOLUME", grain[] = "GRAIN";
 
 /* The nodes of one phase, in lattice order, from 1. */
 static int64_t *nodes_of(const struct domain *domain, int phase, int64_t *count)
@@ -21,15 +21,23 @@ static int64_t *nodes_of(const struct domain *domain, int phase, int64_t *count)
     return nodes;
 }
 
+/* A third one where grains are known. */
+static int attributes_of(const struct domain *domain)
+{
+    return domain->grain ? 3 : 2;
+}
+
 static void put_attributes(const struct exodus_file *file, const struct domain *domain, int block,
                            int64_t count, const int64_t *nodes)
 {
-    char *names[] = {radius, volume};
-    double *values = memory_new(2 * (size_t)count, sizeof *values);
+    char *names[] = {radius, volume, grain};
+    const int64_t each = attributes_of(domain);
+    double *values = memory_new((size_t)(each * count), sizeof *values);
     for (int64_t i = 0; i < count; i++) {
         double v = domain->volume[nodes[i] - 1];
-        values[2 * i] = cbrt(0.75 * v / acos(-1));
-        values[2 * i + 1] = v;
+        values[each * i] = cbrt(0.75 * v / acos(-1));
+        values[each * i + 1] = v;
+        if (domain->grain) values[each * i + 2] = domain->grain[nodes[i] - 1];
     }
     exodus_wrote(file, ex_put_attr_names(file->id, EX_ELEM_BLOCK, block, names), "names");
     exodus_wrote(file, ex_put_attr(file->id, EX_ELEM_BLOCK, block, values), "the volumes");
@@ -42,7 +50,9 @@ static void put_block(const struct exodus_file *file, const struct domain *domai
     int block = phase + 1;
     int64_t *nodes = nodes_of(domain, phase, &count);
     exodus_check_name(file, domain->phase_names[phase]);
-    exodus_wrote(file, ex_put_block(file->id, EX_ELEM_BLOCK, block, "SPHERE", count, 1, 0, 0, 2),
+    exodus_wrote(file,
+                 ex_put_block(file->id, EX_ELEM_BLOCK, block, "SPHERE", count, 1, 0, 0,
+                              attributes_of(domain)),
                  "a block");
     if (count > 0) {
         exodus_wrote(file, ex_put_conn(file->id, EX_ELEM_BLOCK, block, nodes, NULL, NULL),

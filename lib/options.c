@@ -1,11 +1,13 @@
 #include "options.h"
 
+#include "completion.h"
 #include "deck.h"
 #include "die.h"
 #include "exodus.h"
 #include "keys.h"
 #include "memory.h"
 #include "random.h"
+#include "version.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -24,9 +26,10 @@ enum { LONG_OPTION = 256, HELP_COLUMN = 30 };
 static const struct option_row built_in[] = {
     {'h', "help", NULL, "print this and leave", NULL, NULL},
     {'V', "version", NULL, "print the version and leave", NULL, NULL},
+    {0, "completion", "SHELL", "print what bash or zsh completes by, and leave", NULL, NULL},
     {0, "keys", "[=FORMAT]", "print the deck's keys (text, mdoc, markdown) and leave", NULL, NULL},
 };
-enum { HELP, VERSION, KEYS_OPTION, BUILT_IN };
+enum { HELP, VERSION, COMPLETION, KEYS_OPTION, BUILT_IN };
 
 /* Rows of the table and built in ones; without sections there is no --keys. */
 static int count_rows(const struct option_table *table)
@@ -94,6 +97,15 @@ static void print_keys(const struct option_table *table, const char *format)
     die_user("--keys=%s: expected text, mdoc or markdown", format);
 }
 
+static _Noreturn void print_completion(const struct option_table *table, const char *shell)
+{
+    const int count = count_rows(table);
+    const struct option_row **rows = memory_new((size_t)count, sizeof *rows);
+    for (int i = 0; i < count; i++) rows[i] = row_at(table, i);
+    completion_print(shell, table->program, rows, count);
+    leave_after_printing();
+}
+
 static void take(const struct option_table *table, const struct option_row *row)
 {
     if (row == &built_in[HELP]) {
@@ -104,6 +116,7 @@ static void take(const struct option_table *table, const struct option_row *row)
         fputs(options_version(), stdout);
         leave_after_printing();
     }
+    if (row == &built_in[COMPLETION]) print_completion(table, optarg);
     if (row == &built_in[KEYS_OPTION]) print_keys(table, optarg);
     if (row->argument)
         *row->value = optarg;
@@ -133,7 +146,7 @@ int options_read(const struct option_table *table, int argc, char **argv)
 const char *options_version(void)
 {
     static char text[512];
-    snprintf(text, sizeof text, "%s %s\n%s\n%s\n%s\n%s\n", die_program(), HS_VERSION, COMPILER,
+    snprintf(text, sizeof text, "%s %s\n%s\n%s\n%s\n%s\n", die_program(), hs_version, COMPILER,
              exodus_library(), deck_library(), random_library());
     return text;
 }

@@ -2,20 +2,9 @@
 #ifndef HS_OPTIONS_H
 #define HS_OPTIONS_H
 
-#include <stdbool.h>
+#include "option_row.h"
 
 struct section;
-
-/* One option.  argument = NULL: a flag, *flag becomes true.  Otherwise *value points at the
- * text given (the last one wins). */
-struct option_row {
-    char letter;          /* 'o' for -o, or 0 */
-    const char *name;     /* "output" for --output */
-    const char *argument; /* "FILE", or NULL for a flag */
-    const char *help;
-    bool *flag;
-    const char **value;
-};
 
 struct option_table {
     const char *program;  /* "hsgen" */
@@ -26,7 +15,7 @@ struct option_table {
     const struct section *const *sections; /* of the deck, for --keys; ended by NULL */
 };
 
-/* Reads argv by the table (getopt_long).  -h/--help, -V/--version and, where there are sections,
+/* Reads argv by the table (getopt_long).  -h/--help, -V/--version, --completion SHELL and, where there are sections,
  * --keys[=text|mdoc|markdown] (the manual of their keys) are built in, print to stdout and exit 0.  A wrong option ends with exit 2 and a hint at --help.
  * Returns the index of the first operand in argv. */
 int options_read(const struct option_table *table, int argc, char **argv);

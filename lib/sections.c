@@ -1,6 +1,7 @@
 #include "sections.h"
 
 #include "keys.h"
+#include "varied.h"
 
 #define SECTION(name, words)                                                                       \
     {                                                                                              \
@@ -25,6 +26,13 @@ static const struct key rows[] = {
     SECTION(solver, "hssolve: how the run advances, and to where"),
     SECTION(output, "hssolve: histories, quantities and fields"),
     SECTION(post, "hspost: how a curve is evaluated"),
+    {"vary", KEY_NODE, offsetof(struct sections, vary), .section = &vary_section,
+     .help = "hsgen --study: what varies from deck to deck"},
+    {"refine", KEY_NODE, offsetof(struct sections, refine), .form = "number or list of numbers",
+     .help = "hsgen --study: the same body also at the spacing divided by so much, 2 to 16, and "
+             "what the spacing adds to the curve; two numbers show the order, too"},
+    {"varied", KEY_NODE, offsetof(struct sections, varied), .section = &varied_section,
+     .help = "hspost: what varied"},
 };
 
 const struct section deck_section = {

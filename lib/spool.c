@@ -34,24 +34,6 @@ static void remove_unfinished(void)
             unlink(unfinished[i].path);
 }
 
-static void remove_and_die(int signal_number)
-{
-    remove_unfinished();
-    signal(signal_number, SIG_DFL);
-    raise(signal_number);
-}
-
-/* Signals that are ignored (nohup) or handled by others (MPI) stay theirs. */
-static void remove_on_signals(void)
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    for (int i = 0; i < 3; i++) {
-        struct sigaction old;
-        if (sigaction(signals[i], NULL, &old) == 0 && old.sa_handler == SIG_DFL)
-            signal(signals[i], remove_and_die);
-    }
-}
-
 static void keep_track(char *path)
 {
     for (int i = 0; i < MOST_OUTPUTS; i++) {
@@ -59,7 +41,7 @@ static void keep_track(char *path)
         unfinished[i].owner = getpid();
         unfinished[i].path = path;
         die_at_exit(remove_unfinished);
-        remove_on_signals();
+        die_at_signals(remove_unfinished);
         return;
     }
     die_run("more than %d output files at once", MOST_OUTPUTS);

@@ -100,14 +100,39 @@ static void look_for_others(const char *place, const char *name)
     free(fixed);
 }
 
+/* Dies where one of these places is that of name. */
+static void refuse_second(const char *place, char *const places[], int count, const char *name)
+{
+    for (int i = 0; i < count; i++)
+        if (places[i] && strcmp(places[i], place) == 0)
+            die_user("two outputs are called %s: give each a name of its own", name);
+}
+
+/* Standard output, pipes and devices take any number of outputs. */
+static bool is_file(const char *name)
+{
+    struct stat status;
+    return strcmp(name, "-") != 0 && (stat(name, &status) != 0 || S_ISREG(status.st_mode));
+}
+
+void taken_check(const char *const names[], int count)
+{
+    char **places = memory_new((size_t)count, sizeof *places);
+    for (int i = 0; i < count; i++) {
+        if (!names[i] || !is_file(names[i])) continue;
+        places[i] = place_of(names[i]);
+        refuse_second(places[i], places, i, names[i]);
+    }
+    for (int i = 0; i < count; i++) free(places[i]);
+    free(places);
+}
+
 void taken_as_output(const char *name)
 {
     char *place = place_of(name);
     if (is_input(place))
         die_user("%s is an input, which would be overwritten: give the output another name", name);
-    for (int i = 0; i < taken.n_outputs; i++)
-        if (strcmp(taken.outputs[i], place) == 0)
-            die_user("two outputs are called %s: give each a name of its own", name);
+    refuse_second(place, taken.outputs, taken.n_outputs, name);
     look_for_others(place, name);
     taken.outputs = memory_grow(taken.outputs, taken.n_outputs, sizeof *taken.outputs);
     taken.outputs[taken.n_outputs++] = place;

@@ -1,13 +1,18 @@
-/* taken.h - which files a program reads and writes: no output takes the place of an input, nor of another output. */
+/* taken.h - which files a program reads and writes: no output takes the place of an input, nor
+ * of another output. */
 #ifndef HS_TAKEN_H
 #define HS_TAKEN_H
 
 /* A file that is open is an input; what is no file of a disk can be read and written. */
 void taken_as_input(int descriptor);
 
-/* A file of that name is going to be written.  Dies (exit 2) where it is an input, or an output already; warns where another
- * process is about to write it, too. */
+/* A file of that name is going to be written.  Dies (exit 2) where it is an input, or an output
+ * already; warns where another process is about to write it, too. */
 void taken_as_output(const char *name);
+
+/* Files of these names (NULL: none) are going to be written, later.  Dies (exit 2) where two of
+ * them are one. */
+void taken_check(const char *const names[], int count);
 
 /* An output of that name is there, and may be replaced by the next one, as in trials. */
 void taken_again(const char *name);

@@ -10,6 +10,9 @@
 
 static const double rounding =
     1e-6; /* of the highest stress, below which noise is that of written digits */
+static const double filtered_share =
+    1.3; /* of the noise by rows: more of it is correlated, as behind a filter */
+static const double filtered_least = 0.3; /* correlation behind a filter */
 
 /* Force over the smallest section: a mean stress in the neck, with no correction for its
  * triaxiality. */
@@ -88,7 +91,7 @@ static void make_true_curve(struct analysis *analysis, const struct choices *cho
 {
     struct curve *curve = &analysis->envelope;
     const struct measures *m = &analysis->measures;
-    const double noise = analysis->noise;
+    const double noise = noise_of_means(analysis->noise);
     const long last = m->uniform;
     const long reach = last < m->maximum.row ? last : true_curve_reach(curve, last);
     analysis->window = true_curve_window(curve, last, choices->window, noise);
@@ -99,6 +102,39 @@ static void make_true_curve(struct analysis *analysis, const struct choices *cho
     true_curve_cut(curve, last);
 }
 
+/* Which of stress and strain scatters more about the elastic line. */
+static void compare_noise(struct curve *curve, const struct choices *choices)
+{
+    const double noise = noise_of(curve->strain, curve->stress, curve->n);
+    const double strain = noise_of_strain(curve->strain, curve->n);
+    curve->strain_is_noisier = curve->measured && strain > 0;
+    if (!curve->strain_is_noisier) return;
+    curve->strain_is_noisier = strain * strength_line(curve, choices).slope > noise;
+}
+
+/* By the rows; and by what scatters more about the elastic line: correlated, it is what a filter
+ * leaves of the noise of the stress, else it is the strain's. */
+static void find_noise(struct analysis *analysis, const struct elastic_line *line)
+{
+    const struct curve *curve = &analysis->envelope;
+    const double digits = rounding * gsl_stats_max(curve->stress, 1, (size_t)curve->n);
+    struct noise *noise = &analysis->noise;
+    analysis->strain_noise = noise_of_strain(curve->strain, curve->n);
+    noise->deviation = noise_of(curve->strain, curve->stress, curve->n);
+    if (noise->deviation <= digits) noise->deviation = 0;
+    if (line->count == 0) return;
+    struct noise along =
+        noise_about_line(curve->strain + line->first, curve->stress + line->first, line->count);
+    const double known = pow(line->slope * analysis->strain_noise, 2),
+                 more = sqrt(fmax(pow(along.deviation, 2) - known, 0));
+    if (more <= fmax(filtered_share * noise->deviation, 10 * digits)) return;
+    if (along.correlation > filtered_least && noise->deviation > 0)
+        *noise = noise_filtered(curve->stress, curve->n);
+    else if (along.correlation <= filtered_least)
+        analysis->strain_noise =
+            sqrt(known + pow(more, 2) - pow(noise->deviation, 2)) / line->slope;
+}
+
 struct analysis analysis_make(struct curve *curve, const struct choices *choices)
 {
     struct analysis analysis = {0};
@@ -106,22 +142,24 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     record_turn(curve);
     add_neck_stress(curve);
     phases_add_factor(curve);
-    analysis.record = record_judge(curve, strength_line(curve, choices).slope);
+    compare_noise(curve, choices);
+    const struct elastic_line rough = strength_line(curve, choices);
+    analysis.record = record_judge(curve, &rough);
     analysis.envelope = record_envelope(&analysis.record, curve, &analysis.rows);
     renumber(&analysis, curve, &chosen);
     struct elastic_line line = strength_line(&analysis.envelope, &chosen);
+    if (curve->measured) find_noise(&analysis, &line);
+    if (!analysis.envelope.strain_is_noisier &&
+        analysis.strain_noise * line.slope > analysis.noise.deviation) {
+        analysis.envelope.strain_is_noisier = true;
+        line = strength_line(&analysis.envelope, &chosen);
+    }
     if (!isnan(choices->true_modulus)) correct(&analysis, curve, &line, choices->true_modulus);
 
     const struct curve *envelope = &analysis.envelope;
     analysis.strained = envelope->n - 1;
     while (analysis.strained > 0 && analysis.rows[analysis.strained] > analysis.record.strained)
         analysis.strained--;
-    if (curve->measured) {
-        const double most = gsl_stats_max(envelope->stress, 1, (size_t)envelope->n);
-        analysis.noise = noise_of(envelope->strain, envelope->stress, envelope->n);
-        if (analysis.noise <= rounding * most) analysis.noise = 0;
-        analysis.strain_noise = noise_of_strain(envelope->strain, envelope->n);
-    }
     const struct loading loading = {envelope, analysis.noise, analysis.strain_noise,
                                     analysis.strained};
     analysis.measures = measures_take(&loading, &chosen, line);

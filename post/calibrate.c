@@ -21,7 +21,8 @@ static const double full_share = 1.5; /* of onset, where a node carries nothing 
 static const double proportional =
     5.65; /* L0 over the root of S0, where the specimen does not say */
 
-/* --- running ----------------------------------------------------------------------------------- */
+/* --- running
+ * ----------------------------------------------------------------------------------- */
 
 /* Folder of this program, with a slash at the end; "" where it is not known. */
 static char *own_folder(void)
@@ -73,9 +74,11 @@ static struct curve run_deck(const char *directory, const char *name, const stru
     return curve;
 }
 
-/* --- decks ------------------------------------------------------------------------------------- */
+/* --- decks
+ * ------------------------------------------------------------------------------------- */
 
-/* A plate with the material, gauge [m] long between shoulders and grips; its section has 8 by 4 particles. */
+/* A plate with the material, gauge [m] long between shoulders and grips; its section has 8 by 4
+ * particles. */
 static struct text_output begin_deck(const char *directory, const char *name,
                                      const struct material *m, const struct curve *curve,
                                      long gauge)
@@ -109,7 +112,8 @@ static void write_plate(const char *directory, const struct material *m,
     text_output_close(&deck);
 }
 
-/* --- uniform part ------------------------------------------------------------------------------ */
+/* --- uniform part
+ * ------------------------------------------------------------------------------ */
 
 static double stress_at(const struct curve *curve, double strain)
 {
@@ -159,10 +163,11 @@ static struct misfit compare(const char *directory, const struct measured *measu
     return misfit;
 }
 
-/* --- fracture ---------------------------------------------------------------------------------- */
+/* --- fracture
+ * ---------------------------------------------------------------------------------- */
 
-/* Elongation at fracture, without the elastic part, of a bar with the gauge length of the specimen over the root of its
- * section; INFINITY where it does not part. */
+/* Elongation at fracture, without the elastic part, of a bar with the gauge length of the
+ * specimen over the root of its section; INFINITY where it does not part. */
 static double elongation(const char *directory, const struct material *m,
                          const struct measured *measured, double onset, double most)
 {
@@ -191,7 +196,8 @@ static double elongation(const char *directory, const struct material *m,
     return broken ? found : INFINITY;
 }
 
-/* Bisection of the logarithm: the later damage sets in, the further the bar goes.  *reached: its elongation there. */
+/* Bisection of the logarithm: the later damage sets in, the further the bar goes.  *reached: its
+ * elongation there. */
 static double find_onset(const char *directory, const struct material *m,
                          const struct measured *measured, double *reached)
 {

@@ -1,7 +1,8 @@
 /* csv.h - comma-separated tables as hspost writes them.
  *
- * Comma between fields, point in numbers, one header row, an empty field for what is not valid.  Stresses are MPa in
- * files and Pa in memory: a column stress_Pa of the table is stress_MPa of the file. */
+ * Comma between fields, point in numbers, one header row, an empty field for what is not valid.
+ * Stresses are MPa in files and Pa in memory: a column stress_Pa of the table is stress_MPa of
+ * the file. */
 #ifndef HS_CSV_H
 #define HS_CSV_H
 

@@ -282,6 +282,7 @@ struct curve curve_rows(const struct curve *curve, long n, const long rows[])
         for (long i = 0; i < n; i++) to[i] = from->values[rows[i]];
     }
     part.measured = curve->measured;
+    part.strain_is_noisier = curve->strain_is_noisier;
     part.section = curve->section;
     part.gauge_length = curve->gauge_length;
     part.youngs_modulus = curve->youngs_modulus;

@@ -1,8 +1,8 @@
 /* curve.h - one tensile curve: engineering stress against strain, and what was recorded with it.
  *
- * Engineering stress s = F / S0 with F half the difference of the two grip forces, engineering strain
- * e = dL / L0 between the gauge planes.  The force that the left grip exerts on the specimen is
- * negative in tension. */
+ * Engineering stress s = F / S0 with F half the difference of the two grip forces, engineering
+ * strain e = dL / L0 between the gauge planes.  The force that the left grip exerts on the
+ * specimen is negative in tension. */
 #ifndef HS_CURVE_H
 #define HS_CURVE_H
 
@@ -24,7 +24,8 @@ struct curve_phase {
 
 struct curve {
     char *title;
-    bool measured; /* an experimental table: no grip forces */
+    bool measured;          /* an experimental table: no grip forces */
+    bool strain_is_noisier; /* than the stress over the elastic slope */
     long n;
     double *strain, *stress;           /* [n] -, Pa; engineering, in the table */
     double *true_strain, *true_stress; /* [n] -, Pa; up to Rm, toe removed, else NAN */
@@ -41,8 +42,8 @@ struct curve {
 /* An empty curve of n points with the columns every curve file has. */
 struct curve curve_new(long n, const char *title);
 
-/* Forces to stresses, extension to strain, which a table gets as columns; dies (exit 2) where a column or a size is
- * missing. */
+/* Forces to stresses, extension to strain, which a table gets as columns; dies (exit 2) where a
+ * column or a size is missing. */
 struct curve curve_make(struct input *input, const struct choices *choices);
 
 /* Some of its rows [n] as a curve of their own, with all columns and facts. */

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST_STANDING = 5, FEWEST_UNLOADING = 4 };
+enum { FEWEST_STANDING = 5, FEWEST_UNLOADING = 4, MOST_OF_SPIKE = 3 };
 
 static const double least_fall = 0.005; /* of the stress before it: ISO 6892-1, ReH */
 static const double noise_widths =
@@ -18,9 +18,14 @@ static const double regained = 0.75;   /* of a fall, by which the reloading has 
 static const double elastic_spans = 3; /* strain of an excursion over that of its fall, elastic */
 static const double reversal =
     0.3; /* of the elastic strain, by which the strain of a loop goes back */
+static const double steepest = 2;       /* elastic slopes, by which no stress of a body rises */
+static const double least_spike = 0.02; /* of the highest stress */
+static const double least_leap = 5e-4;  /* of the strain */
+static const double flowing = 0.005;    /* plastic strain */
 static const double turned_share = 0.9; /* of steps that fall, where rows run backwards */
 
-/* --- direction --------------------------------------------------------------------------------- */
+/* --- direction
+ * --------------------------------------------------------------------------------- */
 
 static void turn_rows(struct table *table)
 {
@@ -34,31 +39,138 @@ static void turn_rows(struct table *table)
     }
 }
 
+/* Rows in which no test has been: of a test the strain goes a small part of its range from one
+ * row to the next. */
+static void refuse_disorder(const struct curve *curve)
+{
+    enum { FEWEST_ROWS = 20 };
+    const double most_of_range = 0.1, *e = curve->strain;
+    double way = 0, range = 0;
+    gsl_stats_minmax(&way, &range, e, 1, (size_t)curve->n);
+    range -= way;
+    way = 0;
+    for (long i = 1; i < curve->n; i++) way += fabs(e[i] - e[i - 1]);
+    if (curve->n < FEWEST_ROWS || way <= most_of_range * (double)curve->n * range) return;
+    die_user("%s: the rows are in no order: the strain goes %.3g of its range from one row to the "
+             "next, on average; sort them by time, or by strain",
+             curve->title, way / range / (double)curve->n);
+}
+
+/* 1, -1 or 0: to which side of zero most of it lies. */
+static int side(const double values[], long n)
+{
+    double low, high;
+    gsl_stats_minmax(&low, &high, values, 1, (size_t)n);
+    return high > 2 * fmax(-low, 0) ? 1 : -low > 2 * fmax(high, 0) ? -1 : 0;
+}
+
+static void refuse_signs(const struct curve *curve)
+{
+    const int strain = side(curve->strain, curve->n), stress = side(curve->stress, curve->n);
+    if (strain < 0 && stress < 0)
+        die_user("%s: the record is one of compression (stress down to %.4g MPa, strain to %.3g); "
+                 "what is measured here is defined for tension: change the signs of both columns "
+                 "to see it so",
+                 curve->title, gsl_stats_min(curve->stress, 1, (size_t)curve->n) / 1e6,
+                 gsl_stats_min(curve->strain, 1, (size_t)curve->n));
+    if (strain * stress < 0)
+        die_user("%s: the %s is negative where the %s is positive: change the sign of its column",
+                 curve->title, strain < 0 ? "strain" : "stress", strain < 0 ? "stress" : "strain");
+}
+
 void record_turn(struct curve *curve)
 {
-    const double *e = curve->strain, *s = curve->stress;
+    const double *e = curve->strain;
     const long n = curve->n;
-    long falls = 0, lowest = 0, highest = 0;
-    for (long i = 1; i < n; i++) {
-        falls += e[i] < e[i - 1];
-        if (s[i] < s[lowest]) lowest = i;
-        if (s[i] > s[highest]) highest = i;
-    }
-    if (curve->measured && -s[lowest] > 2 * fmax(s[highest], 0) && e[lowest] < 0)
-        die_user(
-            "%s: the record is one of compression (stress down to %.4g MPa at strain %.3g); what "
-            "is "
-            "measured here is defined for tension: change the signs of both columns to see it so",
-            curve->title, s[lowest] / 1e6, e[lowest]);
+    long falls = 0;
+    if (curve->measured) refuse_signs(curve);
+    if (curve->measured) refuse_disorder(curve);
+    for (long i = 1; i < n; i++) falls += e[i] < e[i - 1];
     if (n < FEWEST_STANDING || (double)falls < turned_share * (double)(n - 1) || e[0] <= 0 ||
-        e[lowest] < 0)
+        gsl_stats_min(e, 1, (size_t)n) < 0)
         return;
     note("%s: the strain falls from row to row; taken from the last row to the first",
          curve->title);
     turn_rows(&curve->table);
 }
 
-/* --- excursions -------------------------------------------------------------------------------- */
+/* --- leaps ---------------------------------------------------------------------------------- */
+
+/* Fall of the stress from s that counts. */
+static double threshold(const struct record *record, double s)
+{
+    return fmax(least_fall * fabs(s), noise_widths * record->noise);
+}
+
+/* What leaps are tried by. */
+struct leap {
+    double slope, toe;     /* Pa, -; of the elastic part */
+    double strain, stress; /* changes that count */
+};
+
+/* How fast the stress may rise: where it is the highest so far and the body flows, hardly. */
+static double steepest_at(const struct leap *leap, const struct curve *curve, long row, double top)
+{
+    const double plastic = curve->strain[row] - leap->toe - curve->stress[row] / leap->slope;
+    return plastic > flowing && curve->stress[row] > top - leap->stress ? 0
+                                                                        : steepest * leap->slope;
+}
+
+/* Whether row follows row from as a body's does: the stress rises no faster than it can, the
+ * strain goes back by what is elastic, and neither goes back without the other. */
+static bool follows(const struct leap *leap, const struct curve *curve, long from, long row,
+                    double slope)
+{
+    const double strain = curve->strain[row] - curve->strain[from];
+    const double stress = curve->stress[row] - curve->stress[from];
+    return stress <= slope * fmax(strain, 0) + leap->stress &&
+           -strain <= steepest * fmax(-stress, 0) / leap->slope + leap->strain;
+}
+
+/* The row behind a leap that begins at row i and comes back to the level before; i where there
+ * is none. */
+static long leap_end(const struct leap *leap, const struct curve *curve, long i, double top)
+{
+    const double slope = steepest_at(leap, curve, i - 1, top), before = curve->stress[i - 1];
+    bool odd = !follows(leap, curve, i - 1, i, slope);
+    for (long next = i + 1; next < curve->n && next - i <= MOST_OF_SPIKE; next++) {
+        odd = odd || !follows(leap, curve, next - 1, next, steepest * leap->slope);
+        if (odd && follows(leap, curve, i - 1, next, slope) &&
+            curve->stress[next] > before - leap->stress)
+            return next;
+    }
+    return i;
+}
+
+/* Puts rows from i on, before row next, on the line between those beside them, in a quantity. */
+static void bridge(double values[], long i, long next)
+{
+    for (long k = i; k < next; k++)
+        values[k] = values[i - 1] + (values[next] - values[i - 1]) / (double)(next - k + 1);
+}
+
+/* A few rows where stress or strain leaps as no body's can, and comes back, are left out; curve:
+ * without them. */
+static void take_leaps_out(struct record *record, struct curve *curve,
+                           const struct elastic_line *line)
+{
+    double top = gsl_stats_max(curve->stress, 1, (size_t)curve->n);
+    const struct leap leap = {line->slope, line->toe,
+                              fmax(least_leap, noise_widths * record->strain_noise),
+                              fmax(least_spike * top, noise_widths * record->noise)};
+    top = curve->stress[0];
+    for (long i = 1; curve->measured && i < curve->n - 1; i++) {
+        const long next = leap_end(&leap, curve, i, top);
+        bridge(curve->stress, i, next);
+        bridge(curve->strain, i, next);
+        for (long k = i; k < next; k++) record->loading[k] = false;
+        record->spikes += next > i;
+        top = fmax(top, curve->stress[i]);
+    }
+}
+
+/* --- excursions
+ * -------------------------------------------------------------------------------- */
 
 static void exclude(struct record *record, long from, long to)
 {
@@ -72,7 +184,8 @@ static double least_between(const double values[], long first, long last)
     return least;
 }
 
-/* Adds the excursion where the strain between its ends is no more than an elastic fall and rise would make. */
+/* Adds the excursion where the strain between its ends is no more than an elastic fall and rise
+ * would make. */
 static bool add_excursion(struct record *record, const struct curve *curve, struct excursion x,
                           double slope)
 {
@@ -110,13 +223,8 @@ static void cut_unloading(struct record *record, const struct curve *curve, long
     exclude(record, peak + 1, last);
 }
 
-/* Fall of the stress from s that counts. */
-static double threshold(const struct record *record, double s)
-{
-    return fmax(least_fall * fabs(s), noise_widths * record->noise);
-}
-
-/* The row where the stress has fallen from its highest value since *peak, which goes there; -1: none. */
+/* The row where the stress has fallen from its highest value since *peak, which goes there; -1:
+ * none. */
 static long next_fall(const struct record *record, const struct curve *curve, long *peak)
 {
     const double *s = curve->stress;
@@ -127,8 +235,8 @@ static long next_fall(const struct record *record, const struct curve *curve, lo
     return -1;
 }
 
-/* The row where most of a fall has been regained, and the lowest one before it.  -1: it falls again before, from *top, or
- * ends (*top -1). */
+/* The row where most of a fall has been regained, and the lowest one before it.  -1: it falls
+ * again before, from *top, or ends (*top -1). */
 static long next_rise(const struct record *record, const struct curve *curve, long peak, long fall,
                       long *bottom, long *top)
 {
@@ -147,7 +255,8 @@ static long next_rise(const struct record *record, const struct curve *curve, lo
     return -1;
 }
 
-/* Where the strain is greatest between two rows: an unloading begins there, also behind maximum force. */
+/* Where the strain is greatest between two rows: an unloading begins there, also behind maximum
+ * force. */
 static long furthest(const double strain[], long first, long last)
 {
     long far = first;
@@ -175,10 +284,11 @@ static void find_excursions(struct record *record, const struct curve *curve, do
     }
 }
 
-/* --- extensometer ------------------------------------------------------------------------------ */
+/* --- extensometer
+ * ------------------------------------------------------------------------------ */
 
-/* The last rows in which the strain stands while the force rises or falls more than a relaxation does, or in which it
- * falls without an unloading. */
+/* The last rows in which the strain stands while the force rises or falls more than a relaxation
+ * does, or in which it falls without an unloading. */
 static void find_strained(struct record *record, const struct curve *curve, double slope)
 {
     const double *e = curve->strain, *s = curve->stress;
@@ -198,7 +308,14 @@ static void find_strained(struct record *record, const struct curve *curve, doub
     if (beyond > FEWEST_STANDING && top < record->strained) record->strained = top;
 }
 
-struct record record_judge(const struct curve *curve, double slope)
+static double *copy_of(const double values[], long n)
+{
+    double *copy = memory_new((size_t)n, sizeof *copy);
+    memcpy(copy, values, (size_t)n * sizeof *copy);
+    return copy;
+}
+
+struct record record_judge(const struct curve *curve, const struct elastic_line *line)
 {
     const long n = curve->n;
     struct record record = {.strained = n - 1};
@@ -206,9 +323,15 @@ struct record record_judge(const struct curve *curve, double slope)
     for (long i = 0; i < n; i++) record.loading[i] = true;
     record.noise = noise_of(curve->strain, curve->stress, n);
     record.strain_noise = noise_of_strain(curve->strain, n);
-    if (!(slope > 0)) return record;
-    find_excursions(&record, curve, slope);
-    find_strained(&record, curve, slope);
+    if (!(line->slope > 0)) return record;
+    struct curve clean = *curve;
+    clean.strain = copy_of(curve->strain, n);
+    clean.stress = copy_of(curve->stress, n);
+    take_leaps_out(&record, &clean, line);
+    find_excursions(&record, &clean, line->slope);
+    find_strained(&record, &clean, line->slope);
+    free(clean.strain);
+    free(clean.stress);
     return record;
 }
 

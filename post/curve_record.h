@@ -1,9 +1,9 @@
-/* curve_record.h - what happened during a test, judged before anything is measured: loops, holds, serrations, an extensometer
- * that stands or falls, rows from the last to the first. */
+/* curve_record.h - what happened during a test, judged before anything is measured: loops,
+ * holds, serrations, an extensometer that stands or falls, rows from the last to the first. */
 #ifndef HS_CURVE_RECORD_H
 #define HS_CURVE_RECORD_H
 
-#include "curve.h"
+#include "strength.h"
 
 enum excursion_kind {
     EXCURSION_LOOP,      /* strain goes back: unloading and reloading */
@@ -21,15 +21,17 @@ struct record {
     bool *loading; /* [n] rows of the envelope that loading alone would have made */
     long count;
     struct excursion *excursions; /* [count] */
+    long spikes;                  /* of a few rows, that no body makes; left out */
     bool unloaded;                /* the end of the record is an unloading, which is left out */
     long strained;                /* the last row whose strain was measured; n - 1 where all are */
     double noise, strain_noise;   /* Pa, -; standard deviations on the envelope */
 };
 
-/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured record of compression.
- * slope [Pa] is that of the elastic part, NAN where it is not known. */
+/* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured
+ * record of compression, with signs that do not go together, or in no order. */
 void record_turn(struct curve *curve);
-struct record record_judge(const struct curve *curve, double slope);
+/* line: of the elastic part, slope NAN where it is not known. */
+struct record record_judge(const struct curve *curve, const struct elastic_line *line);
 void record_free(struct record *record);
 
 /* How many there are of a kind. */

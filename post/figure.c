@@ -27,7 +27,7 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 /* Distinguishable for all readers: Okabe and Ito (2008). */
 static const char *const colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
                                       "#CC79A7", "#56B4E9", "#E69F00"};
-enum { COLOURS = sizeof colours / sizeof *colours };
+enum { COLOURS = sizeof colours / sizeof *colours, LONG_TITLE = 30, SHORT_TITLE = 20 };
 
 static const char *terminal_of(const char *name)
 {
@@ -118,15 +118,17 @@ static void write_range(FILE *gnuplot, const char *axis, const double range[2])
         fprintf(gnuplot, "set %srange [%.10g:%.10g]\n", axis, range[0], range[1]);
 }
 
-static void write_axes(FILE *gnuplot, bool true_curve)
+/* Of the legend, at most so many columns. */
+static void write_axes(FILE *gnuplot, bool true_curve, int columns)
 {
     fputs("set encoding utf8\n"
           "set border 3 lw 0.8\n"
           "set tics nomirror out scale 0.7\n"
           "set grid lt 1 lw 0.5 lc rgb '#d0d0d0'\n"
-          "set key outside top center horizontal Left reverse samplen 2 width 1 maxcols 2\n"
+          "set key outside top center horizontal Left reverse samplen 2 width 1\n"
           "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n",
           gnuplot);
+    fprintf(gnuplot, "set key maxcols %d\n", columns);
     fputs(true_curve ? "set xlabel 'True strain ε'\nset ylabel 'True stress σ (MPa)'\n"
                      : "set xlabel 'Engineering strain (%)'\n"
                        "set ylabel 'Engineering stress (MPa)'\n",
@@ -145,8 +147,51 @@ static void write_band(FILE *gnuplot, int index, const struct group *group)
     fputs("EOD\n", gnuplot);
 }
 
+/* What the band of a group is; the caller frees it. */
+static char *words_of(const struct figure_series *series)
+{
+    if (series->words) return memory_text(series->words);
+    return series->group->count > 1 ? memory_print("mean and deviation of %d", series->group->count)
+                                    : memory_text("");
+}
+
+static size_t longest_title(const struct figure_series series[], int count)
+{
+    size_t longest = 0;
+    for (int i = 0; i < count; i++)
+        longest = strlen(series[i].title) > longest ? strlen(series[i].title) : longest;
+    return longest;
+}
+
+/* Length of what all titles begin with, to a comma and a blank, where they are too long for the legend; 0. */
+static size_t shared_words(const struct figure_series series[], int count)
+{
+    if (count < 2 || longest_title(series, count) <= LONG_TITLE) return 0;
+    size_t shared = strlen(series[0].title);
+    for (int i = 1; i < count; i++) {
+        size_t same = 0;
+        while (same < shared && series[i].title[same] == series[0].title[same]) same++;
+        shared = same;
+    }
+    while (shared > 1 && strncmp(series[0].title + shared - 2, ", ", 2) != 0) shared--;
+    return shared > 1 ? shared : 0;
+}
+
+/* What all share stands above the legend, once. */
+static void write_heading(FILE *gnuplot, const struct figure_series series[], size_t shared)
+{
+    char *words = series->group ? words_of(series) : memory_text("");
+    char *heading =
+        memory_print("%.*s%s%s", (int)shared - 2, series->title, *words ? ": " : "", words);
+    fputs("set title ", gnuplot);
+    write_quoted(gnuplot, heading);
+    fputs(" noenhanced\n", gnuplot);
+    free(heading);
+    free(words);
+}
+
 /* Colour, and dashes where the colours are used up. */
-static void write_line(FILE *gnuplot, int index, const struct figure_series *series)
+static void write_line(FILE *gnuplot, int index, const struct figure_series *series, size_t shared)
 {
     static const int dashes[] = {1, 4, 5, 3};
     const bool mixture = series->curve && attributes_text(&series->curve->provenance, "mixture");
@@ -159,23 +204,21 @@ static void write_line(FILE *gnuplot, int index, const struct figure_series *ser
                 index, colour);
     fprintf(gnuplot, "$curve%d using 1:2 with lines dt %d lw 1.5 lc rgb '%s' title ", index, dash,
             colour);
-    char title[240];
-    if (series->group)
-        snprintf(title, sizeof title, "%s, mean and deviation of %d", series->title,
-                 series->group->count);
-    else
-        snprintf(title, sizeof title, "%s", series->title);
+    char *words = series->group && !shared ? words_of(series) : memory_text("");
+    char *title = memory_print("%s%s%s", series->title + shared, *words ? ", " : "", words);
     write_quoted(gnuplot, title);
+    free(title);
+    free(words);
     fputs(" noenhanced", gnuplot);
 }
 
 static void write_plot(FILE *gnuplot, const struct figure_series series[], int count,
-                       bool true_curve, bool marks)
+                       bool true_curve, bool marks, size_t shared)
 {
     fputs("plot ", gnuplot);
     for (int i = 0; i < count; i++) {
         if (i) fputs(", ", gnuplot);
-        write_line(gnuplot, i, &series[i]);
+        write_line(gnuplot, i, &series[i], shared);
     }
     if (marks)
         fprintf(gnuplot, ", $marks with points pt 6 ps 1.2 lw 1.2 lc rgb '#404040' title '%s'",
@@ -193,12 +236,15 @@ static void write_script(FILE *gnuplot, const struct figure_series series[], int
             write_points(gnuplot, i, series[i].curve, style->true_curve);
     }
     bool marks = write_marks(gnuplot, series, count, style->true_curve);
-    write_axes(gnuplot, style->true_curve);
+    const size_t shared = shared_words(series, count);
+    write_axes(gnuplot, style->true_curve,
+               shared && longest_title(series, count) > shared + SHORT_TITLE ? 1 : 2);
+    if (shared) write_heading(gnuplot, series, shared);
     write_range(gnuplot, "x", style->x_range);
     write_range(gnuplot, "y", style->y_range);
     if (!isnan(style->x_range[0]) || !isnan(style->y_range[0]))
         fputs("set offsets 0, 0, 0, 0\n", gnuplot);
-    write_plot(gnuplot, series, count, style->true_curve, marks);
+    write_plot(gnuplot, series, count, style->true_curve, marks, shared);
 }
 
 /* What writes a script to gnuplot. */
@@ -220,7 +266,7 @@ static void write_loops(FILE *gnuplot, const struct drawing *d)
         }
         fputs("EOD\n", gnuplot);
     }
-    write_axes(gnuplot, true);
+    write_axes(gnuplot, true, 2);
     fputs("set xlabel 'True strain (%)'\nset yrange [*:*]\nset datafile missing 'nan'\nplot ",
           gnuplot);
     for (int i = 0; i < d->count; i++) {
@@ -276,7 +322,8 @@ static size_t copy(FILE *from, const char *name, const char *path)
     return all;
 }
 
-/* gnuplot's exit status says nothing of a full disk: its bytes come here, and are written where that is seen. */
+/* gnuplot's exit status says nothing of a full disk: its bytes come here, and are written where
+ * that is seen. */
 static void draw(const char *name, const char *path, void (*write)(FILE *, const struct drawing *),
                  const struct drawing *drawing)
 {

@@ -12,6 +12,7 @@ struct figure_series {
     const struct curve *curve;       /* NULL: a group */
     const struct analysis *analysis; /* NULL: a computed bound, no marks, dashed */
     const struct group *group; /* drawn as its mean within a band of one standard deviation; NULL */
+    const char *words;         /* of the band, in the legend; NULL: those of a deviation */
 };
 
 struct figure_style {
@@ -22,12 +23,14 @@ struct figure_style {
 /* Dies unless the name ends in .svg, .png or .pdf (exit 2), and gnuplot is at hand (exit 1). */
 void figure_check(const char *name);
 
-/* Lines, of seven colours and, beyond, of other dashes.  Engineering stress against strain with Rm marked, or true stress against strain up to maximum force
- * with Considere's point marked.  name tells the format, path is where the figure goes. */
+/* Lines, of seven colours and, beyond, of other dashes.  Engineering stress against strain with
+ * Rm marked, or true stress against strain up to maximum force with Considere's point marked.
+ * name tells the format, path is where the figure goes. */
 void figure_draw(const char *name, const char *path, const struct figure_series series[], int count,
                  const struct figure_style *style);
 
-/* Flow stress (line), back stress (filled) and effective stress (open, dotted) of loops against true strain, a colour a curve. */
+/* Flow stress (line), back stress (filled) and effective stress (open, dotted) of loops against
+ * true strain, a colour a curve. */
 struct figure_loops {
     const char *title;
     const struct loop *loops;

@@ -29,6 +29,8 @@ static const struct {
     {"***tess", "a tessellation of Neper", MESH},
     {"# vtk DataFile", "a VTK file", MESH},
     {"<?xml", "XML (a VTK file, perhaps)", "a table of columns is needed"},
+    {"<html", "a page of the web (HTML)", SAVE},
+    {"<!DOCTYPE html", "a page of the web (HTML)", SAVE},
     {"<VTKFile", "a VTK file", MESH},
     {"solid ", "a surface in STL", MESH},
     {"%YAML", "YAML, a deck perhaps", "a deck goes through hsgen first"},

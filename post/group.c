@@ -2,6 +2,7 @@
 
 #include "csv.h"
 #include "memory.h"
+#include "varied_columns.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
@@ -58,7 +59,7 @@ static int members(const struct label labels[], int count, const char *title, in
 static struct group group_of(const struct analysis analyses[], const char *title,
                              const int numbers[], int count)
 {
-    struct group group = {.title = title, .count = count, .n = POINTS};
+    struct group group = {.title = title, .first = numbers[0], .count = count, .n = POINTS};
     double **columns[] = {&group.strain, &group.mean, &group.deviation, &group.least,
                           &group.largest};
     for (int j = 0; j < 5; j++) *columns[j] = memory_new(POINTS, sizeof(double));
@@ -121,9 +122,13 @@ static void write_numbers(FILE *file, const double values[], int count)
     fputc('\n', file);
 }
 
-void groups_write(FILE *file, const struct group groups[], int n_groups)
+void groups_write(FILE *file, const struct group groups[], int n_groups,
+                  const struct label labels[], int count)
 {
-    fputs("group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,"
+    struct varied_columns columns = varied_columns_of(labels, count);
+    fputs("group", file);
+    varied_columns_heading(file, &columns, VARIED_SCATTER);
+    fputs(",curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,"
           "largest_MPa\n",
           file);
     for (int k = 0; k < n_groups; k++)
@@ -132,21 +137,15 @@ void groups_write(FILE *file, const struct group groups[], int n_groups)
             const double values[] = {g->strain[i], g->mean[i] / mega, g->deviation[i] / mega,
                                      g->least[i] / mega, g->largest[i] / mega};
             csv_text(file, g->title);
+            varied_columns_values(file, &columns, &labels[g->first], VARIED_SCATTER);
             fprintf(file, ",%d", g->count);
             write_numbers(file, values, 5);
         }
+    varied_columns_free(&columns);
 }
 
-/* The value of a property in a list; NAN where it is not there. */
-static double value_of(const struct properties *list, const char *name)
-{
-    for (int i = 0; i < list->count; i++)
-        if (strcmp(list->items[i].name, name) == 0) return list->items[i].value;
-    return NAN;
-}
-
-static void write_group(FILE *file, const struct properties lists[], const char *title,
-                        const int numbers[], int count)
+static void write_group(FILE *file, const struct properties lists[], const struct label labels[],
+                        const struct varied_columns *columns, const int numbers[], int count)
 {
     const struct properties *first = &lists[numbers[0]];
     double *values = memory_new((size_t)count, sizeof *values);
@@ -154,10 +153,11 @@ static void write_group(FILE *file, const struct properties lists[], const char 
         const struct property *property = &first->items[i];
         int there = 0;
         for (int k = 0; k < count; k++) {
-            const double value = value_of(&lists[numbers[k]], property->name);
+            const double value = properties_value(&lists[numbers[k]], property->name);
             if (isfinite(value)) values[there++] = value;
         }
-        csv_text(file, title);
+        csv_text(file, labels[numbers[0]].title);
+        varied_columns_values(file, columns, &labels[numbers[0]], VARIED_SCATTER);
         const char *const texts[] = {property->name, property->symbol, property->unit};
         for (int j = 0; j < 3; j++) {
             fputc(',', file);
@@ -178,10 +178,14 @@ void groups_write_properties(FILE *file, const struct properties lists[],
                              const struct label labels[], int count)
 {
     int *numbers = memory_new((size_t)count, sizeof *numbers);
-    fputs("group,property,symbol,unit,count,mean,standard_deviation,least,largest\n", file);
+    struct varied_columns columns = varied_columns_of(labels, count);
+    fputs("group", file);
+    varied_columns_heading(file, &columns, VARIED_SCATTER);
+    fputs(",property,symbol,unit,count,mean,standard_deviation,least,largest\n", file);
     for (int i = 0; i < count; i++) {
         const int n = members(labels, count, labels[i].title, numbers);
-        if (numbers[0] == i) write_group(file, lists, labels[i].title, numbers, n);
+        if (numbers[0] == i) write_group(file, lists, labels, &columns, numbers, n);
     }
+    varied_columns_free(&columns);
     free(numbers);
 }

@@ -10,6 +10,7 @@
 /* Curves of one title on common strains. */
 struct group {
     const char *title;
+    int first; /* number of the first of its curves */
     int count; /* of curves */
     long n;
     double *strain, *mean,
@@ -17,17 +18,20 @@ struct group {
     double *least, *largest; /* [n] Pa */
 };
 
-/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last of them begins to where the first ends, each
- * curve's envelope linear between its rows.  *n_groups is their number; the caller frees them. */
+/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last
+ * of them begins to where the first ends, each curve's envelope linear between its rows.
+ * *n_groups is their number; the caller frees them. */
 struct group *groups_make(const struct analysis analyses[], const struct label labels[], int count,
                           int *n_groups);
 void groups_free(struct group groups[], int n_groups);
 
-/* CSV: group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa. */
-void groups_write(FILE *file, const struct group groups[], int n_groups);
+/* CSV: group,curves,engineering_strain,mean_stress_MPa,standard_deviation_MPa,least_MPa,largest_MPa; behind the group, in
+ * a study, what varied but the scatter. */
+void groups_write(FILE *file, const struct group groups[], int n_groups,
+                  const struct label labels[], int count);
 
 /* CSV of the properties over each group: group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the
- * curves that have a value, in the order of the first of them. */
+ * curves that have a value, in the order of the first of them; what varied as there. */
 void groups_write_properties(FILE *file, const struct properties lists[],
                              const struct label labels[], int count);
 

@@ -11,23 +11,23 @@
 
 enum { LONGEST = 200 };
 
-/* Names in small letters, the likelier first; a unit that does not suit rules a row out, so that a name may stand in
- * two. */
+/* Names in small letters, the likelier first; a unit that does not suit rules a row out, so that
+ * a name may stand in two. */
 static const struct {
     const char *name, *column, *unit;
     bool has_default; /* without a unit it is in SI */
     const char *names;
 } quantities[QUANTITIES] = {
     {"strain", "engineering_strain", "1", true,
-     "|engineering strain|eng strain|eng. strain|nominal strain|technische "
-     "dehnung|nenndehnung|tensile strain|axial strain"
-     "|extensometer strain|longitudinal strain|strain|strain 1|strain gauge 1|dehnung|dehnung "
-     "1|e|elongation|extension|deformation"
-     "|extensometer|percent strain|"},
+     "|engineering strain|eng strain|eng. strain|technische dehnung|tensile strain|axial strain"
+     "|extensometer strain|longitudinal strain|strain|strain 1|strain gauge 1|dehnung|dehnung 1|e"
+     "|eps|epsilon|ε|elongation|extension|deformation|extensometer|percent strain"
+     /* by the crosshead, where there is another one */
+     "|nominal strain|nenndehnung|nominelle dehnung|"},
     {"stress", "engineering_stress_Pa", "Pa", false,
      "|engineering stress|eng stress|eng. stress|nominal stress|technische "
      "spannung|nennspannung|tensile stress|axial stress"
-     "|zugspannung|stress|spannung|s|r|"},
+     "|zugspannung|stress|spannung|s|r|sigma|sig|σ|"},
     {"force", "force_N", "N", false,
      "|force|standard force|standardkraft|load|kraft|prüfkraft|axial force|axial load|tensile "
      "force|zugkraft|primary force"
@@ -82,8 +82,8 @@ const char *quantity_unit(enum quantity quantity)
     return quantities[quantity].unit;
 }
 
-/* In small letters, with single blanks for blanks, underscores, colons and equals signs, and without what stands in
- * brackets, of which the last goes to unit (NULL: lost). */
+/* In small letters, with single blanks for blanks, underscores, colons and equals signs, and
+ * without what stands in brackets, of which the last goes to unit (NULL: lost). */
 static void normalise(const char *text, char name[LONGEST], char unit[LONGEST])
 {
     size_t n = 0, m = 0;
@@ -126,9 +126,9 @@ double heading_factor(const char *unit, const char *si)
 bool heading_is_unit(const char *text)
 {
     static const char *const kinds[] = {"1", "Pa", "N", "m", "s", "m2", "K", "m/s", "1/s", "J"};
-    char unit[LONGEST], unused[LONGEST];
-    normalise(text, unused, unit);
-    const char *inner = *unit ? unit : text;
+    char unit[LONGEST], name[LONGEST];
+    normalise(text, name, unit);
+    const char *inner = *unit && !*name ? unit : text; /* "[%]", but not "strain [%]" */
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (!isnan(heading_factor(inner, kinds[i]))) return true;
     return strcmp(inner, "°C") == 0 || strcmp(inner, "V") == 0;

@@ -18,7 +18,7 @@ enum quantity {
 
 struct heading {
     enum quantity quantity;
-    int rank; /* place of the name in the list of names: the lower one is meant where there are two */
+    int rank;      /* place of the name in the list of names: of two the lower one is meant */
     double factor; /* to SI; NAN where no unit is named and the quantity needs one */
     char unit[32]; /* as written; "" */
 };
@@ -28,21 +28,24 @@ const char *quantity_name(enum quantity quantity);
 const char *quantity_column(enum quantity quantity);
 const char *quantity_unit(enum quantity quantity);
 
-/* Reads "Standardkraft [kN]", "Load (N)", "stress_MPa", "Force / N"; unit (NULL: there is none) is that of a row of
- * units.  quantity = QUANTITIES where the name is not known, in English or German. */
+/* Reads "Standardkraft [kN]", "Load (N)", "stress_MPa", "Force / N"; unit (NULL: there is none)
+ * is that of a row of units.  quantity = QUANTITIES where the name is not known, in English or
+ * German. */
 struct heading heading_read(const char *text, const char *unit);
 
 /* The same for a column of which it is said what it is. */
 struct heading heading_as(enum quantity quantity, const char *text, const char *unit);
 
-/* Factor from a unit as laboratories write it ("%", "-", "N/mm²", "sec") to the SI unit; NAN: not one of that kind. */
+/* Factor from a unit as laboratories write it ("%", "-", "N/mm²", "sec") to the SI unit; NAN:
+ * not one of that kind. */
 double heading_factor(const char *unit, const char *si);
 
 /* Any unit, or "-". */
 bool heading_is_unit(const char *text);
 
-/* A value that stands above the table: "Querschnitt;20,0;mm²", "Gauge length = 50 mm".  si is "m2" or "m" where words
- * name a section or a gauge length, and *value is set; NULL where they do not. */
+/* A value that stands above the table: "Querschnitt;20,0;mm²", "Gauge length = 50 mm".  si is
+ * "m2" or "m" where words name a section or a gauge length, and *value is set; NULL where they
+ * do not. */
 const char *heading_size(const char *words, char decimal, double *value);
 
 /* Whether words name the specimen. */

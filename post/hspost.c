@@ -6,6 +6,7 @@
 #include "request.h"
 #include "snapshot.h"
 #include "study.h"
+#include "taken.h"
 #include "view.h"
 
 #include <stdlib.h>
@@ -56,14 +57,17 @@ static void check_curves(const struct request *request)
     study_free(&study);
 }
 
-enum { OUTPUTS = 12 };
+enum { OUTPUTS = 14 };
 
 static void outputs_of(const struct request *request, const char *files[OUTPUTS])
 {
-    const char *const all[OUTPUTS] = {request->output, request->properties, request->json,
-                                      request->plot,   request->voigt,      request->reuss,
-                                      request->loops,  request->plot_loops, request->tidy,
-                                      request->mean,   request->statistics, request->view.picture};
+    const char *const all[OUTPUTS] = {request->output,      request->properties,
+                                      request->json,        request->plot,
+                                      request->voigt,       request->reuss,
+                                      request->loops,       request->plot_loops,
+                                      request->tidy,        request->mean,
+                                      request->statistics,  request->view.picture,
+                                      request->extrapolate, request->extrapolate_properties};
     memcpy(files, all, sizeof all);
 }
 
@@ -72,13 +76,9 @@ static void check_outputs(const struct request *request)
 {
     const char *files[OUTPUTS];
     outputs_of(request, files);
-    for (int i = 0; i < OUTPUTS; i++) {
+    for (int i = 0; i < OUTPUTS; i++)
         if (files[i]) spool_check_output(files[i]);
-        for (int k = 0; files[i] && k < i; k++)
-            if (files[k] && strcmp(files[i], files[k]) == 0 && strcmp(files[i], "-") != 0 &&
-                strncmp(files[i], "/dev/", strlen("/dev/")) != 0)
-                die_user("two outputs are called %s: give each a name of its own", files[i]);
-    }
+    taken_check(files, OUTPUTS);
 }
 
 /* Does all but writing: what is wrong ends the program. */

@@ -18,8 +18,8 @@ struct input {
     long bytes;
 };
 
-/* name = NULL or "-": standard input; columns_of: which column of a table is what (text_table.h), or NULL.  Dies
- * (exit 2) at what is neither. */
+/* name = NULL or "-": standard input; columns_of: which column of a table is what
+ * (text_table.h), or NULL.  Dies (exit 2) at what is neither. */
 struct input input_read(const char *name, const char *columns_of);
 void input_free(struct input *input);
 

@@ -40,7 +40,8 @@ static bool differ(const char *a, const char *b, int line)
     return n != m || memcmp(first, second, n) != 0;
 }
 
-/* Lines of deck k that are not the same in all sisters; "" where decks are missing or of other lengths. */
+/* Lines of deck k that are not the same in all sisters; "" where decks are missing or of other
+ * lengths. */
 static char *what_varies(const struct label labels[], const char *const decks[], int count, int k)
 {
     char *text = memory_text("");
@@ -57,6 +58,20 @@ static char *what_varies(const struct label labels[], const char *const decks[],
         const char *words = line_of(decks[k], line, &n);
         if (!varies || strlen(text) + n > LONGEST) continue;
         char *longer = memory_print("%s%s%.*s", text, *text ? "; " : "", (int)n, words);
+        free(text);
+        text = longer;
+    }
+    return text;
+}
+
+/* "seed 2; ...", what means are taken over. */
+static char *scatter_of(const struct varied *varied)
+{
+    char *text = memory_text("");
+    for (int i = 0; i < varied->count; i++) {
+        const struct varied_item *item = &varied->items[i];
+        if (item->role != VARIED_SCATTER) continue;
+        char *longer = memory_print("%s%s%s %s", text, *text ? "; " : "", item->name, item->value);
         free(text);
         text = longer;
     }
@@ -84,14 +99,17 @@ static const char *base_of(const char *file)
 }
 
 struct label *labels_make(const char *const titles[], const char *const files[],
-                          const char *const decks[], int count)
+                          const char *const decks[], const struct varied varied[], int count)
 {
     struct label *labels = memory_new((size_t)count, sizeof *labels);
-    for (int k = 0; k < count; k++) labels[k] = (struct label){NULL, titles[k], files[k], NULL};
+    for (int k = 0; k < count; k++)
+        labels[k] = (struct label){NULL, titles[k], files[k], NULL, varied[k]};
     for (int k = 0; k < count; k++) {
         struct label *label = &labels[k];
         const bool alone = sisters(labels, count, label->title) == 1;
-        label->varied = alone ? memory_text("") : what_varies(labels, decks, count, k);
+        label->varied = label->values.count ? scatter_of(&label->values)
+                        : alone             ? memory_text("")
+                                            : what_varies(labels, decks, count, k);
         const char *tells = *label->varied ? label->varied : base_of(label->file);
         label->curve =
             alone ? memory_text(label->title) : memory_print("%s (%s)", label->title, tells);
@@ -107,6 +125,7 @@ void labels_free(struct label labels[], int count)
     for (int k = 0; k < count; k++) {
         free(labels[k].curve);
         free(labels[k].varied);
+        varied_free(&labels[k].values);
     }
     free(labels);
 }

@@ -2,18 +2,22 @@
 #ifndef HS_LABELS_H
 #define HS_LABELS_H
 
+#include "varied.h"
+
 struct label {
-    char *
-        curve; /* in legends and tables: the title, where it is alone; else with what varied, or the file */
+    /* In legends and tables: the title, where it is alone; else with what varied, or the file. */
+    char *curve;
     const char *title; /* the group: sisters have the same */
     const char *file;
     char *
-        varied; /* lines of the deck in which sisters differ, "seed: 2; ..."; "" where that is not known */
+        varied; /* lines of the deck in which sisters differ, "seed: 2; ..."; of a study its scatter, "seed 2"; "" where that is not known */
+    struct varied values; /* of a study: all that varied, and the values here */
 };
 
-/* titles, files and decks (text, NULL where there is none) of count curves, which live longer.  The caller frees them. */
+/* titles, files and decks (text, NULL where there is none) of count curves, which live longer, and what their decks say
+ * varied, which goes over to the labels.  The caller frees them. */
 struct label *labels_make(const char *const titles[], const char *const files[],
-                          const char *const decks[], int count);
+                          const char *const decks[], const struct varied varied[], int count);
 void labels_free(struct label labels[], int count);
 
 #endif

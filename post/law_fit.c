@@ -43,7 +43,8 @@ static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
     return GSL_SUCCESS;
 }
 
-/* sigma_y = sum a_k f_k(p): f_k is the law whose parameter k is 1 and whose other stresses are 0. */
+/* sigma_y = sum a_k f_k(p): f_k is the law whose parameter k is 1 and whose other stresses are
+ * 0. */
 static void basis(const struct data *data, const double shape[], gsl_matrix *rows)
 {
     const int n_linear = data->law->n_linear, n_shapes = data->law->n_shapes;

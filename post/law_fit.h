@@ -1,4 +1,5 @@
-/* law_fit.h - a hardening law (lib/hardening.h) fitted to a curve of true stress against true plastic strain. */
+/* law_fit.h - a hardening law (lib/hardening.h) fitted to a curve of true stress against true
+ * plastic strain. */
 #ifndef HS_LAW_FIT_H
 #define HS_LAW_FIT_H
 
@@ -15,13 +16,13 @@ struct law_fit {
     double first, last; /* plastic strain, range of the points used */
 };
 
-/* Least squares of the law to n points (p, stress [Pa]): a search over the shapes on a grid, the rest
- * linear, polished by Levenberg-Marquardt in all parameters (GSL). */
+/* Least squares of the law to n points (p, stress [Pa]): a search over the shapes on a grid, the
+ * rest linear, polished by Levenberg-Marquardt in all parameters (GSL). */
 struct law_fit law_fit(const struct hardening_law *law, const double p[], const double stress[],
                        long n);
 
-/* NULL, or why its numbers are not to be trusted: too_few_points, not_converged, ill_determined (a parameter below its
- * error, or a shape out of the range where such laws are found). */
+/* NULL, or why its numbers are not to be trusted: too_few_points, not_converged, ill_determined
+ * (a parameter below its error, or a shape out of the range where such laws are found). */
 const char *law_fit_flag(const struct law_fit *fit);
 
 /* Plastic strain where the slope falls to the stress (Considere 1885): Hollomon n; Swift n - e0;

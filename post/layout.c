@@ -4,6 +4,7 @@
 #include "headings.h"
 
 #include <stddef.h>
+#include <string.h>
 
 enum { FEWEST_OF_A_TABLE = 3 };
 
@@ -28,6 +29,20 @@ _Noreturn static void refuse_field(const struct layout *layout, const struct row
         i++;
     die_user("%s:%ld:%d: '%s' is not a finite number", layout->name, row->line, row->places[i],
              row->fields[i]);
+}
+
+/* Whether a row was meant to be one of the table: all its fields begin as numbers do. */
+static bool is_data(const struct row *row)
+{
+    int count = 0;
+    for (int i = 0; i < row->count; i++) {
+        const char *field = row->fields[i];
+        if (!*field) continue;
+        if (!strchr("0123456789", field[strspn(field, "+-.,")]) || !field[strspn(field, "+-.,")])
+            return false;
+        count++;
+    }
+    return count > 1;
 }
 
 /* The longest run of rows of numbers that follow each other. */
@@ -65,7 +80,8 @@ static bool is_units(const struct row *row)
     return true;
 }
 
-/* The note right above the numbers, where it holds as many fields as they do: "# strain,stress (MPa)". */
+/* The note right above the numbers, where it holds as many fields as they do: "# strain,stress
+ * (MPa)". */
 static long find_note(struct layout *layout)
 {
     struct rows *rows = &layout->rows;
@@ -84,11 +100,23 @@ static void find_header(struct layout *layout)
     layout->names = layout->units = -1;
     if (above < 0) above = find_note(layout);
     if (above < 0) return;
-    if (rows[above].kind == ROW_MIXED) refuse_field(layout, &rows[above]);
+    if (rows[above].kind == ROW_MIXED || is_data(&rows[above])) refuse_field(layout, &rows[above]);
     const long before = row_above(layout, above);
     const bool has_units = before >= 0 && is_units(&rows[above]) && filled(&rows[before]) > 1;
     layout->units = has_units ? above : -1;
     layout->names = has_units ? before : above;
+}
+
+/* The row that parts the numbers from row i on from more of them, where it is no row of names. */
+static void refuse_gap(const struct layout *layout, long i)
+{
+    const struct row *rows = layout->rows.items;
+    while (i < layout->rows.count && (rows[i].kind == ROW_NUMBERS || layout_skips(&rows[i]))) i++;
+    const bool within = i + 1 < layout->rows.count && rows[i + 1].kind == ROW_NUMBERS;
+    if (!within || filled(&rows[i]) != filled(&rows[i + 1])) return;
+    for (int k = 0; k < rows[i].count; k++)
+        if (heading_read(rows[i].fields[k], NULL).quantity != QUANTITIES) return;
+    refuse_field(layout, &rows[i]);
 }
 
 /* Numbers between two rows outside the table are no second table. */
@@ -99,11 +127,13 @@ static void check_outside(const struct layout *layout, long from, long to)
     for (long i = from; i < to; i++) {
         if (rows[i].kind != ROW_NUMBERS || rows[i].count < 2) continue;
         if (count == 0) line = rows[i].line;
-        if (++count == FEWEST_OF_A_TABLE)
+        if (++count == FEWEST_OF_A_TABLE) {
+            refuse_gap(layout, i);
             die_user(
                 "%s:%ld: a second table of numbers beside that of lines %ld to %ld: one table a "
                 "file",
                 layout->name, line, rows[layout->first].line, rows[layout->last].line);
+        }
     }
 }
 
@@ -111,9 +141,12 @@ static void check_outside(const struct layout *layout, long from, long to)
 static void check_footer(const struct layout *layout)
 {
     const struct row *rows = layout->rows.items;
+    bool words = false;
     for (long i = layout->last + 1; i < layout->rows.count; i++) {
-        if (rows[i].kind == ROW_MIXED) refuse_field(layout, &rows[i]);
-        if (rows[i].kind == ROW_WORDS) break;
+        const bool data =
+            rows[i].kind != ROW_NUMBERS && !layout_skips(&rows[i]) && is_data(&rows[i]);
+        if (data || (rows[i].kind == ROW_MIXED && !words)) refuse_field(layout, &rows[i]);
+        words = words || rows[i].kind == ROW_WORDS;
     }
 }
 

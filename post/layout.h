@@ -13,9 +13,9 @@ struct layout {
     int columns;
 };
 
-/* The longest run of rows of numbers, the row of names above it and perhaps one of units.  Dies (exit 2,
- * name:line:column) at what else is no line of words above or below.  chosen: the columns are known by their numbers, so
- * that the names need not be those of the columns. */
+/* The longest run of rows of numbers, the row of names above it and perhaps one of units.  Dies
+ * (exit 2, name:line:column) at what else is no line of words above or below.  chosen: the
+ * columns are known by their numbers, so that the names need not be those of the columns. */
 struct layout layout_find(const char *text, const char *name, bool chosen);
 
 /* Whether a row within the numbers holds none: blank, or a note. */

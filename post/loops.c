@@ -3,6 +3,7 @@
 #include "csv.h"
 #include "die.h"
 #include "memory.h"
+#include "noise.h"
 
 #include <gsl/gsl_fit.h>
 #include <math.h>
@@ -58,7 +59,8 @@ static struct line fit_branch(const struct branch *branch, double change)
     return (struct line){1 / c1, c0 + c1 * from, from};
 }
 
-/* Stress where the strain goes off the line by offset for good, in the direction of the branch (sign of change). */
+/* Stress where the strain goes off the line by offset for good, in the direction of the branch
+ * (sign of change). */
 static double yield_of(const struct branch *branch, struct line line, double offset, double change)
 {
     const double sign = change > 0 ? 1 : -1;
@@ -130,6 +132,86 @@ struct loop loop_measure(const struct curve *curve, const struct excursion *x, l
     return loop;
 }
 
+/* What has an error of its own. */
+static const struct {
+    size_t value, error;
+} uncertain[] = {
+#define WITH_ERROR(member)                                                                         \
+    {                                                                                              \
+        offsetof(struct loop, member), offsetof(struct loop, error.member)                         \
+    }
+    WITH_ERROR(unloading), WITH_ERROR(reloading), WITH_ERROR(reverse),
+    WITH_ERROR(yield),     WITH_ERROR(back),      WITH_ERROR(effective),
+};
+enum { UNCERTAIN = sizeof uncertain / sizeof *uncertain, RESAMPLES = 250 };
+
+static double *member(struct loop *loop, size_t place)
+{
+    return (double *)((char *)loop + place);
+}
+
+/* Rows of a loop and of its reloading without most of their noise, as a curve of their own. */
+static struct curve trend_of(const struct curve *curve, const struct excursion *x, long next,
+                             const struct analysis *analysis)
+{
+    const long n = next - x->begin + 1, fall = x->bottom - x->begin + 1;
+    long *rows = memory_new((size_t)n, sizeof *rows);
+    for (long i = 0; i < n; i++) rows[i] = x->begin + i;
+    struct curve trend = curve_rows(curve, n, rows);
+    const struct noise strain = {analysis->strain_noise, 0};
+    const long begins[] = {0, fall - 1}, counts[] = {fall, n - fall + 1};
+    for (int k = 0; k < 2; k++) {
+        noise_trend(curve->strain + x->begin + begins[k], trend.stress + begins[k], counts[k],
+                    analysis->noise);
+        noise_trend(curve->strain + x->begin + begins[k], trend.strain + begins[k], counts[k],
+                    strain);
+    }
+    free(rows);
+    return trend;
+}
+
+static void add_noise(struct curve *curve, const struct curve *trend,
+                      const struct analysis *analysis, struct random_stream *stream)
+{
+    struct noise_sequence sequence = noise_begin(analysis->noise, stream);
+    for (long i = 0; i < trend->n; i++) {
+        curve->strain[i] = trend->strain[i] + analysis->strain_noise * random_gaussian(stream);
+        curve->stress[i] = trend->stress[i] + noise_next(&sequence, stream);
+    }
+}
+
+static void find_errors(struct loop *loop, const struct curve *curve, const struct excursion *x,
+                        long next, double offset, const struct analysis *analysis)
+{
+    const double modulus = analysis->measures.line.slope;
+    double squares[UNCERTAIN] = {0};
+    int counts[UNCERTAIN] = {0};
+    for (int k = 0; k < UNCERTAIN; k++) *member(loop, uncertain[k].error) = NAN;
+    if (!(analysis->noise.deviation > 0 || analysis->strain_noise > 0)) return;
+    struct curve trend = trend_of(curve, x, next, analysis),
+                 drawn = trend_of(curve, x, next, analysis);
+    const struct excursion own = {x->kind, 0, x->bottom - x->begin, x->end - x->begin};
+    struct loop reference = loop_measure(&trend, &own, trend.n - 1, offset, modulus);
+    struct random_stream *stream = random_new(1, "bootstrap");
+    for (int i = 0; i < RESAMPLES; i++) {
+        add_noise(&drawn, &trend, analysis, stream);
+        struct loop again = loop_measure(&drawn, &own, trend.n - 1, offset, modulus);
+        for (int k = 0; k < UNCERTAIN; k++) {
+            const double change =
+                *member(&again, uncertain[k].value) - *member(&reference, uncertain[k].value);
+            if (!isfinite(change)) continue;
+            squares[k] += change * change;
+            counts[k]++;
+        }
+    }
+    for (int k = 0; k < UNCERTAIN; k++)
+        if (counts[k] > RESAMPLES / 2 && isfinite(*member(loop, uncertain[k].value)))
+            *member(loop, uncertain[k].error) = sqrt(squares[k] / counts[k]);
+    random_free(stream);
+    curve_free(&trend);
+    curve_free(&drawn);
+}
+
 struct loop *loops_find(const struct curve *curve, const struct analysis *analysis, double offset,
                         long *count)
 {
@@ -139,13 +221,16 @@ struct loop *loops_find(const struct curve *curve, const struct analysis *analys
     for (long i = 0; i < record->count; i++) {
         const struct excursion *x = &record->excursions[i];
         if (x->kind != EXCURSION_LOOP) continue;
-        /* The reloading goes on to twice the strain of the loop, to the next excursion or to the end. */
+        /* The reloading goes on to twice the strain of the loop, to the next excursion or to the
+         * end. */
         const double span = curve->strain[x->begin] - curve->strain[x->bottom];
         const long most = i + 1 < record->count ? x[1].begin : curve->n - 1;
         long next = x->end;
         while (next < most && curve->strain[next] < curve->strain[x->begin] + span) next++;
         loops = memory_grow(loops, *count, sizeof *loops);
-        loops[(*count)++] = loop_measure(curve, x, next, offset, analysis->measures.line.slope);
+        struct loop *loop = &loops[(*count)++];
+        *loop = loop_measure(curve, x, next, offset, analysis->measures.line.slope);
+        find_errors(loop, curve, x, next, offset, analysis);
     }
     return loops;
 }
@@ -169,6 +254,12 @@ static const struct {
     {"hysteresis_width", 1, offsetof(struct loop, width)},
     {"hysteresis_area_MJ_per_m3", 1e6, offsetof(struct loop, area)},
     {"damage", 1, offsetof(struct loop, damage)},
+    {"unloading_modulus_error_GPa", 1e9, offsetof(struct loop, error.unloading)},
+    {"reloading_modulus_error_GPa", 1e9, offsetof(struct loop, error.reloading)},
+    {"reverse_yield_error_MPa", 1e6, offsetof(struct loop, error.reverse)},
+    {"reload_yield_error_MPa", 1e6, offsetof(struct loop, error.yield)},
+    {"back_stress_error_MPa", 1e6, offsetof(struct loop, error.back)},
+    {"effective_stress_error_MPa", 1e6, offsetof(struct loop, error.effective)},
 };
 enum { COLUMNS = sizeof columns / sizeof *columns };
 

@@ -50,7 +50,8 @@ static struct points points_of(const struct analysis *analysis)
     return points;
 }
 
-/* Least squares under the condition that they do not fall: neighbours that do are put together (pool adjacent violators). */
+/* Least squares under the condition that they do not fall: neighbours that do are put together
+ * (pool adjacent violators). */
 static void make_rising(struct points *points)
 {
     double *sum = memory_new((size_t)points->n, sizeof *sum);
@@ -71,8 +72,8 @@ static void make_rising(struct points *points)
     free(weight);
 }
 
-/* Keeps, between two kept points, the one farthest from their line if that is more than tolerance, and goes on on both
- * sides (Ramer 1972, Douglas and Peucker 1973). */
+/* Keeps, between two kept points, the one farthest from their line if that is more than
+ * tolerance, and goes on on both sides (Ramer 1972, Douglas and Peucker 1973). */
 static void keep_farthest(const struct points *points, long from, long to, double tolerance,
                           bool keep[])
 {
@@ -138,7 +139,8 @@ static struct law_fit best_law(const struct points *points, const char *name)
     for (int i = 0; (law = hardening_law(i)); i++) {
         if (law->n_linear == 0 || (name && strcmp(name, law->variant.name) != 0)) continue;
         struct law_fit fit = law_fit(law, points->strain + 1, points->stress + 1, points->n - 1);
-        /* What only the deck has, the yield stress of Hollomon's law, is that of the first point. */
+        /* What only the deck has, the yield stress of Hollomon's law, is that of the first
+         * point. */
         for (int k = law->n_linear + law->n_shapes; k < law->variant.keys.count; k++)
             fit.hardening.parameter[k] = points->stress[0];
         if (!fit.done || (law_fit_flag(&fit) && !name) || !hardening_allowed(&fit.hardening))

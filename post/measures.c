@@ -1,14 +1,12 @@
 #include "measures.h"
 
 #include "memory.h"
-#include "noise.h"
-#include "random.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { RESAMPLES = 100 };
+enum { RESAMPLES = 250 };
 
 const double measures_offsets[4] = {0.0001, 0.001, 0.002, 0.01};
 
@@ -40,9 +38,11 @@ static void find_marks(const struct loading *loading, const struct choices *choi
                                         curve->strain,
                                         curve->stress,
                                         smooth,
-                                        loading->noise,
+                                        loading->noise.deviation,
                                         left,
-                                        loading->noise > 0 ? smoothing_width : 0};
+                                        loading->noise.deviation > 0 ? smoothing_width : 0,
+                                        m->line.slope,
+                                        m->line.toe};
     const bool zero_slope = choices->standard == STANDARD_ASTM;
     m->yield = yield_point_find(&record, zero_slope ? level_share : choices->yield_drop);
     m->maximum = strength_maximum(curve, smooth, left, m->yield.row < 0 ? 0 : m->yield.end);
@@ -107,36 +107,15 @@ struct measures measures_take(const struct loading *loading, const struct choice
     return m;
 }
 
-/* values without most of their noise: of each row the mean over the widest width that differs from the next narrower
- * one by no more than noise does, so that corners, and the fall at the end, stay. */
-static void take_trend(const double strain[], double values[], long n, double noise)
-{
-    const double widths[] = {0.0005, 0.001, 0.002, 0.004, 0.008, 0.016}, differs = 4;
-    double *mean = memory_new((size_t)n, sizeof *mean), *from = memory_new((size_t)n, sizeof *from);
-    bool *settled = memory_new((size_t)n, sizeof *settled);
-    double left = noise, next;
-    memcpy(from, values, (size_t)n * sizeof *from);
-    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++, left = next) {
-        noise_smooth(strain, from, n, widths[k], noise, mean, &next);
-        for (long i = 0; i < n; i++) {
-            settled[i] = settled[i] || fabs(mean[i] - values[i]) > differs * left;
-            if (!settled[i]) values[i] = mean[i];
-        }
-    }
-    free(mean);
-    free(from);
-    free(settled);
-}
-
 static struct curve trend_of(const struct loading *loading)
 {
     const struct curve *from = loading->curve;
     long *rows = memory_new((size_t)from->n, sizeof *rows);
     for (long i = 0; i < from->n; i++) rows[i] = i;
     struct curve trend = curve_rows(from, from->n, rows);
-    take_trend(from->strain, trend.stress, from->n, loading->noise);
+    noise_trend(from->strain, trend.stress, from->n, loading->noise);
     if (loading->strain_noise > 0)
-        take_trend(from->strain, trend.strain, from->n, loading->strain_noise);
+        noise_trend(from->strain, trend.strain, from->n, (struct noise){loading->strain_noise, 0});
     free(rows);
     return trend;
 }
@@ -145,7 +124,9 @@ void measures_bootstrap(const struct loading *loading, const struct choices *cho
                         struct measures *measures)
 {
     const struct curve *from = loading->curve;
-    if (!(loading->noise > 0) || measures->line.count == 0) return;
+    const struct noise noise = loading->noise;
+    const bool noisy = noise.deviation > 0 || loading->strain_noise > 0;
+    if (!noisy || measures->line.count == 0) return;
     struct curve trend = trend_of(loading);
     const struct loading smooth = {&trend, loading->noise, loading->strain_noise,
                                    loading->strained};
@@ -159,9 +140,10 @@ void measures_bootstrap(const struct loading *loading, const struct choices *cho
     memcpy(stress, trend.stress, (size_t)from->n * sizeof *stress);
     struct random_stream *stream = random_new(1, "bootstrap");
     for (int k = 0; k < RESAMPLES; k++) {
+        struct noise_sequence sequence = noise_begin(noise, stream);
         for (long i = 0; i < from->n; i++) {
             trend.strain[i] = strain[i] + loading->strain_noise * random_gaussian(stream);
-            trend.stress[i] = stress[i] + loading->noise * random_gaussian(stream);
+            trend.stress[i] = stress[i] + noise_next(&sequence, stream);
         }
         const struct measures drawn =
             measures_take(&smooth, choices, strength_line(&trend, choices));

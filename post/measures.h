@@ -1,7 +1,9 @@
-/* measures.h - what is measured on a loading curve, and how far noise can be trusted to have moved it. */
+/* measures.h - what is measured on a loading curve, and how far noise can be trusted to have
+ * moved it. */
 #ifndef HS_MEASURES_H
 #define HS_MEASURES_H
 
+#include "noise.h"
 #include "true_curve.h"
 #include "yield_point.h"
 
@@ -32,8 +34,9 @@ extern const double measures_offsets[4];
 /* A curve without loops (record.h) and what is known of it. */
 struct loading {
     const struct curve *curve;
-    double noise, strain_noise; /* Pa, - */
-    long strained;              /* the last row whose strain was measured */
+    struct noise noise; /* of the stress, Pa */
+    double strain_noise;
+    long strained; /* the last row whose strain was measured */
 };
 
 struct measures {
@@ -41,25 +44,24 @@ struct measures {
     double modulus; /* Pa, E of the plastic strain */
     struct yield_point yield;
     struct strength_maximum maximum;
-    long
-        uniform; /* the last row of uniform deformation with a strain: of the maximum, or the last strained one */
+    long uniform; /* last row of uniform deformation: of the maximum, or the last strained one */
     long fracture;
     bool broken;
     struct power_law power_law;
     bool cut_at_maximum; /* the range of n ends at Ag */
-    double
-        hardening; /* engineering plastic strain where work hardening begins: 0, or behind a yield plateau */
-    double value[MEASURES],
-        error[MEASURES]; /* NAN where not defined; error: standard, 0 without noise */
+    /* Engineering plastic strain where work hardening begins: 0, or behind a yield plateau. */
+    double hardening;
+    double value[MEASURES], error[MEASURES]; /* NAN: not defined; standard, 0 without noise */
 };
 
 /* line: as strength_line has it, for what is measured from it; the errors are left 0. */
 struct measures measures_take(const struct loading *loading, const struct choices *choices,
                               struct elastic_line line);
 
-/* The errors by a parametric bootstrap: noise of the deviations found, drawn from a fixed seed, is added to the curve
- * without its noise, all is measured anew, and the root mean square of the changes against that curve is the error; a
- * bias such as that of a maximum over noise is part of it. */
+/* The errors by a parametric bootstrap: noise of the deviations and the correlation found, drawn
+ * from a fixed seed, is added to the curve without its noise, all is measured anew, and the root
+ * mean square of the changes against that curve is the error; a bias such as that of a maximum
+ * over noise is part of it. */
 void measures_bootstrap(const struct loading *loading, const struct choices *choices,
                         struct measures *measures);
 

@@ -1,8 +1,8 @@
 /* mixture.h - the curves between which a mixture of two constituents lies.
  *
- * Both constituents are taken as J2 solids in uniaxial tension, eps = eps_p + sigma/E, with a fitted
- * hardening law that also speaks beyond the range of its data.  Iso-strain is Voigt's (1889) assumption,
- * iso-stress Reuss's (1929), both for true stress and true strain. */
+ * Both constituents are taken as J2 solids in uniaxial tension, eps = eps_p + sigma/E, with a
+ * fitted hardening law that also speaks beyond the range of its data.  Iso-strain is Voigt's
+ * (1889) assumption, iso-stress Reuss's (1929), both for true stress and true strain. */
 #ifndef HS_MIXTURE_H
 #define HS_MIXTURE_H
 

@@ -13,8 +13,8 @@ struct partition {
     double mixture;                  /* sum of fraction * nominal stress over engineering stress */
 };
 
-/* The harder of the two is the one with the greater stress at that row.  q is infinite for equal strain
- * (Voigt), zero for equal stress (Reuss); NAN where the strains are equal. */
+/* The harder of the two is the one with the greater stress at that row.  q is infinite for equal
+ * strain (Voigt), zero for equal stress (Reuss); NAN where the strains are equal. */
 struct partition phases_at(const struct curve *curve, long row);
 
 /* Adds the column partition_q_Pa, row by row, where there are two phases. */

@@ -3,6 +3,7 @@
 #include "csv.h"
 #include "die.h"
 #include "memory.h"
+#include "varied_columns.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -50,17 +51,23 @@ static void write_row(FILE *file, const struct property *property)
 void properties_write_csv(FILE *file, const struct properties lists[], const struct label labels[],
                           int count)
 {
-    fprintf(file, "%sproperty,symbol,value,unit,uncertainty,definition\n",
-            count > 1 ? "curve,file,varied," : "");
+    struct varied_columns columns = varied_columns_of(labels, count);
+    const bool many = count > 1 || columns.count > 0;
+    fputs(many ? "curve,file,varied" : "", file);
+    varied_columns_heading(file, &columns, VARIED_QUESTION);
+    fprintf(file, "%sproperty,symbol,value,unit,uncertainty,definition\n", many ? "," : "");
     for (int k = 0; k < count; k++)
         for (int i = 0; i < lists[k].count; i++) {
             const char *const texts[] = {labels[k].curve, labels[k].file, labels[k].varied};
-            for (int j = 0; count > 1 && j < 3; j++) {
+            for (int j = 0; many && j < 3; j++) {
+                if (j) fputc(',', file);
                 csv_text(file, texts[j]);
-                fputc(',', file);
             }
+            varied_columns_values(file, &columns, &labels[k], VARIED_QUESTION);
+            if (many) fputc(',', file);
             write_row(file, &lists[k].items[i]);
         }
+    varied_columns_free(&columns);
 }
 
 static json_t *json_text(const char *text)
@@ -76,6 +83,15 @@ static json_t *json_number(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+/* What varied, as the study writes it. */
+static json_t *json_values(const struct varied *varied)
+{
+    json_t *values = json_object();
+    for (int i = 0; i < varied->count; i++)
+        json_object_set_new(values, varied->items[i].name, json_text(varied->items[i].value));
+    return values;
+}
+
 static json_t *object_of(const struct property *property, const struct label *label)
 {
     json_t *object = json_object();
@@ -83,6 +99,7 @@ static json_t *object_of(const struct property *property, const struct label *la
         json_object_set_new(object, "curve", json_text(label->curve));
         json_object_set_new(object, "file", json_text(label->file));
         json_object_set_new(object, "varied", json_text(label->varied));
+        if (label->values.count) json_object_set_new(object, "values", json_values(&label->values));
     }
     json_object_set_new(object, "property", json_text(property->name));
     json_object_set_new(object, "symbol", json_text(property->symbol));
@@ -105,6 +122,13 @@ void properties_write_json(FILE *file, const struct properties lists[], const st
     json_dumpf(array, file, JSON_INDENT(2));
     fputc('\n', file);
     json_decref(array);
+}
+
+double properties_value(const struct properties *list, const char *name)
+{
+    for (int i = 0; i < list->count; i++)
+        if (strcmp(list->items[i].name, name) == 0) return list->items[i].value;
+    return NAN;
 }
 
 void properties_print(const struct properties *list, const char *title)

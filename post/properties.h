@@ -25,11 +25,15 @@ struct property *properties_add(struct properties *list, const char *name, const
                                 double value, const char *unit, double uncertainty,
                                 const char *definition, ...) __attribute__((format(printf, 7, 8)));
 
-/* Lists of one curve or several; with several, leading columns (members in JSON) say of which: curve, file, varied. */
+/* Lists of one curve or several; with several, leading columns (members in JSON) say of which: curve, file, varied,
+ * and, in a study, a column (in JSON the member values) of each thing that varied. */
 void properties_write_csv(FILE *file, const struct properties lists[], const struct label labels[],
                           int count);
 void properties_write_json(FILE *file, const struct properties lists[], const struct label labels[],
                            int count);
+
+/* The value of a property by its name; NAN where the list does not have it. */
+double properties_value(const struct properties *list, const char *name);
 
 /* The rows that people look at first, rounded, by note(). */
 void properties_print(const struct properties *list, const char *title);

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 static const double giga = 1e9, mega = 1e6, percent = 100;
-static const double straight_limit = 0.995; /* of R2 */
 static const double deviation_limit = 0.01; /* of the slope from the modulus of the deck */
 static const double noisy_share = 0.1;      /* error of Considere's strain over it */
 
@@ -81,8 +80,8 @@ static void add_proofs(struct properties *list, const struct analysis *analysis)
     if (isnan(row->value)) row->flag = "not_reached";
 }
 
-/* Rp0.2 by the line through the ends of the first unloading, where there is one: its slope does not depend on how straight
- * the beginning of the test was. */
+/* Rp0.2 by the line through the ends of the first unloading, where there is one: its slope does
+ * not depend on how straight the beginning of the test was. */
 static void add_proof_by_loop(struct properties *list, const struct curve *curve,
                               const struct analysis *analysis)
 {

@@ -106,8 +106,11 @@ void report_record(struct properties *list, const struct curve *curve,
     if (!curve->measured) return;
     const struct record *record = &analysis->record;
     properties_add(
-        list, "noise", "", analysis->noise / mega, "MPa", NAN,
-        "standard deviation of the stress from row to row, by its second and fourth differences");
+        list, "noise", "", analysis->noise.deviation / mega, "MPa", NAN,
+        "standard deviation of the stress, by its second and fourth differences from row to row, "
+        "or about the elastic line where a filter hides it from them");
+    properties_add(list, "noise_correlation", "", analysis->noise.correlation, "1", NAN,
+                   "of the noise of a row with that of the next one");
     properties_add(list, "strain_noise", "", analysis->strain_noise, "1", NAN,
                    "that of the strain, where it goes back and forth");
     add_count(list, "loops", record_count(record, EXCURSION_LOOP),
@@ -116,4 +119,7 @@ void report_record(struct properties *list, const struct curve *curve,
               "relaxations at standing strain, left out");
     add_count(list, "serrations", record_count(record, EXCURSION_SERRATION),
               "falls of stress regained elastically while the strain goes on, left out");
+    add_count(list, "spikes", record->spikes,
+              "one to three rows in which stress or strain leaps as no body's can and comes back, "
+              "left out");
 }

@@ -4,6 +4,7 @@
 #include "figure.h"
 #include "keys_options.h"
 #include "memory.h"
+#include "spool.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,7 +28,7 @@ static const struct key own_rows[] = {
      .low = -0.99, .high = 0.4999, .usual = NAN, .help = "of --material"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 23, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 26, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -44,7 +45,7 @@ static void check(const struct request *request)
     bool bounds = request->voigt || request->reuss;
     bool anything = request->properties || request->json || request->plot || request->difference ||
                     request->loops || request->plot_loops || request->tidy || request->mean ||
-                    request->statistics;
+                    request->statistics || request->extrapolate || request->extrapolate_properties;
     if (request->calibrate && !request->material) die_user("--calibrate needs --material NAME");
     if (request->material && request->n_files > 1)
         die_user("--material takes one curve, here are %d files", request->n_files);
@@ -111,6 +112,12 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r)
          &r->mean},
         {0, "statistics", "FILE", "means and deviations of the properties as CSV", NULL,
          &r->statistics},
+        {0, "extrapolate", "FILE",
+         "of a study at several spacings: curves at the spacing 0, and the error", NULL,
+         &r->extrapolate},
+        {0, "extrapolate-properties", "FILE", "the same of the properties", NULL,
+         &r->extrapolate_properties},
+        {0, "files-from", "LIST", "further FILEs, a name a line", NULL, &r->files_from},
         {0, "difference", NULL, "stress of the first FILE relative to the second", &r->difference,
          NULL},
         {0, "columns", NULL, "a history's columns as they are, of whatever test", &r->columns,
@@ -168,6 +175,29 @@ static int read_options(struct request *r, int argc, char **argv)
     return first;
 }
 
+/* The names of a list behind those of the command line, of which there are so many. */
+static void add_files(struct request *r, int given)
+{
+    enum { LARGEST = 100000000 };
+    long length;
+    const char **files = NULL;
+    int count = 0;
+    /* The names live as long as the request. */
+    char *text = spool_text(r->files_from, LARGEST, &length), *rest = text, *name;
+    for (int i = 0; i < given; i++) {
+        files = memory_grow(files, count, sizeof *files);
+        files[count++] = r->files[i];
+    }
+    while ((name = strsep(&rest, "\r\n"))) {
+        if (!*name) continue;
+        files = memory_grow(files, count, sizeof *files);
+        files[count++] = name;
+    }
+    if (count == 0) die_user("--files-from %s: no names in it", r->files_from);
+    r->files = files;
+    r->n_files = count;
+}
+
 struct request request_read(int argc, char **argv)
 {
     static const char *const standard_input[] = {"-"};
@@ -181,6 +211,7 @@ struct request request_read(int argc, char **argv)
     /* A check of the options alone waits for no pipe. */
     r.n_files = argc > first || r.check ? argc - first : 1;
     r.files = argc > first ? (const char *const *)(argv + first) : standard_input;
+    if (r.files_from) add_files(&r, argc - first);
     view_request_check(&r.view);
     if (r.view.frames)
         check_view(&r, argc > first);

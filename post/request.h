@@ -10,7 +10,8 @@
 
 struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss, *loops, *plot_loops;
-    const char *tidy, *mean, *statistics;
+    const char *tidy, *mean, *statistics, *extrapolate, *extrapolate_properties;
+    const char *files_from;           /* names of further files, one a line; NULL */
     const char *material, *calibrate; /* name of the phase, directory of its test; NULL */
     double x_range[2],
         y_range[2]; /* of the figure, in the units of its axes; NAN where not given */

@@ -7,17 +7,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST_NUMBER = 64, SAMPLE = 2000 };
+enum { LONGEST_NUMBER = 64, SAMPLE = 2000, MOST_COLUMNS = 100 };
+
+static char nothing[1] = "";
+
+/* Whether marks part groups of three digits, and a decimal mark follows: "1,234.5", which can mean nothing else. */
+static bool is_grouped(const char *text, char mark, char decimal)
+{
+    const char *from = text + strspn(text, "+-"), *end = strchr(from, decimal);
+    const char *group = strchr(from, mark);
+    if (!end || !group || group == from || group - from > 3) return false;
+    for (; group < end; group += 4)
+        if (*group != mark || end - group < 4 || strspn(group + 1, "0123456789") < 3) return false;
+    return group == end && !strchr(end, mark);
+}
 
 bool rows_number(const char *text, char decimal, double *value)
 {
-    char copy[LONGEST_NUMBER], *end;
-    const size_t n = strlen(text);
-    if (n == 0 || n >= sizeof copy || (decimal != '.' && strchr(text, '.'))) return false;
-    memcpy(copy, text, n + 1);
-    for (char *c = copy; *c; c++)
-        if (*c == decimal) *c = '.';
-    if (strspn(copy, "+-.0123456789eE") != n) return false;
+    char copy[LONGEST_NUMBER], *to = copy, *end;
+    const char mark = decimal == '.' ? ',' : '.';
+    const size_t length = strlen(text);
+    if (length == 0 || length >= sizeof copy) return false;
+    const bool grouped = is_grouped(text, mark, decimal);
+    if (!grouped && strchr(text, mark)) return false;
+    for (; *text; text++)
+        if (*text != mark) *to++ = *text == decimal ? '.' : *text;
+    *to = '\0';
+    if (strspn(copy, "+-.0123456789eE") != (size_t)(to - copy)) return false;
     *value = strtod(copy, &end);
     return *end == '\0' && isfinite(*value);
 }
@@ -73,6 +89,7 @@ static enum row_kind cut(struct row *row, char *line, char delimiter, char decim
         numbers += number;
         words += !number && *field;
     }
+    row->numbers = numbers;
     if (numbers == 0 && words == 0) return ROW_BLANK;
     return words == 0 ? ROW_NUMBERS : first ? ROW_MIXED : ROW_WORDS;
 }
@@ -92,7 +109,7 @@ static void make_row(struct row *row, char *line, const struct rows *format)
     row->fields = memory_new(most, sizeof *row->fields);
     row->places = memory_new(most, sizeof *row->places);
     if (note)
-        *row = (struct row){ROW_NOTE, row->line, 1, row->fields, row->places, NULL};
+        *row = (struct row){ROW_NOTE, row->line, 1, 0, row->fields, row->places, NULL};
     else
         row->kind = cut(row, line, format->delimiter, format->decimal);
     if (note) row->fields[0] = line;
@@ -117,21 +134,70 @@ static void row_free(struct row *row)
     free(row->own);
 }
 
-/* Lines of two or more numbers; without any, those that begin so. */
-static long score(const char *text, const struct rows *format)
+/* Lines of two or more numbers; without any, those that begin so; else those that have so many. */
+static double score(const char *text, const struct rows *format)
 {
     char *copy = memory_text(text), *rest = copy;
-    long whole = 0, begun = 0;
+    double whole = 0, begun = 0, some = 0;
     int i = 0;
     for (char *line; i < SAMPLE && (line = next_line(&rest)); i++) {
         struct row row = {0};
         make_row(&row, line, format);
         whole += row.kind == ROW_NUMBERS && row.count > 1;
         begun += row.kind == ROW_MIXED && row.count > 1;
+        some += row.numbers > 1;
         row_free(&row);
     }
     free(copy);
-    return whole * SAMPLE + begun;
+    return (whole * SAMPLE + begun) * SAMPLE + some;
+}
+
+/* Fields of the rows with two or more numbers, as most of them have. */
+static int usual_count(const struct rows *rows)
+{
+    int usual = 0;
+    long most = 0;
+    for (int n = 2; n <= MOST_COLUMNS; n++) {
+        long count = 0;
+        for (long i = 0; i < rows->count; i++)
+            count += rows->items[i].numbers > 1 && rows->items[i].count == n;
+        if (count <= most) continue;
+        most = count;
+        usual = n;
+    }
+    return usual;
+}
+
+/* Blanks a column in the rows of the table where more of them hold words than numbers: remarks, times of the day. */
+static void blank_column(struct rows *rows, int usual, int column)
+{
+    long words = 0, numbers = 0;
+    double unused;
+    for (int pass = 0; pass < 2; pass++)
+        for (long i = 0; i < rows->count; i++) {
+            struct row *row = &rows->items[i];
+            if (row->numbers < 2 || row->count != usual || !row->fields[column][0]) continue;
+            const bool number = rows_number(row->fields[column], rows->decimal, &unused);
+            if (pass == 0) {
+                numbers += number;
+                words += !number;
+            } else if (words > numbers) {
+                row->numbers -= number;
+                row->fields[column] = nothing;
+            }
+        }
+}
+
+static void blank_words(struct rows *rows)
+{
+    const int usual = usual_count(rows);
+    for (int k = 0; k < usual; k++) blank_column(rows, usual, k);
+    for (long i = 0; i < rows->count; i++) {
+        struct row *row = &rows->items[i];
+        int filled = 0;
+        for (int k = 0; k < row->count; k++) filled += row->fields[k][0] != '\0';
+        if (row->numbers > 1 && row->numbers == filled) row->kind = ROW_NUMBERS;
+    }
 }
 
 struct rows rows_read(const char *text)
@@ -139,10 +205,10 @@ struct rows rows_read(const char *text)
     static const char formats[][2] = {{',', '.'}, {'\t', '.'}, {'\t', ','}, {';', '.'},
                                       {';', ','}, {' ', '.'},  {' ', ','},  {',', ','}};
     struct rows rows = {',', '.', 0, NULL, memory_text(text)};
-    long best = 0;
+    double best = 0;
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         const struct rows format = {.delimiter = formats[i][0], .decimal = formats[i][1]};
-        const long found = score(text, &format);
+        const double found = score(text, &format);
         if (found <= best) continue;
         best = found;
         rows.delimiter = format.delimiter;
@@ -154,6 +220,7 @@ struct rows rows_read(const char *text)
         rows.items[rows.count] = (struct row){.line = rows.count + 1};
         make_row(&rows.items[rows.count], line, &rows);
     }
+    blank_words(&rows);
     return rows;
 }
 

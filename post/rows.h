@@ -1,4 +1,5 @@
-/* rows.h - lines of text as rows of fields: which delimiter, which decimal mark, and what stands in each row. */
+/* rows.h - lines of text as rows of fields: which delimiter, which decimal mark, and what stands
+ * in each row. */
 #ifndef HS_ROWS_H
 #define HS_ROWS_H
 
@@ -14,8 +15,8 @@ enum row_kind {
 
 struct row {
     enum row_kind kind;
-    long line; /* from 1 */
-    int count;
+    long line;          /* from 1 */
+    int count, numbers; /* fields, and how many of them are numbers */
     char **fields; /* [count] without quotes and blanks around them; of a note the whole line */
     int *places;   /* [count] column of the text where the field begins, from 1 */
     char *own;     /* what the fields of a note taken as a row point into; else NULL */
@@ -28,14 +29,16 @@ struct rows {
     char *text;        /* what the fields point into */
 };
 
-/* Delimiter (tab, semicolon, comma, blanks) and decimal mark are those by which most lines are numbers. */
+/* Delimiter (tab, semicolon, comma, blanks) and decimal mark are those by which most lines are
+ * numbers. */
 struct rows rows_read(const char *text);
 void rows_free(struct rows *rows);
 
 /* Makes a row of words of note i; returns its number of fields. */
 int rows_of_note(struct rows *rows, long i);
 
-/* A finite number with this decimal mark, and nothing else. */
+/* A finite number with this decimal mark, and nothing else; groups of three digits may have the other mark between them
+ * where a decimal mark follows. */
 bool rows_number(const char *text, char decimal, double *value);
 
 #endif

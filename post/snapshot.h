@@ -29,9 +29,9 @@ struct snapshot {
 struct snapshot snapshot_read(const struct view_request *request);
 void snapshot_free(struct snapshot *snapshot);
 
-/* Particles of a layer across an axis, ascending.  position NAN: middle of the body; else that layer
- * of a lattice which is nearest, or all that it cuts of scattered particles.  *found becomes the
- * layer's position.  Dies (exit 2) where the body does not reach so far. */
+/* Particles of a layer across an axis, ascending.  position NAN: middle of the body; else that
+ * layer of a lattice which is nearest, or all that it cuts of scattered particles.  *found
+ * becomes the layer's position.  Dies (exit 2) where the body does not reach so far. */
 int64_t *snapshot_slice(const struct snapshot *snapshot, int normal, double position, double *found,
                         int64_t *count);
 

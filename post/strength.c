@@ -1,6 +1,7 @@
 #include "strength.h"
 
 #include "die.h"
+#include "noise.h"
 
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
@@ -8,24 +9,34 @@
 
 const double strength_plateau_share = 1e-4;
 
-enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3 };
+enum { MOST_ITERATIONS = 50, FEWEST_POINTS = 3, FEWEST_OF_BEND = 10 };
+
+const double straight_limit = 0.995;
 
 static const double plateau_widths = 3;      /* standard deviations of the noise */
 static const double proof_offset = 0.002;    /* of Rp0.2 */
+static const double bend_share = 2;          /* of the squares that are left by a cubic */
 static const double straight_share = 0.01;   /* of the stress, off the line */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
 static const double default_shares[2] = {0.1, 0.4};
 
+/* Least squares of s on e; where the strain is the noisier of the two, of e on s: what is noisy
+ * would make the slope on it too small. */
 static struct elastic_line fit_rows(const struct curve *curve, long first, long last)
 {
     struct elastic_line line = {.first = first, .last = last, .count = last - first + 1};
     size_t n = (size_t)line.count;
     const double *e = curve->strain + first, *s = curve->stress + first;
+    const double *x = curve->strain_is_noisier ? s : e, *y = curve->strain_is_noisier ? e : s;
     double intercept, c00, c01, c11, residual;
-    gsl_fit_linear(e, 1, s, 1, n, &intercept, &line.slope, &c00, &c01, &c11, &residual);
+    gsl_fit_linear(x, 1, y, 1, n, &intercept, &line.slope, &c00, &c01, &c11, &residual);
     line.error = n > 2 ? sqrt(c11) : NAN;
     line.toe = -intercept / line.slope;
-    line.r_squared = 1 - residual / gsl_stats_tss(s, 1, n);
+    line.r_squared = 1 - residual / gsl_stats_tss(y, 1, n);
+    if (!curve->strain_is_noisier) return line;
+    line.error /= line.slope * line.slope;
+    line.slope = 1 / line.slope;
+    line.toe = intercept;
     return line;
 }
 
@@ -83,6 +94,39 @@ static struct elastic_line iterate(const struct curve *curve, const double share
     return line;
 }
 
+/* Whether rows lie off their line by a bend, not by noise: a cubic takes most of it. */
+static bool is_bent(const struct curve *curve, const struct elastic_line *line)
+{
+    const double *e = curve->strain + line->first, *s = curve->stress + line->first;
+    if (line->count < FEWEST_OF_BEND || line->r_squared >= straight_limit) return false;
+    const double squares = (1 - line->r_squared) * gsl_stats_tss(s, 1, (size_t)line->count);
+    return squares / (double)(line->count - 2) >
+           bend_share * pow(noise_about_cubic(e, s, line->count), 2);
+}
+
+/* Behind a bent toe: of parts of the rise, three tenths of Rp0.2 each, the one that is surely
+ * the steepest. */
+static struct elastic_line behind_toe(const struct curve *curve, struct elastic_line bent)
+{
+    struct elastic_line best = bent;
+    double most = bent.slope;
+    for (int round = 0; round < 2; round++) {
+        double proof = strength_proof(curve, &best, proof_offset);
+        if (isnan(proof)) proof = highest(curve);
+        for (double low = 0.1; low < 0.7; low += 0.05) {
+            long first, last;
+            rows_between(curve, low * proof, (low + 0.3) * proof, &first, &last);
+            if (last - first + 1 < FEWEST_OF_BEND / 2) continue;
+            const struct elastic_line part = fit_rows(curve, first, last);
+            if (!usable(&part) || part.slope - 2 * part.error <= most) continue;
+            most = part.slope - 2 * part.error;
+            best = part;
+            best.flag = "steepest_part";
+        }
+    }
+    return best;
+}
+
 /* From the first row as far as the rows lie on a line, two at least. */
 static struct elastic_line straight_start(const struct curve *curve)
 {
@@ -97,14 +141,17 @@ static struct elastic_line straight_start(const struct curve *curve)
     return usable(&line) ? line : given_line(NAN, NAN, NULL);
 }
 
-/* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and where none
- * is, the points from the first one on. */
+/* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and
+ * where none is, the points from the first one on. */
 static struct elastic_line find_by_shares(const struct curve *curve, const struct choices *choices)
 {
     const double *shares =
         isnan(choices->modulus_range[0]) ? default_shares : choices->modulus_range;
     double known = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
     struct elastic_line line = iterate(curve, shares);
+    const bool chosen = !isnan(choices->modulus_range[0]);
+    if (usable(&line) && curve->measured && !chosen && is_bent(curve, &line))
+        return behind_toe(curve, line);
     if (usable(&line)) return line;
     if (known > 0) return given_line(known, 0, "slope_not_measured");
     return straight_start(curve);

@@ -1,7 +1,8 @@
 /* strength.h - slope, proof strengths and the marked points of an engineering curve.
  *
- * Definitions after ISO 6892-1 and ASTM E8/E111 as textbooks give them (Dieter, Mechanical Metallurgy,
- * 1988, chapter 8); where a standard leaves a choice, docs/tensile.md says what is done here. */
+ * Definitions after ISO 6892-1 and ASTM E8/E111 as textbooks give them (Dieter, Mechanical
+ * Metallurgy, 1988, chapter 8); where a standard leaves a choice, docs/tensile.md says what is
+ * done here. */
 #ifndef HS_STRENGTH_H
 #define HS_STRENGTH_H
 
@@ -16,11 +17,17 @@ struct elastic_line {
     const char *flag;        /* NULL, or what is wrong with it */
 };
 
-/* Least squares of s on e over the rows given; else the line that a curve file of hspost carries, where
- * no range is given; else over the part between two shares of Rp0.2, found by iteration.  Fewer than three
- * points there: the modulus that is chosen or that the history knows, without a fit; without one, a fit
- * from the first point on as far as the points lie on a line within 1 %.  slope = NAN where none of these will do. */
+/* Least squares of s on e, or of e on s where the strain is the noisier, over the rows given;
+ * else the line that a curve file of hspost carries, where no range is given; else over the part
+ * between two shares of Rp0.2, found by iteration.  Fewer than three points there: the modulus
+ * that is chosen or that the history knows, without a fit; without one, a fit from the first
+ * point on as far as the points lie on a line within 1 %.  Where the part between the shares is
+ * bent, as a toe is, the steepest straight part of the rise.  slope = NAN where none of these
+ * will do. */
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
+
+/* R2 of a slope below which it is none. */
+extern const double straight_limit;
 
 /* Stress [Pa] where the curve first meets s = slope (e - toe - offset), linear between the points;
  * NAN where it does not. */
@@ -33,8 +40,9 @@ double strength_total(const struct curve *curve, const struct elastic_line *line
  * computed curve decides where its maximum is. */
 extern const double strength_plateau_share;
 
-/* Maximum force from row first on.  strain is that of the middle of the plateau of smooth, the stress without most of
- * its noise, which is also what lies within three standard deviations of the noise that is left below the highest. */
+/* Maximum force from row first on.  strain is that of the middle of the plateau of smooth, the
+ * stress without most of its noise, which is also what lies within three standard deviations of
+ * the noise that is left below the highest. */
 struct strength_maximum {
     long row;
     double stress, strain, plateau; /* Pa, -, - */
@@ -43,8 +51,8 @@ struct strength_maximum {
 struct strength_maximum strength_maximum(const struct curve *curve, const double smooth[],
                                          double noise, long first);
 
-/* The last row before the stress falls below share of that of row maximum behind it; the last row of the
- * curve, and *broken = false, where it does not. */
+/* The last row before the stress falls below share of that of row maximum behind it; the last
+ * row of the curve, and *broken = false, where it does not. */
 long strength_fracture_row(const struct curve *curve, long maximum, double share, bool *broken);
 
 /* Integral of s de [J/m^3] by trapezia from the toe to a row. */

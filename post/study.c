@@ -5,6 +5,7 @@
 #include "deck.h"
 #include "die.h"
 #include "difference.h"
+#include "extrapolation.h"
 #include "group.h"
 #include "keys_options.h"
 #include "memory.h"
@@ -38,7 +39,8 @@ struct study study_read(const struct request *request, const char *maker)
 {
     size_t n = (size_t)request->n_files;
     /* The table on standard error has no laws. */
-    const bool fits = request->properties || request->json || request->statistics || request->tidy;
+    const bool fits = request->properties || request->json || request->statistics ||
+                      request->tidy || request->extrapolate_properties;
     struct study study = {.count = request->n_files, .maker = maker};
     study.curves = memory_new(n, sizeof *study.curves);
     study.choices = memory_new(n, sizeof *study.choices);
@@ -47,12 +49,14 @@ struct study study_read(const struct request *request, const char *maker)
     study.loops = memory_new(n, sizeof *study.loops);
     const char **titles = memory_new(n, sizeof *titles);
     char **decks = memory_new(n, sizeof *decks);
+    struct varied *varied = memory_new(n, sizeof *varied);
     for (size_t i = 0; i < n; i++) {
         struct input input = input_read(request->files[i], request->columns_of);
         struct deck *deck = find_deck(request, &input);
         study.choices[i] = study_choose(request, deck);
         study.curves[i] = curve_make(&input, &study.choices[i]);
         decks[i] = memory_text(attributes_text(&input.attributes, "deck"));
+        if (deck) varied[i] = varied_read(sections_read(deck).varied);
         deck_free(deck);
         input_free(&input);
         study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
@@ -63,10 +67,12 @@ struct study study_read(const struct request *request, const char *maker)
         study.loops[i].loops = loops_find(&study.curves[i], &study.analyses[i],
                                           study.choices[i].loop_offset, &study.loops[i].count);
     }
-    study.labels = labels_make(titles, request->files, (const char *const *)decks, study.count);
+    study.labels =
+        labels_make(titles, request->files, (const char *const *)decks, varied, study.count);
     for (size_t i = 0; i < n; i++) study.loops[i].title = study.labels[i].curve;
     for (size_t i = 0; i < n; i++) free(decks[i]);
     free(decks);
+    free(varied);
     free(titles);
     return study;
 }
@@ -125,9 +131,32 @@ static void treat_groups(const struct request *request, const struct study *stud
     int count;
     struct group *groups = groups_make(study->analyses, study->labels, study->count, &count);
     struct text_output output = text_output_open(request->mean);
-    groups_write(output.file, groups, count);
+    groups_write(output.file, groups, count, study->labels, study->count);
     text_output_close(&output);
     groups_free(groups, count);
+}
+
+/* What the curves of several spacings go to. */
+static void treat_resolution(const struct request *request, const struct study *study)
+{
+    if (!request->extrapolate && !request->extrapolate_properties) return;
+    int n_groups, count;
+    const double order = study->choices[0].resolution_order;
+    struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
+    struct extrapolation *all = extrapolations_make(groups, n_groups, study->labels, order, &count);
+    if (request->extrapolate) {
+        struct text_output output = text_output_open(request->extrapolate);
+        extrapolations_write(output.file, all, count, groups, study->labels, study->count);
+        text_output_close(&output);
+    }
+    if (request->extrapolate_properties) {
+        struct text_output output = text_output_open(request->extrapolate_properties);
+        extrapolations_write_properties(output.file, all, count, groups, study->properties,
+                                        study->labels, study->count, order);
+        text_output_close(&output);
+    }
+    extrapolations_free(all, count);
+    groups_free(groups, n_groups);
 }
 
 /* Fills bounds[] with the mixtures asked for, writes them, and returns their number. */
@@ -146,21 +175,39 @@ static int make_bounds(const struct request *request, const struct study *study,
     return count;
 }
 
+/* One series a group, or one a body that is extrapolated; returns their number. */
+static int band_series(const struct group groups[], int n_groups,
+                       const struct extrapolation limits[], int n_limits,
+                       struct figure_series series[])
+{
+    for (int i = 0; i < n_limits; i++)
+        series[i] = (struct figure_series){.title = limits[i].title,
+                                           .group = &limits[i].curve,
+                                           .words = "extrapolated, with error"};
+    for (int i = 0; n_limits == 0 && i < n_groups; i++)
+        series[i] = (struct figure_series){.title = groups[i].title, .group = &groups[i]};
+    return n_limits ? n_limits : n_groups;
+}
+
 static void draw(const struct request *request, const struct study *study,
                  const struct curve bounds[], int n_bounds)
 {
     if (!request->plot) return;
-    int count = 0, n_groups;
+    int count = 0, n_groups, n_limits = 0;
     struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
+    struct extrapolation *limits = NULL;
     struct figure_series *series =
         memory_new((size_t)(study->count + n_groups + n_bounds), sizeof *series);
-    for (int i = 0; request->band && i < n_groups; i++)
-        series[count++] = (struct figure_series){.title = groups[i].title, .group = &groups[i]};
+    if (request->band && request->extrapolate)
+        limits = extrapolations_make(groups, n_groups, study->labels,
+                                     study->choices[0].resolution_order, &n_limits);
+    if (request->band) count = band_series(groups, n_groups, limits, n_limits, series);
     for (int i = 0; !request->band && i < study->count; i++)
-        series[count++] = (struct figure_series){study->labels[i].curve, &study->curves[i],
-                                                 &study->analyses[i], NULL};
+        series[count++] = (struct figure_series){.title = study->labels[i].curve,
+                                                 .curve = &study->curves[i],
+                                                 .analysis = &study->analyses[i]};
     for (int i = 0; i < n_bounds; i++)
-        series[count++] = (struct figure_series){bounds[i].title, &bounds[i], NULL, NULL};
+        series[count++] = (struct figure_series){.title = bounds[i].title, .curve = &bounds[i]};
     struct spool spool = spool_output(request->plot);
     const struct figure_style style = {request->true_curve,
                                        {request->x_range[0], request->x_range[1]},
@@ -168,6 +215,7 @@ static void draw(const struct request *request, const struct study *study,
     figure_draw(request->plot, spool.path, series, count, &style);
     spool_finish(&spool);
     free(series);
+    extrapolations_free(limits, n_limits);
     groups_free(groups, n_groups);
 }
 
@@ -226,6 +274,7 @@ void study_write(const struct request *request, const struct study *study)
     write_properties(study, request->json, properties_write_json);
     write_tidy(study, request->tidy);
     treat_groups(request, study);
+    treat_resolution(request, study);
     struct curve bounds[2];
     int n_bounds = make_bounds(request, study, bounds);
     if (request->difference) compare(request, study);

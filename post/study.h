@@ -1,4 +1,5 @@
-/* study.h - the curves that hspost was given, with all that is known of them, and what is written of them. */
+/* study.h - the curves that hspost was given, with all that is known of them, and what is
+ * written of them. */
 #ifndef HS_STUDY_H
 #define HS_STUDY_H
 

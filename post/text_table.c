@@ -15,7 +15,8 @@ enum { LONGEST_KEY = 40 };
 
 static const double mega = 1e6;
 
-/* --- above the table --------------------------------------------------------------------------- */
+/* --- above the table
+ * --------------------------------------------------------------------------- */
 
 /* "# key: value" as hspost writes it. */
 static void read_note(const char *line, struct attributes *facts)
@@ -60,7 +61,8 @@ static void read_above(const struct layout *layout, struct attributes *facts)
     }
 }
 
-/* --- columns ----------------------------------------------------------------------------------- */
+/* --- columns
+ * ----------------------------------------------------------------------------------- */
 
 static void fill(double *values, const struct layout *layout, int column, double factor)
 {
@@ -127,13 +129,29 @@ static const char *unit_below(const struct layout *layout, int column)
     return units && column < units->count ? units->fields[column] : NULL;
 }
 
+static bool is_empty(const struct layout *layout, int column)
+{
+    for (long i = layout->first; i <= layout->last; i++) {
+        const struct row *row = &layout->rows.items[i];
+        if (!layout_skips(row) && column < row->count && row->fields[column][0]) return false;
+    }
+    return true;
+}
+
 static void find_by_headings(const struct layout *layout, struct found found[QUANTITIES])
 {
     for (int i = 0; layout->names >= 0 && i < layout->columns; i++) {
         const struct heading heading = heading_read(name_of(layout, i), unit_below(layout, i));
-        if (heading.quantity == QUANTITIES) continue;
+        if (heading.quantity == QUANTITIES || is_empty(layout, i)) continue;
         struct found *place = &found[heading.quantity];
-        if (place->column >= 0 && place->heading.rank <= heading.rank) continue;
+        if (place->column >= 0 && place->heading.rank == heading.rank)
+            die_user("%s:%ld: two columns of %s, %d '%s' and %d '%s'; say which by --columns-of "
+                     "%s=%d",
+                     layout->name, layout->rows.items[layout->names].line,
+                     quantity_name(heading.quantity), place->column + 1,
+                     name_of(layout, place->column), i + 1, name_of(layout, i),
+                     quantity_name(heading.quantity), place->column + 1);
+        if (place->column >= 0 && place->heading.rank < heading.rank) continue;
         *place = (struct found){i, heading};
     }
 }
@@ -221,6 +239,30 @@ static void check_found(const struct layout *layout, const struct found found[QU
                 quantity_name((enum quantity)q), found[q].column + 1);
 }
 
+/* Rows without what the curve is made of. */
+static void check_blank(const struct layout *layout, const struct found *needed)
+{
+    for (long i = layout->first; i <= layout->last; i++) {
+        const struct row *row = &layout->rows.items[i];
+        if (layout_skips(row)) continue;
+        if (needed->column < row->count && row->fields[needed->column][0]) continue;
+        die_user("%s:%ld: the %s (column %d '%s') is blank in this row, expected a number",
+                 layout->name, row->line, quantity_name(needed->heading.quantity),
+                 needed->column + 1, name_of(layout, needed->column));
+    }
+}
+
+static void check_blanks(const struct layout *layout, const struct found found[QUANTITIES])
+{
+    static const enum quantity choices[][2] = {{QUANTITY_STRAIN, QUANTITY_EXTENSION},
+                                               {QUANTITY_STRESS, QUANTITY_FORCE}};
+    for (int k = 0; k < 2; k++) {
+        const struct found *first = &found[choices[k][0]], *second = &found[choices[k][1]];
+        if (first->column >= 0 || second->column >= 0)
+            check_blank(layout, first->column >= 0 ? first : second);
+    }
+}
+
 static void take_found(const struct layout *layout, const struct found found[QUANTITIES],
                        struct table *table)
 {
@@ -274,6 +316,7 @@ struct table text_table_read(const char *text, const char *name, const char *col
         else
             find_by_headings(&layout, found);
         check_found(&layout, found);
+        check_blanks(&layout, found);
         take_found(&layout, found, &table);
         char *words = describe(&layout, found, facts);
         note("%s: %s", name, words);

@@ -2,13 +2,15 @@
 
 #include "csv.h"
 #include "memory.h"
+#include "varied_columns.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns in which a curve has a value, by their names in the order of the first curve that has them. */
+/* Columns in which a curve has a value, by their names in the order of the first curve that has
+ * them. */
 struct names {
     int count;
     const char **items;
@@ -40,7 +42,9 @@ static struct names names_of(const struct curve curves[], int count)
 void tidy_write(FILE *file, const struct curve curves[], const struct label labels[], int count)
 {
     const struct names names = names_of(curves, count);
+    struct varied_columns columns = varied_columns_of(labels, count);
     fputs("curve,group,file,varied", file);
+    varied_columns_heading(file, &columns, VARIED_QUESTION);
     for (int j = 0; j < names.count; j++) {
         fputc(',', file);
         csv_heading(file, names.items[j]);
@@ -54,6 +58,7 @@ void tidy_write(FILE *file, const struct curve curves[], const struct label labe
                 if (j) fputc(',', file);
                 csv_text(file, texts[j]);
             }
+            varied_columns_values(file, &columns, &labels[k], VARIED_QUESTION);
             for (int j = 0; j < names.count; j++) {
                 const double *values = table_find(&curves[k].table, names.items[j]);
                 fputc(',', file);
@@ -62,5 +67,6 @@ void tidy_write(FILE *file, const struct curve curves[], const struct label labe
             fputc('\n', file);
         }
     }
+    varied_columns_free(&columns);
     free(names.items);
 }

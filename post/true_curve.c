@@ -86,8 +86,8 @@ static double rate_at(const struct curve *curve, double modulus, long row, long 
     return slope < modulus ? slope / (1 - slope / modulus) : NAN;
 }
 
-/* At rows a hundredth of the window apart at least, and linear between them: a slope over thousands of rows does not
- * change from one to the next. */
+/* At rows a hundredth of the window apart at least, and linear between them: a slope over
+ * thousands of rows does not change from one to the next. */
 static void fill_rates(struct curve *curve, double modulus, long last, double window)
 {
     const double apart = window / 100, *eps = curve->true_strain;
@@ -161,7 +161,8 @@ static double above_at(const struct curve *curve, double modulus, long row)
     return theta / (1 + theta / modulus) - curve->true_stress[row];
 }
 
-/* Error of the noise at a row where slope and stress are equal: that of the slope over how fast the two part. */
+/* Error of the noise at a row where slope and stress are equal: that of the slope over how fast
+ * the two part. */
 static double considere_error(const struct curve *curve, const struct slopes *slopes, long row)
 {
     const double *eps = curve->true_strain;
@@ -181,7 +182,8 @@ struct considere true_curve_considere(const struct curve *curve, const struct sl
     const double *eps = curve->true_strain, *sigma = curve->true_stress;
     long first = plastic_begin(curve, slopes->last);
     if (first < slopes->first) first = slopes->first;
-    /* Of several crossings that which has most of the strain above on its left, and below on its right. */
+    /* Of several crossings that which has most of the strain above on its left, and below on its
+     * right. */
     long best = -1;
     double sum = 0, most = 0;
     for (long i = first + 1; i <= slopes->last; i++) {

@@ -4,7 +4,8 @@
 
 #include "view_request.h"
 
-/* output: file of --csv and of the listing, NULL for standard output; maker: "# ..." lines above. */
+/* output: file of --csv and of the listing, NULL for standard output; maker: "# ..." lines
+ * above. */
 void view_write(const struct view_request *request, const char *output, const char *maker);
 
 #endif

@@ -10,11 +10,20 @@ static const double noise_widths =
     10; /* standard deviations that no two of many thousand rows are apart */
 static const double hardening_width =
     0.005; /* of strain, over which the slope of work hardening is taken */
+static const double most_plastic =
+    0.005; /* plastic strain behind which a fall is no end of the elastic part: a serration */
 
 /* A change of stress that counts, at a level. */
 static double swing(const struct yield_record *r, double drop, double level)
 {
     return fmax(drop * level, noise_widths * r->left);
+}
+
+/* Whether a row still belongs to the end of the elastic part; where the slope is not known each
+ * does. */
+static bool begins_to_yield(const struct yield_record *r, long row)
+{
+    return !(r->strain[row] - r->toe - r->smooth[row] / r->slope > most_plastic);
 }
 
 /* The first row from which the stress is not exceeded over least_span after a fall; -1. */
@@ -28,6 +37,7 @@ static long find_upper(const struct yield_record *r, double drop)
             if (fallen && e[i] - e[top] >= least_span) return top;
             top = i;
             fallen = false;
+            if (!begins_to_yield(r, top)) return -1;
         }
         fallen = fallen || (s[top] > 0 && s[i] < s[top] - swing(r, drop, s[top]));
     }
@@ -64,7 +74,8 @@ static struct valleys find_valleys(const struct yield_record *r, long upper, dou
     return v;
 }
 
-/* Last minimum before the stress rises to the highest row: behind the last valley of a plateau of waves. */
+/* Last minimum before the stress rises to the highest row: behind the last valley of a plateau
+ * of waves. */
 static long last_valley(const struct yield_record *r, const struct valleys *v, double drop)
 {
     const double *s = r->smooth;
@@ -86,7 +97,10 @@ static double hardening_begin(const struct yield_record *r, long low, long peak)
     for (long i = low, k = low; i < peak; i++) {
         while (k < peak && (e[k] - e[i] < hardening_width || k - i < 2)) k++;
         double c0, c1, c00, c01, c11, squares;
-        if (!(e[k] > e[i])) continue;
+        /* What is left before the peak is too short for a slope, but for a rise that is as
+         * short. */
+        const bool whole = e[k] - e[i] >= hardening_width && k - i >= 2;
+        if (!(e[k] > e[i]) || (i > low && !whole)) continue;
         gsl_fit_linear(e + i, 1, s + i, 1, (size_t)(k - i + 1), &c0, &c1, &c00, &c01, &c11,
                        &squares);
         if (!(c1 > steepest)) continue;

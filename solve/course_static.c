@@ -75,6 +75,19 @@ static double time_to_turn(const struct simulation *s)
     return (floor(time / step + met) + 1) * step - time;
 }
 
+/* Until the next row of a table of what moves or loads the body. */
+static double time_to_row(const struct simulation *s)
+{
+    static const double met = 1e-9; /* of the time */
+    const double time = s->integration.time;
+    double next = INFINITY;
+    for (int i = 0; i < s->scene.n_boundary; i++)
+        next = fmin(next, value_next_row(&s->scene.boundary[i].value, time * (1 + met)));
+    for (int i = 0; i < s->scene.n_components; i++)
+        next = fmin(next, value_next_row(&s->scene.components[i].value, time * (1 + met)));
+    return next - time;
+}
+
 /* The last step ends where the run does; at a strain, where the gauge gets there if it goes on as in the last step. */
 static double time_left(const struct simulation *s)
 {
@@ -82,8 +95,10 @@ static double time_left(const struct simulation *s)
         A_LITTLE_MORE = 1000000
     }; /* a part in so many, or the end would be missed by rounding */
     const double rate = s->load_steps.strain_rate, left = s->scene.end_strain - s->strain;
+    if (legs_are(s)) return legs_time_left(s);
     if (s->scene.end_time > 0) {
-        const double whole = fmin(s->end_time - s->integration.time, time_to_turn(s));
+        const double whole =
+            fmin(fmin(s->end_time - s->integration.time, time_to_turn(s)), time_to_row(s));
         return whole /
                ceil(whole / s->integration.dt * (1 - 1.0 / A_LITTLE_MORE)); /* equal steps */
     }
@@ -101,7 +116,8 @@ bool static_load(struct simulation *s)
     if (!quasi_static_step(s->load_steps.quasi_static)) return false;
     s->drift = energy_drift(&integration->balance);
     simulation_record(s);
-    s->load_steps.strain_rate = (s->strain - strain) / (integration->time - time);
+    s->load_steps.lasted = integration->time - time;
+    s->load_steps.strain_rate = (s->strain - strain) / s->load_steps.lasted;
     return true;
 }
 
@@ -134,10 +150,12 @@ void static_settle(struct simulation *s)
 
 static void static_advance(struct simulation *s)
 {
-    if (static_load(s))
-        static_settle(s);
-    else
+    if (!static_load(s)) {
         s->failure = no_equilibrium(s, "with the smallest step");
+        return;
+    }
+    static_settle(s);
+    if (legs_are(s)) legs_look(s);
 }
 
 const struct course course_quasi_static = {.advance = static_advance};

@@ -35,10 +35,12 @@ int main(int argc, char **argv)
     die_set_program("hssolve");
     /* What --keys prints: the sections of the deck that hssolve reads, and what it writes. */
     const struct section *const sections[] = {
-        &section_domain_facts, &section_domain_grips, &section_domain_gauge, &section_materials,
-        &section_damage,       &section_damage_rule,  &section_cracks,       &section_boundary,
-        &section_ramp,         &section_steps,        &section_initial,      &section_macroscopic,
-        &section_solver,       &section_output,       record_section(),      NULL};
+        &section_domain_facts, &section_domain_grips, &section_domain_gauge,
+        &section_materials,    &section_damage,       &section_damage_rule,
+        &section_cracks,       &section_boundary,     &section_ramp,
+        &section_steps,        &section_table,        &section_initial,
+        &section_macroscopic,  &section_solver,       &section_programme,
+        &section_output,       record_section(),      NULL};
     struct arguments arguments = arguments_read(argc, argv, sections);
     struct spool inputs[2] = {{.descriptor = -1}, {.descriptor = -1}};
     if (arguments.restart && !arguments.spooled) restart_unpack(&arguments, inputs);

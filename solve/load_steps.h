@@ -2,6 +2,7 @@
 #ifndef HS_LOAD_STEPS_H
 #define HS_LOAD_STEPS_H
 
+#include "legs.h"
 #include "quasi_static.h"
 
 struct simulation;
@@ -10,7 +11,9 @@ struct load_steps {
     struct equilibrium *equilibrium; /* NULL: never at rest */
     struct quasi_static *quasi_static;
     double strain_rate; /* of the gauge in the last step, 1/s */
+    double lasted;      /* the last step, s */
     bool framing;       /* the step ends at a frame */
+    struct legs legs;   /* of a programme */
 };
 
 /* Seconds of a load step that the deck gives in strain or seconds. */

@@ -382,17 +382,21 @@ static double mean_poissons_ratio(const struct simulation *s)
 /* Time in which the grips stretch the gauge to its end. */
 static double time_to_strain(const struct simulation *s)
 {
-    const struct deck_node where = deck_get(s->scene.solver, "end_strain");
+    const char *key = legs_are(s) ? "programme" : "end_strain";
+    const struct deck_node where = deck_get(s->scene.solver, key);
     const double rate = boundary_full_strain_rate(&s->boundary);
     if (!s->gauge)
-        deck_error(where, "end_strain needs a gauge: node sets gauge_left and gauge_right, or a "
-                          "body that is periodic along x");
+        deck_error(where,
+                   "%s needs a gauge: node sets gauge_left and gauge_right, or a body that "
+                   "is periodic along x",
+                   key);
     if (!(rate > 0))
         deck_error(where,
-                   "end_strain needs grips that move apart: two sets, one right of the other, with "
+                   "%s needs grips that move apart: two sets, one right of the other, with "
                    "velocities along %c that are numbers, or of a periodic body a rate of xx in "
                    "macroscopic (strain rate %g 1/s)",
-                   "xyz"[s->lattice.axis], rate);
+                   key, "xyz"[s->lattice.axis], rate);
+    if (legs_are(s)) return programme_way(&s->scene.programme) / rate;
     /* By the ramp's end the grips have gone half of what they would at full speed. */
     return s->scene.end_strain / rate + 0.5 * boundary_ramp(&s->boundary);
 }
@@ -453,6 +457,7 @@ static void plan_time(struct simulation *s)
     s->integration = integration_new(moving, dt, s->scene.damping, &s->materials, &s->body,
                                      &s->boundary, s->model);
     s->integration.damage = s->damage;
+    if (legs_are(s)) legs_begin(s);
     s->integration.local_damping = s->scene.local_damping;
 }
 

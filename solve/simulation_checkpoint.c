@@ -53,6 +53,8 @@ static void visit(struct simulation *s, struct checkpoint *checkpoint)
     model_visit(s->model, &s->body, checkpoint);
     if (s->load_steps.quasi_static) quasi_static_visit(s->load_steps.quasi_static, checkpoint);
     visit_explicit(&s->explicit_steps, checkpoint);
+    legs_visit(&s->load_steps.legs, checkpoint);
+    if (legs_are(s)) boundary_turn(&s->boundary, s->load_steps.legs.sense);
     if (s->course->visit) s->course->visit(s, checkpoint);
     visit_run(s, checkpoint);
     recorder_visit(&s->recorder, checkpoint);

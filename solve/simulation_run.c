@@ -124,8 +124,9 @@ bool simulation_is_end(const struct simulation *s, int64_t step, double time)
 
 bool simulation_at_end(const struct simulation *s)
 {
-    return s->fallen || (s->scene.end_strain > 0 && s->strain >= s->scene.end_strain) ||
-           simulation_is_end(s, s->integration.step, s->integration.time);
+    const bool there =
+        legs_are(s) ? legs_done(s) : s->scene.end_strain > 0 && s->strain >= s->scene.end_strain;
+    return s->fallen || there || simulation_is_end(s, s->integration.step, s->integration.time);
 }
 
 static double gauge_stress(const struct simulation *s)
@@ -137,6 +138,7 @@ static double gauge_stress(const struct simulation *s)
 static double share_done(const struct simulation *s)
 {
     double by_strain = s->scene.end_strain > 0 ? s->strain / s->scene.end_strain : 0;
+    if (legs_are(s)) return (double)s->load_steps.legs.leg / s->scene.programme.count;
     return by_strain > 0 ? by_strain : fmin(s->integration.time / s->end_time, 1);
 }
 
@@ -239,7 +241,13 @@ const char *simulation_run(struct simulation *s)
                         gauge_stress(s), s->drift);
         look_around(s);
     }
-    if (!s->failure && s->scene.end_strain > 0 && s->strain < s->scene.end_strain && !s->fallen)
+    if (!s->failure && legs_are(s) && !legs_done(s) && !s->fallen)
+        s->failure =
+            memory_print("leg %d of %d of the programme is not at its end after four times "
+                         "the way expected: gauge strain %.4f",
+                         s->load_steps.legs.leg + 1, s->scene.programme.count, s->strain);
+    else if (!s->failure && !legs_are(s) && s->scene.end_strain > 0 &&
+             s->strain < s->scene.end_strain && !s->fallen)
         s->failure =
             memory_print("gauge strain %.4f of %.4f after four times the steps expected: the "
                          "specimen deforms outside of the gauge",

@@ -13,10 +13,11 @@ BEGIN {
         for (i = 0; i <= k; i++) printf "%d,%.9g\n", i, x[i] / up[n]
         exit
     }
-    text = sprintf("%.9g", x[k])
-    for (i = k; i >= 1; i--) text = sprintf("(t < %d ? %.9g + %.9g*(t - %d) : %s)", i, x[i - 1], x[i] - x[i - 1], i - 1, text)
     print "boundary:"
-    printf "  - {set: grip_left, direction: x, displacement: \"-%.9g*%s\"}\n", length_m / 2, text
-    printf "  - {set: grip_right, direction: x, displacement: \"%.9g*%s\"}\n", length_m / 2, text
+    for (side = -1; side <= 1; side += 2) {
+        printf "  - {set: grip_%s, direction: x, displacement: [[0, 0]", side < 0 ? "left" : "right"
+        for (i = 1; i <= k; i++) printf ", [%d, %.9g]", i, side * length_m / 2 * x[i]
+        print "]}"
+    }
     printf "solver: {type: quasi_static, %sstep: 0.02 s, end_time: %d s}\n", formulation == "corner" ? "" : "horizon: 1, stabilisation: {law: mix, share: 0.1}, ", k
 }

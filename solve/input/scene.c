@@ -95,6 +95,9 @@ static const struct key solver_keys[] = {
      .help = "in place of end_strain"},
     {"end_steps", KEY_INTEGER, AT(end_steps), NULL, 1, 1e12, .otherwise = "none",
      .help = "in place of end_strain"},
+    {"programme", KEY_NODE, AT(legs), .form = "list", .section = &section_programme,
+     .users = 1 << SOLVER_quasi_static,
+     .help = "in place of end_strain: unloading, reloading and cycles, one after the other"},
     {"end_load", KEY_NUMBER, AT(end_load), "1", 0, 1,
      .help = "a broken body that carries less than this share of its largest load ends the run"},
     {"safety", KEY_NUMBER, AT(safety), "1", 1e-3, 10, .usual = 0.8, .users = MOVING,
@@ -155,8 +158,8 @@ static const struct key solver_keys[] = {
 
 const struct section section_solver = {
     .path = "solver",
-    .help = "How the body is made and how the run advances.  Exactly one of end_strain, end_time "
-            "and end_steps says where it ends.",
+    .help = "How the body is made and how the run advances.  Exactly one of end_strain, end_time, "
+            "end_steps and programme says where it ends.",
     .keys = KEYS(solver_keys),
     .chooser = "type",
     .variant = type_variant,
@@ -224,8 +227,12 @@ static void read_solver(struct scene *scene)
     keys_read(solver, &section_solver, (int)scene->type, 0, scene, NULL);
     read_horizon(scene);
     scene->plane++; /* SPACE stands before the two names */
-    if ((scene->end_strain > 0) + (scene->end_time > 0) + (scene->end_steps > 0) != 1)
-        deck_error(solver, "give one of end_strain, end_time and end_steps");
+    scene->programme = programme_read(scene->legs);
+    if ((scene->end_strain > 0) + (scene->end_time > 0) + (scene->end_steps > 0) +
+            (scene->programme.count > 0) !=
+        1)
+        deck_error(solver, "give one of end_strain, end_time, end_steps and programme");
+    if (scene->programme.count > 0) scene->end_strain = programme_farthest(&scene->programme);
     if (scene->start == START_RAMP)
         deck_get(solver, "ramp"); /* dies */
     else if (scene->ramp > 0)

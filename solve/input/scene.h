@@ -6,6 +6,7 @@
 #include "domain.h"
 #include "keys.h"
 #include "material.h"
+#include "programme.h"
 #include "selection.h"
 #include "value.h"
 
@@ -123,6 +124,7 @@ struct scene {
     int influence;              /* -1: that of the formulation */
     struct deck_node solver;    /* for what belongs to the formulation */
     struct deck_node elsewhere; /* of keys that it looks up there */
+    struct deck_node legs;      /* solver.programme */
     int partial_volumes;
     int coincident; /* nodes of a mesh: enum mesh_coincident (mesh.h), -1: not said */
     enum plane plane;
@@ -133,6 +135,7 @@ struct scene {
     struct scene_component *components;
     double end_strain, end_time; /* s */
     int64_t end_steps;           /* one of the three; the others are 0 */
+    struct programme programme;  /* in their place; then end_strain is its farthest strain */
     double end_load; /* share of the largest load below which a broken body ends the run; 0: none */
     double safety;
     bool accept; /* numbers that no metal has */

@@ -33,7 +33,8 @@ const struct section section_boundary = {
     .help =
         "A list of entries with one selector, a direction and one of the four values: a number "
         "with its unit; an expression in x, y, z (reference position) and t, in SI, of force in t "
-        "alone; {ramp: TIME, to: NUMBER}; or, of forces, {initial: NUMBER, increment: NUMBER, "
+        "alone; {ramp: TIME, to: NUMBER}; a table [[TIME, NUMBER], ...] or {table: FILE}; or, of "
+        "forces, {initial: NUMBER, increment: NUMBER, "
         "every: N steps}.  Expressions know + - * / ^, comparisons, && ||, c ? a : b, sin cos tan "
         "sqrt exp ln abs min max and their like; they are tried at all nodes before the first "
         "step.  Loads add up; a node held twice along one direction is an error.  The grips are, "
@@ -240,5 +241,6 @@ void scene_free(struct scene *scene)
     for (int i = 0; i < scene->n_quantities; i++) free_nodes(&scene->quantities[i].nodes);
     free(scene->quantities);
     free(scene->fields.variables);
+    programme_free(&scene->programme);
     *scene = (struct scene){0};
 }

@@ -28,8 +28,9 @@ const struct section section_macroscopic = {
     .path = "macroscopic",
     .help =
         "How a periodic body (domain.periodic) is deformed as a whole: a list of entries with a "
-        "component and one of the three values, a number with its unit, an expression in t, or "
-        "{ramp: TIME, to: NUMBER}.  Components that no entry names have no mean stress, but for "
+        "component and one of the three values, a number with its unit, an expression in t, "
+        "{ramp: TIME, to: NUMBER}, or a table as in boundary.  Components that no entry names have "
+        "no mean stress, but for "
         "those that only turn the body (yx, zx, zy, and those of an axis that is not periodic), "
         "which stay 0: so {component: xx, rate: 1 1/s} alone is uniaxial tension.",
     .keys = KEYS(rows)};

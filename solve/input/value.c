@@ -1,8 +1,12 @@
 #include "value.h"
 
+#include "memory.h"
 #include "units.h"
 
 #include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -115,11 +119,116 @@ static void read_steps(struct value *value)
     value->every = value_every(given.every, true);
 }
 
+/* --- tables ------------------------------------------------------------------------------------ */
+
+struct table_given {
+    const char *file;
+};
+
+static const struct key table_keys[] = {
+    {"table", KEY_TEXT, offsetof(struct table_given, file), .form = "FILE", .required = true,
+     .help = "two numbers a line, time and value in SI, between them a comma, semicolon, tab or "
+             "blanks; lines of words and those with # are left out"},
+};
+const struct section section_table = {
+    .path = "boundary.VALUE (table)",
+    .help = "A value over time from a file, linear between its rows, standing beyond them; load "
+            "steps end at each.",
+    .keys = KEYS(table_keys)};
+
+static void add_row(struct value *value, double time, double number)
+{
+    const int n = value->n_rows;
+    value->times = memory_grow(value->times, n, sizeof *value->times);
+    value->values = memory_grow(value->values, n, sizeof *value->values);
+    value->times[n] = time;
+    value->values[n] = number;
+    value->n_rows++;
+}
+
+static void read_rows(struct value *value)
+{
+    value->kind = VALUE_TABLE;
+    for (int i = 0; i < deck_count(value->where); i++) {
+        const struct deck_node row = deck_item(value->where, i);
+        if (!deck_is_list(row) || deck_count(row) != 2)
+            deck_error(row, "expected a row of a table: [time, value]");
+        const double time = deck_number(deck_item(row, 0), "s", 0, 1e12);
+        if (i > 0 && !(time > value->times[i - 1]))
+            deck_error(row, "its time, %g s, is not after that of the row before", time);
+        add_row(value, time, read_number(value, deck_item(row, 1)));
+    }
+}
+
+/* The numbers of a line: 2, else 0 of one that holds words, or nothing. */
+static int read_line(char *line, double numbers[2])
+{
+    int count = 0;
+    line[strcspn(line, "#\r\n")] = '\0';
+    for (char *at = line, *end; *(at += strspn(at, " \t,;")); at = end, count++) {
+        const double number = strtod(at, &end);
+        if (end == at || (*end && !strchr(" \t,;", *end))) return 0;
+        if (count < 2) numbers[count] = number;
+    }
+    return count;
+}
+
+static void read_file(struct value *value)
+{
+    struct table_given given;
+    keys_read(value->where, &section_table, 0, 0, &given, NULL);
+    const struct deck_node where = deck_get(value->where, "table");
+    char line[4096];
+    double numbers[2];
+    FILE *file = fopen(given.file, "r");
+    if (!file) deck_error(where, "cannot open %s: %s", given.file, strerror(errno));
+    value->kind = VALUE_TABLE;
+    for (int k = 1; fgets(line, sizeof line, file); k++) {
+        const int count = read_line(line, numbers);
+        if (count == 0) continue;
+        if (count != 2)
+            deck_error(where, "%s:%d: %d numbers, expected time and value", given.file, k, count);
+        if (value->n_rows > 0 && !(numbers[0] > value->times[value->n_rows - 1]))
+            deck_error(where, "%s:%d: its time, %g s, is not after that of the row before",
+                       given.file, k, numbers[0]);
+        if (!(numbers[1] >= value->low && numbers[1] <= value->high))
+            deck_error(where, "%s:%d: %g %s is out of range, expected %g to %g", given.file, k,
+                       numbers[1], value->unit, value->low, value->high);
+        add_row(value, numbers[0], numbers[1]);
+    }
+    fclose(file);
+    if (value->n_rows < 2)
+        deck_error(where, "%s: %d rows of two numbers, expected two or more", given.file,
+                   value->n_rows);
+}
+
+static double table_at(const struct value *value, double time)
+{
+    const double *t = value->times, *v = value->values;
+    int low = 0, high = value->n_rows - 1;
+    if (time <= t[low]) return v[low];
+    if (time >= t[high]) return v[high];
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        *(t[middle] <= time ? &low : &high) = middle;
+    }
+    return v[low] + (time - t[low]) / (t[high] - t[low]) * (v[high] - v[low]);
+}
+
+double value_next_row(const struct value *value, double time)
+{
+    for (int i = 0; i < value->n_rows; i++)
+        if (value->times[i] > time) return value->times[i];
+    return INFINITY;
+}
+
 static _Noreturn void wrong_kind(const struct value *value, int allowed)
 {
     deck_error(value->where, "expected a number in %s%s%s%s", value->unit,
                allowed & (VALUE_IN_SPACE | VALUE_IN_TIME) ? ", an expression" : "",
-               allowed & VALUE_IN_TIME ? ", {ramp: ..., to: ...}" : "",
+               allowed & VALUE_IN_TIME
+                   ? ", {ramp: ..., to: ...}, a table [[time, value], ...] or {table: FILE}"
+                   : "",
                allowed & VALUE_STEPPED ? ", {initial: ..., increment: ..., every: ...}" : "");
 }
 
@@ -129,8 +238,12 @@ struct value value_read(struct deck_node where, const char *unit, double low, do
     struct value value = {.where = where, .unit = unit, .low = low, .high = high};
     if (deck_is_scalar(where))
         read_scalar(&value, allowed);
+    else if (deck_is_list(where) && (allowed & VALUE_IN_TIME) && deck_count(where) > 1)
+        read_rows(&value);
     else if (!deck_is_map(where))
         wrong_kind(&value, allowed);
+    else if (deck_has(where, "table") && (allowed & VALUE_IN_TIME))
+        read_file(&value);
     else if (deck_has(where, "ramp") && (allowed & VALUE_IN_TIME))
         read_ramp(&value);
     else if (deck_has(where, "increment") && (allowed & VALUE_STEPPED))
@@ -143,6 +256,8 @@ struct value value_read(struct deck_node where, const char *unit, double low, do
 void value_free(struct value *value)
 {
     expression_free(value->expression);
+    free(value->times);
+    free(value->values);
     *value = (struct value){0};
 }
 
@@ -172,6 +287,8 @@ double value_at(const struct value *value, const double x[3], double time)
         return value_rise(time / value->ramp) * value->number;
     case VALUE_STEPS:
         return value->number + (double)value->raised * value->increment;
+    case VALUE_TABLE:
+        return table_at(value, time);
     case VALUE_CONSTANT:
         break;
     }

@@ -3,6 +3,8 @@
  *   10 m/s                             a number with its unit
  *   "1e-6*t"                           an expression in x, y, z (reference position) and t, all in SI
  *   {ramp: 2 us, to: 10 m/s}           from 0 to a number, smoothly: 10 s^3 - 15 s^4 + 6 s^5, s = t/ramp
+ *   [[0 s, 0 mm], [1 s, 2 mm]]         a table of time and value, linear between its rows, standing beyond them
+ *   {table: FILE}                      the same, two numbers a line in SI
  *   {initial: 150 N, increment: 150 N, every: 250 steps}   raised after that many steps, or
  *                                 every: equilibrium       whenever the body has come to rest */
 #ifndef HS_VALUE_H
@@ -14,7 +16,7 @@
 
 #include <stdint.h>
 
-enum value_kind { VALUE_CONSTANT, VALUE_EXPRESSION, VALUE_RAMP, VALUE_STEPS };
+enum value_kind { VALUE_CONSTANT, VALUE_EXPRESSION, VALUE_RAMP, VALUE_STEPS, VALUE_TABLE };
 
 /* What else than a number a quantity may be given as. */
 enum { VALUE_IN_SPACE = 1, VALUE_IN_TIME = 2, VALUE_STEPPED = 4 };
@@ -30,6 +32,8 @@ struct value {
     int64_t every;                 /* steps; 0: at equilibrium */
     int64_t raised;                /* increments so far */
     struct expression *expression; /* else NULL */
+    int n_rows;                    /* of a table */
+    double *times, *values;        /* [n_rows] s, rising, and SI */
 };
 
 /* Reads a value in this SI unit, within low to high; unit must be a literal.  allowed: a sum of the three
@@ -38,8 +42,11 @@ struct value value_read(struct deck_node where, const char *unit, double low, do
                         int allowed);
 void value_free(struct value *value);
 
-/* The two forms of a value that have keys of their own. */
-extern const struct section section_ramp, section_steps;
+/* The forms of a value that have keys of their own. */
+extern const struct section section_ramp, section_steps, section_table;
+
+/* The next time of a table's row after this one [s]; INFINITY: none. */
+double value_next_row(const struct value *value, double time);
 
 /* "250 steps": how many; where equilibrium is true the word equilibrium, too, as 0. */
 int64_t value_every(struct deck_node where, bool equilibrium);

@@ -32,6 +32,7 @@ static struct boundary_set set_new(const struct scene_entry *entry, const struct
                                .direction = entry->direction,
                                .kind = entry->kind,
                                .value = entry->value,
+                               .sense = 1,
                                .members = members,
                                .inner = members.mean < middle ? members.high : members.low,
                                .zero =
@@ -114,7 +115,16 @@ static double given(const struct boundary_set *set, int64_t i, double time)
 {
     double x[3] = {0, 0, 0};
     for (int a = 0; a < 3 && set->place[a]; a++) x[a] = set->place[a][i];
-    return value_at(&set->value, x, time);
+    return set->sense * value_at(&set->value, x, time);
+}
+
+void boundary_turn(struct boundary *boundary, double sense)
+{
+    for (int b = 0; b < boundary->count; b++) {
+        struct boundary_set *set = &boundary->sets[b];
+        if (set->kind == SCENE_VELOCITY && set->value.kind == VALUE_CONSTANT) set->sense = sense;
+    }
+    if (boundary->macroscopic) macroscopic_turn(boundary->macroscopic, sense);
 }
 
 /* At a full step a prescribed displacement has its mean velocity over the half steps beside it, which
@@ -257,7 +267,8 @@ void boundary_add_work(const struct boundary *boundary, const struct body *body,
 static double full_speed(const struct boundary_set *set)
 {
     if (set->kind == SCENE_DISPLACEMENT) return set->value.kind == VALUE_CONSTANT ? 0 : NAN;
-    return set->value.kind == VALUE_EXPRESSION ? NAN : set->value.number;
+    return set->value.kind == VALUE_CONSTANT || set->value.kind == VALUE_RAMP ? set->value.number
+                                                                              : NAN;
 }
 
 static double full_rate(const struct boundary *boundary)
@@ -285,7 +296,7 @@ double boundary_ramp(const struct boundary *boundary)
 static bool alike(const struct boundary_set *left, const struct boundary_set *right)
 {
     return left->kind == SCENE_VELOCITY && right->kind == SCENE_VELOCITY &&
-           left->value.kind == right->value.kind && left->value.kind != VALUE_EXPRESSION &&
+           left->value.kind == right->value.kind && isfinite(full_speed(left)) &&
            left->value.ramp == right->value.ramp;
 }
 

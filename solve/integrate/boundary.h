@@ -16,6 +16,7 @@ struct boundary_set {
     int direction;
     enum scene_kind kind; /* of those that hold */
     struct value value;   /* m/s or m; the scene frees it */
+    double sense;         /* of a velocity: 1, or -1 where it goes back */
     struct members members;
     double *place[3];      /* [members.count] m; NULL where the value is the same at all of them */
     double inner;          /* x of the set's layer nearest to the body's middle, m */
@@ -51,6 +52,8 @@ void boundary_set_displacements(const struct boundary *boundary, struct body *bo
 
 /* Sets the prescribed components of body->v to their values at a time between steps of length dt. */
 void boundary_set_velocities(struct boundary *boundary, struct body *body, double time, double dt);
+/* Velocities that are numbers go back (-1) or forth (1). */
+void boundary_turn(struct boundary *boundary, double sense);
 /* The sets have no speed any more. */
 void boundary_stop(struct boundary *boundary);
 /* As boundary_set_velocities, for the step from time on: v becomes the displacement of the step over dt. */

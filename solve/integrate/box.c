@@ -23,7 +23,7 @@ enum { ANY_HELD = 12, ENDS };
 static void find_ends(const struct unknowns *unknowns, int a, double least[ENDS])
 {
     const struct strips *owned = &unknowns->body->owned;
-    const double *free_nodes = unknowns->free + a * unknowns->n_nodes;
+    const uint8_t *free_nodes = unknowns->free + a * unknowns->n_nodes;
     int64_t node = 0;
     for (int k = 0; k < ENDS; k++) least[k] = INFINITY;
     for (int64_t s = 0; s < owned->count; s++)

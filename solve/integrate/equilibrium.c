@@ -102,6 +102,16 @@ static void say_fit(const struct equilibrium *e)
              100 * filled);
 }
 
+static double *weights_new(const struct body *body)
+{
+    double *weights = memory_new((size_t)body->grid.n_owned, sizeof *weights);
+    int64_t node = 0;
+    for (int64_t s = 0; s < body->owned.count; s++)
+        for (int i = 0; i < body->owned.items[s].count; i++)
+            weights[node++] = body->volumes[body->owned.items[s].site + i] / body->volume;
+    return weights;
+}
+
 struct equilibrium *equilibrium_new(int method, struct integration *integration, struct body *body,
                                     struct boundary *boundary, struct model *model,
                                     struct deck_node solver, const struct materials *materials)
@@ -119,6 +129,7 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                  sqrt(3 * (double)body->n_nodes);
     e->unknowns = unknowns_new(body, boundary);
     e->held = held_nodes(body, boundary);
+    if (body->volumes) e->weights = weights_new(body);
     e->x = vector_new(&e->unknowns);
     e->g = vector_new(&e->unknowns);
     if (e->method->preconditions) {
@@ -142,6 +153,7 @@ void equilibrium_free(struct equilibrium *e)
     symbol_free(&e->symbol);
     unknowns_free(&e->unknowns);
     members_free(&e->held);
+    free(e->weights);
     free(e->bound);
     free(e->x);
     free(e->g);
@@ -155,26 +167,28 @@ static double unbalanced(const struct body *body, int a, int64_t site)
     return density * (body_volume(body, site) / body->volume);
 }
 
-/* Norm of the reactions. */
-static double reactions(const struct equilibrium *e)
+/* Largest of the reactions on this rank. */
+static double largest_reaction(const struct equilibrium *e)
 {
-    double largest = 0, square;
+    double largest = 0;
     for (int64_t i = 0; i < e->held.count; i++)
         for (int a = 0; a < 3; a++)
             if (e->boundary->held[e->held.sites[i]] >> a & 1)
                 largest = fmax(largest, fabs(unbalanced(e->body, a, e->held.sites[i])));
-    largest = -largest;
-    ranks_minimum(&largest, 1);
-    if (!(largest < 0)) return 0;
-    struct exact_sum sum = exact_sum_new(3.000001 * (double)e->body->n_nodes * largest * largest);
+    return largest;
+}
+
+/* The sum of their squares. */
+static struct exact_sum square_reactions(const struct equilibrium *e, double bound)
+{
+    struct exact_sum sum = exact_sum_new(bound);
     for (int64_t i = 0; i < e->held.count; i++)
         for (int a = 0; a < 3; a++) {
             if (!(e->boundary->held[e->held.sites[i]] >> a & 1)) continue;
             const double value = unbalanced(e->body, a, e->held.sites[i]);
             exact_sum_add(&sum, value * value);
         }
-    exact_sum_finish(&sum, 1, &square);
-    return sqrt(square);
+    return sum;
 }
 
 /* Norm of the loads on free components, found with g as scratch. */
@@ -193,29 +207,38 @@ static double norm_of_loads(struct equilibrium *e)
     return sqrt(square);
 }
 
-/* g = - unbalanced() of the free components. */
-HS_SIMD static void take_strip(int count, const double *restrict f, const double *restrict b,
-                               const double *restrict volume, double whole,
-                               const double *restrict mask, double *restrict g)
-{
-    for (int i = 0; i < count; i++) g[i] = mask[i] > 0 ? -((f[i] + b[i]) * (volume[i] / whole)) : 0;
-}
+/* What is found of g while it is taken: the sum of its squares, a node's three as one term, and its largest number. */
+struct taken {
+    struct exact_sum square;
+    double largest;
+};
 
-static void take_unbalanced(const struct equilibrium *e, double *g)
+/* g = - unbalanced() of the free components of a strip. */
+HS_SIMD static void take_strip(int count, const double *const f[3], const double *const b[3],
+                               const double *weight, const uint8_t *const mask[3],
+                               double *const g[3], struct taken *taken)
 {
-    const struct body *body = e->body;
-    double none[LANES] = {0}, whole[LANES];
-    for (int i = 0; i < LANES; i++) whole[i] = body->volume;
-    for (int a = 0; a < 3; a++) {
-        int64_t at = a * e->unknowns.n_nodes;
-        for (int64_t s = 0; s < body->owned.count; at += body->owned.items[s++].count) {
-            const int64_t site = body->owned.items[s].site;
-            take_strip(body->owned.items[s].count, body->f[a] + site,
-                       body->b[a] ? body->b[a] + site : none,
-                       body->volumes ? body->volumes + site : whole, body->volume,
-                       e->unknowns.free + at, g + at);
-        }
+    const double *f_x = f[0], *f_y = f[1], *f_z = f[2], *b_x = b[0], *b_y = b[1], *b_z = b[2];
+    const uint8_t *m_x = mask[0], *m_y = mask[1], *m_z = mask[2];
+    double *g_x = g[0], *g_y = g[1], *g_z = g[2];
+    const double high = taken->square.high, low = taken->square.low;
+    double top = 0, bottom = 0, largest = taken->largest;
+#pragma omp simd reduction(max : largest) reduction(+ : top, bottom)
+    for (int i = 0; i < count; i++) {
+        const double x = m_x[i] ? -((f_x[i] + b_x[i]) * weight[i]) : 0,
+                     y = m_y[i] ? -((f_y[i] + b_y[i]) * weight[i]) : 0,
+                     z = m_z[i] ? -((f_z[i] + b_z[i]) * weight[i]) : 0,
+                     square = x * x + y * y + z * z, part = (square + high) - high;
+        g_x[i] = x;
+        g_y[i] = y;
+        g_z[i] = z;
+        top += part;
+        bottom += ((square - part) + low) - low;
+        largest = square > largest ? square : largest;
     }
+    taken->square.top += top;
+    taken->square.bottom += bottom;
+    taken->largest = largest;
 }
 
 /* (macroscopic.3) */
@@ -228,6 +251,57 @@ static void take_mean_unbalanced(const struct equilibrium *e, double *g)
         g[i] = (e->body->mean_stress[k] - m->target[k]) * m->volume / m->period[k % 3] /
                e->body->volume;
     }
+}
+
+/* bound: of the sum of squares. */
+static struct taken take_unbalanced(const struct equilibrium *e, double bound, double *g)
+{
+    const struct body *body = e->body;
+    const int64_t n = e->unknowns.n_nodes;
+    struct taken taken = {.square = exact_sum_new(bound)};
+    double none[LANES] = {0}, whole[LANES];
+    int64_t at = 0;
+    for (int i = 0; i < LANES; i++) whole[i] = 1;
+    for (int64_t s = 0; s < body->owned.count; at += body->owned.items[s++].count) {
+        const double *f[3], *b[3];
+        const uint8_t *mask[3];
+        double *out[3];
+        for (int a = 0; a < 3; a++) {
+            f[a] = body->f[a] + body->owned.items[s].site;
+            b[a] = body->b[a] ? body->b[a] + body->owned.items[s].site : none;
+            mask[a] = e->unknowns.free + a * n + at;
+            out[a] = g + a * n + at;
+        }
+        take_strip(body->owned.items[s].count, f, b, e->weights ? e->weights + at : whole, mask,
+                   out, &taken);
+    }
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
+        exact_sum_add(&taken.square, g[i] * g[i]);
+        taken.largest = fmax(taken.largest, g[i] * g[i]);
+    }
+    return taken;
+}
+
+/* g, its norm and that of the reactions.  What the sums are bounded by is guessed from the last norm and looked at with
+ * the numbers, which saves a pass and a message: a bound too wide by 2^20 leaves more than 50 bits. */
+static void measure(struct equilibrium *e, double *g)
+{
+    const double nodes = 1.000001 * (double)(e->body->n_nodes + e->unknowns.n_mean),
+                 guess = 0x1p20 * e->norm * e->norm;
+    take_mean_unbalanced(e, g);
+    struct taken taken = take_unbalanced(e, guess, g);
+    double least[2] = {-taken.largest, -largest_reaction(e)}, squares[2];
+    ranks_minimum(least, 2);
+    const double needed = nodes * -least[0];
+    if (!(needed <= guess)) taken = take_unbalanced(e, needed, g);
+    const struct exact_sum sums[2] = {taken.square,
+                                      square_reactions(e, 3 * nodes * least[1] * least[1])};
+    exact_sum_finish(sums, 2, squares);
+    e->norm = sqrt(squares[0]);
+    e->reference = hypot(least[1] < 0 ? sqrt(squares[1]) : 0, e->loads);
+    if (e->boundary->macroscopic)
+        e->reference =
+            hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, e->body));
 }
 
 /* Whether any rank is asked to stop: from then on no method goes on. */
@@ -248,12 +322,7 @@ double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
     vector_put_mean(&e->unknowns, x, body->mean_gradient);
     integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
     e->evaluations++;
-    take_unbalanced(e, g);
-    take_mean_unbalanced(e, g);
-    e->norm = vector_norm(&e->unknowns, g);
-    e->reference = hypot(reactions(e), e->loads);
-    if (e->boundary->macroscopic)
-        e->reference = hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, body));
+    measure(e, g);
     if (e->watch) e->watch(e->watcher, e);
     return e->norm;
 }
@@ -269,17 +338,19 @@ bool equilibrium_reached(const struct equilibrium *e)
     return equilibrium_residual(e) <= e->tolerance;
 }
 
-void equilibrium_precondition(struct equilibrium *e, const double *g, double *z)
+void equilibrium_precondition(struct equilibrium *e, const double *g, float *z)
 {
     const enum profile_part before = profile_enter(e->body->profile, PART_PRECONDITION);
     const int64_t n = e->unknowns.n_nodes;
     preconditioner_apply(e->preconditioner, g, z);
     for (int64_t i = 3 * n; i < e->unknowns.length; i++) {
-        z[i] = 0;
+        double answer = 0;
         for (int64_t k = 3 * n; k < e->unknowns.length; k++)
-            z[i] += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
+            answer += e->mean_inverse[i - 3 * n][k - 3 * n] * g[k];
+        z[i] = (float)answer;
     }
-    for (int64_t i = 0; e->bound && i < e->unknowns.length; i++) z[i] += g[i] / e->bound[i];
+    for (int64_t i = 0; e->bound && i < e->unknowns.length; i++)
+        z[i] += (float)(g[i] / e->bound[i]);
     profile_enter(e->body->profile, before);
 }
 
@@ -294,6 +365,7 @@ static bool solve_by(struct equilibrium *e, const struct equilibrium_method *met
 bool equilibrium_solve(struct equilibrium *e)
 {
     e->evaluations = 0;
+    e->norm = 0;
     e->loads = norm_of_loads(e);
     equilibrium_evaluate(e, e->x, e->g);
     if (!equilibrium_reached(e) && !solve_by(e, e->method, &e->self) &&

@@ -51,6 +51,7 @@ struct equilibrium {
     double
         mean_inverse[COMPONENTS]
                     [COMPONENTS]; /* of the stiffness against the mean gradient's unknowns, m^4/N */
+    double *weights;              /* [n_nodes] V/mean V, where nodes' volumes differ; else NULL */
     double *bound;                /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
     struct members held;          /* nodes with held components */
     double *x, *g;                /* m, N/m^3 */
@@ -84,8 +85,8 @@ double equilibrium_residual(const struct equilibrium *equilibrium);
 
 /* For methods: g at x, and its norm; sets the reference.  Collective, both. */
 double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
-/* z = M^-1 g (transform.h), and what (equilibrium.3) gives where particles share a site. */
-void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, double *z);
+/* z = M^-1 g (transform.h), a direction (direction.h), and what (equilibrium.3) gives where particles share a site. */
+void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, float *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 
 /* The methods that the deck may name (scene.h): equilibrium_NAME, each in a file of its own. */

@@ -10,10 +10,10 @@
 
 enum { WIDTH = FOLDING_WIDTH };
 
-enum {
-    WORTHWHILE = 12
-};                 /* rows and columns of a block from which on sums and differences cost less */
-enum { TILE = 6 }; /* rows multiplied at once */
+/* Rows and columns of a part from which on sums and differences cost less than they save. */
+enum { WORTHWHILE = 12 };
+/* Rows multiplied at once. */
+enum { TILE = 6 };
 
 /* Either sums and differences of pairs, in place, or the product with a block. */
 enum step_kind { BEFORE, MULTIPLY, AFTER }; /* pairs of in, block, pairs of out */
@@ -85,7 +85,7 @@ static bool split(const struct view *view, const struct block *block, struct blo
                   int *first)
 {
     const int n = block->n_columns;
-    for (*first = 0; *first < 2; ++*first) {
+    for (*first = 0; *first < 2 && n - *first >= 2; ++*first) {
         int r = 0;
         for (int half = 0; half < 2; half++) halves[half] = block_new(block->n_rows, n);
         for (int i = 0; i < n; i++) {
@@ -148,7 +148,8 @@ static void exchange(struct block *block)
     *block = (struct block){before.n_columns, before.n_rows, before.columns, before.rows};
 }
 
-static void fold(struct folding *folding, const struct view *view, const struct block *block);
+static void fold(struct folding *folding, const struct view *view, const struct block *block,
+                 int worthwhile);
 
 /* across: columns mirror each other, else rows, which are the columns of the transposed matrix. */
 static bool fold_along(struct folding *folding, const struct view *view, const struct block *block,
@@ -166,17 +167,17 @@ static bool fold_along(struct folding *folding, const struct view *view, const s
     if (across) add_pairs(folding, BEFORE, turned.n_columns, turned.columns, first);
     for (int half = 0; half < 2; half++) {
         if (!across) exchange(&halves[half]);
-        fold(folding, view, &halves[half]);
+        fold(folding, view, &halves[half], WORTHWHILE);
         block_free(&halves[half]);
     }
     if (!across) add_pairs(folding, AFTER, turned.n_columns, turned.columns, first);
     return true;
 }
 
-static void fold(struct folding *folding, const struct view *view, const struct block *block)
+static void fold(struct folding *folding, const struct view *view, const struct block *block,
+                 int worthwhile)
 {
-    const bool worthwhile = block->n_rows >= WORTHWHILE && block->n_columns >= WORTHWHILE;
-    if (worthwhile &&
+    if (block->n_rows >= worthwhile && block->n_columns >= worthwhile &&
         (fold_along(folding, view, block, true) || fold_along(folding, view, block, false)))
         return;
     add_product(folding, view, block);
@@ -192,7 +193,7 @@ struct folding *folding_new(int rows, int columns, const double *matrix)
     for (int i = 0; i < columns; i++) block.columns[i] = i;
     for (int64_t i = 0; i < (int64_t)rows * columns; i++)
         view.slack = fmax(view.slack, 1e-9 * fabs(matrix[i]));
-    fold(folding, &view, &block);
+    fold(folding, &view, &block, 2); /* once always: what is even then has no odd part at all */
     block_free(&block);
     return folding;
 }

@@ -9,34 +9,37 @@
  * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message.  The
  * step t = 1 stands where the slope g.d has fallen enough; else one secant step follows. */
 #include "checkpoint.h"
+#include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { MEMORY = 6 }; /* pairs, with the one that an iteration makes */
 
 struct lbfgs {
-    int count;    /* pairs, oldest first */
-    double scale; /* c */
-    double *s[MEMORY], *z[MEMORY], *w, *y;
-    double s_norm[MEMORY], z_norm[MEMORY], y_norm; /* bounds of norms */
-    double sg[MEMORY], zg[MEMORY];                 /* s_i.g, z_i.g */
-    double sy[MEMORY][MEMORY];                     /* s_i.y_j, i <= j */
-    double zy[MEMORY][MEMORY];                     /* z_i.y_j, symmetric */
+    int count;                               /* pairs, oldest first */
+    double scale;                            /* c */
+    float *s[MEMORY], *z[MEMORY], *w, *next; /* next: of the gradient that w follows */
+    double *before;                          /* the gradient before the step */
+    double s_norm[MEMORY], z_norm[MEMORY];   /* bounds of norms */
+    double w_norm;
+    double sg[MEMORY], zg[MEMORY], wg; /* s_i.g, z_i.g, w.g */
+    double sy[MEMORY][MEMORY];         /* s_i.y_j, i <= j */
+    double zy[MEMORY][MEMORY];         /* z_i.y_j, symmetric */
 };
 
 static void *lbfgs_start(const struct equilibrium *e)
 {
     struct lbfgs *self = memory_new(1, sizeof *self);
     for (int k = 0; k < MEMORY; k++) {
-        self->s[k] = vector_new(&e->unknowns);
-        self->z[k] = vector_new(&e->unknowns);
+        self->s[k] = direction_new(&e->unknowns);
+        self->z[k] = direction_new(&e->unknowns);
     }
-    self->w = vector_new(&e->unknowns);
-    self->y = vector_new(&e->unknowns);
+    self->w = direction_new(&e->unknowns);
+    self->next = direction_new(&e->unknowns);
+    self->before = vector_new(&e->unknowns);
     self->scale = 1;
     return self;
 }
@@ -49,7 +52,8 @@ static void lbfgs_free(void *object)
         free(self->z[k]);
     }
     free(self->w);
-    free(self->y);
+    free(self->next);
+    free(self->before);
     free(self);
 }
 
@@ -60,16 +64,17 @@ static void lbfgs_visit(void *object, struct checkpoint *checkpoint)
     checkpoint_numbers(checkpoint, "lbfgs: scale", &self->scale, 1);
 }
 
-/* d = -H g */
-static void direction(const struct lbfgs *self, const struct equilibrium *e, double *d)
+/* d = -H g; its largest number and the slope d.g. */
+static double direction(const struct lbfgs *self, const struct equilibrium *e, float *d,
+                        double *slope)
 {
     const int n = self->count;
-    double alpha[MEMORY], minus[MEMORY], gain[MEMORY];
+    double alpha[MEMORY], gain[MEMORY], factors[2 * MEMORY + 1] = {-self->scale};
+    float *vectors[2 * MEMORY + 1] = {self->w};
     for (int i = n - 1; i >= 0; i--) {
         double sq = self->sg[i];
         for (int j = i + 1; j < n; j++) sq -= alpha[j] * self->sy[i][j];
         alpha[i] = sq / self->sy[i][i];
-        minus[i] = -alpha[i];
     }
     for (int i = 0; i < n; i++) {
         double yr = self->zg[i];
@@ -78,16 +83,20 @@ static void direction(const struct lbfgs *self, const struct equilibrium *e, dou
         for (int j = 0; j < i; j++) yr += gain[j] * self->sy[j][i];
         gain[i] = alpha[i] - yr / self->sy[i][i];
     }
-    memcpy(d, self->w, (size_t)e->unknowns.length * sizeof *d);
-    vector_add_all(&e->unknowns, n, minus, self->z, d);
-    vector_scale(&e->unknowns, self->scale, d);
-    vector_add_all(&e->unknowns, n, gain, self->s, d);
-    vector_scale(&e->unknowns, -1, d);
+    *slope = -self->scale * self->wg;
+    for (int i = 0; i < n; i++) {
+        vectors[1 + i] = self->z[i];
+        factors[1 + i] = self->scale * alpha[i];
+        vectors[1 + n + i] = self->s[i];
+        factors[1 + n + i] = -gain[i];
+        *slope += factors[1 + i] * self->zg[i] + factors[1 + n + i] * self->sg[i];
+    }
+    return direction_combine(&e->unknowns, 1 + 2 * n, factors, vectors, d);
 }
 
 static void drop_oldest(struct lbfgs *self)
 {
-    double *s = self->s[0], *z = self->z[0];
+    float *s = self->s[0], *z = self->z[0];
     for (int i = 1; i < self->count; i++) {
         self->s[i - 1] = self->s[i];
         self->z[i - 1] = self->z[i];
@@ -105,79 +114,114 @@ static void drop_oldest(struct lbfgs *self)
     self->z[self->count] = z;
 }
 
-/* The pair of this number has s and y: finds z and all products.  slope: s.g before. */
-static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slope)
+/* w, and what is known of it. */
+static void precondition(struct lbfgs *self, struct equilibrium *e)
+{
+    float *next = self->next;
+    self->next = self->w;
+    self->w = next;
+    equilibrium_precondition(e, e->g, self->w);
+}
+
+/* The pair of this number has s: finds z and all products.  slope and end: s.g before and behind it; norm: of g before. */
+static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slope, double end,
+                          double norm)
 {
     const struct unknowns *unknowns = &e->unknowns;
-    const int k = self->count, n = k + 1;
-    double *z = self->z[k], *vectors[2 * MEMORY], norms[2 * MEMORY], products[2 * MEMORY];
-    memcpy(z, self->w, (size_t)unknowns->length * sizeof *z);
-    equilibrium_precondition(e, e->g, self->w);
-    for (int64_t i = 0; i < unknowns->length; i++) z[i] = self->w[i] - z[i];
-    self->z_norm[k] = vector_bound(unknowns, vector_largest(unknowns, z));
-    vector_products(unknowns, 1, &z, &self->z_norm[k], self->y, self->y_norm, &self->zy[k][k]);
-    for (int i = 0; i < n; i++) {
-        vectors[i] = self->s[i];
-        norms[i] = self->s_norm[i];
-        vectors[n + i] = self->z[i];
-        norms[n + i] = self->z_norm[i];
+    const int k = self->count;
+    float *vectors[2 * MEMORY + 1];
+    double norms[2 * MEMORY + 1], products[2 * MEMORY + 1], z_before;
+    precondition(self, e);
+    self->z_norm[k] =
+        vector_bound(unknowns, direction_combine(unknowns, 2, (double[]){1, -1},
+                                                 (float *[]){self->w, self->next}, self->z[k]));
+    self->w_norm += self->z_norm[k];
+    int count = 0;
+    for (int i = 0; i < k; i++) {
+        vectors[count] = self->s[i];
+        norms[count++] = self->s_norm[i];
     }
-    vector_products(unknowns, 2 * n, vectors, norms, e->g, e->norm, products);
-    for (int i = 0; i < n; i++) {
-        self->sy[i][k] = products[i] - (i < k ? self->sg[i] : slope);
-        if (i < k) self->zy[i][k] = self->zy[k][i] = products[n + i] - self->zg[i];
+    for (int i = 0; i <= k; i++) {
+        vectors[count] = self->z[i];
+        norms[count++] = self->z_norm[i];
+    }
+    vectors[count] = self->w;
+    norms[count++] = self->w_norm;
+    direction_products(unknowns, 1, &self->z[k], &self->z_norm[k], self->before, norm, &z_before);
+    direction_products(unknowns, count, vectors, norms, e->g, e->norm, products);
+    for (int i = 0; i < k; i++) {
+        self->sy[i][k] = products[i] - self->sg[i];
+        self->zy[i][k] = self->zy[k][i] = products[k + i] - self->zg[i];
         self->sg[i] = products[i];
-        self->zg[i] = products[n + i];
+        self->zg[i] = products[k + i];
     }
+    self->sy[k][k] = end - slope;
+    self->zy[k][k] = products[2 * k] - z_before;
+    self->sg[k] = end;
+    self->zg[k] = products[2 * k];
+    self->wg = products[2 * k + 1];
+}
+
+/* x goes along s of the pair at hand, whose bound is known, until its slope has fallen enough; false where the force is not
+ * finite.  far: its largest number; slope: at the start, and behind it.  What of s has been gone is returned. */
+static double go(struct lbfgs *self, struct equilibrium *e, double far, double *slope)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    const double farthest = 0.5 * e->body->lattice->spacing, start = *slope, before = e->norm;
+    float *d = self->s[self->count];
+    double t = far > farthest ? farthest / far : 1, taken = 0, *g = e->g;
+    e->g = self->before;
+    self->before = g;
+    for (int trial = 0;; trial++) {
+        direction_add(unknowns, t - taken, d, e->x);
+        taken = t;
+        equilibrium_evaluate(e, e->x, e->g);
+        if (!isfinite(e->norm)) {
+            if (trial >= 4) return 0;
+            t *= 0.25;
+            continue;
+        }
+        direction_products(unknowns, 1, &d, &self->s_norm[self->count], e->g, e->norm, slope);
+        if (fabs(*slope) <= 0.9 * -start || e->norm <= 0.5 * before || trial >= 4) return taken;
+        const double secant = t * start / (start - *slope);
+        t = *slope > start && isfinite(secant) ? fmin(fmax(secant, 0.1 * t), 4 * t) : 2 * t;
+    }
+}
+
+/* M^-1 g and w.g, before there are pairs. */
+static void begin(struct lbfgs *self, struct equilibrium *e)
+{
+    self->count = 0;
+    precondition(self, e);
+    self->w_norm = vector_bound(
+        &e->unknowns, direction_combine(&e->unknowns, 1, (double[]){1}, &self->w, self->next));
+    direction_products(&e->unknowns, 1, &self->w, &self->w_norm, e->g, e->norm, &self->wg);
 }
 
 static bool lbfgs_solve(void *object, struct equilibrium *e)
 {
     struct lbfgs *self = object;
-    const struct unknowns *unknowns = &e->unknowns;
-    const size_t bytes = (size_t)unknowns->length * sizeof(double);
-    const double farthest = 0.5 * e->body->lattice->spacing;
-    self->count = 0;
-    equilibrium_precondition(e, e->g, self->w);
+    begin(self, e);
     while (!equilibrium_reached(e)) {
         if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         if (self->count == MEMORY) drop_oldest(self);
-        double *d = self->s[self->count], *y = self->y;
-        direction(self, e, d);
-        const double far = vector_largest(unknowns, d), d_norm = vector_bound(unknowns, far);
-        double slope, end;
-        vector_products(unknowns, 1, &d, &d_norm, e->g, e->norm, &slope);
+        const int k = self->count;
+        double slope;
+        const double far = direction(self, e, self->s[k], &slope), norm = e->norm;
         if (!(slope < 0)) {
-            if (self->count == 0) return false;
+            if (k == 0) return false;
             self->count = 0;
             continue;
         }
-        double t = far > farthest ? farthest / far : 1, taken = 0;
-        const double before = e->norm;
-        memcpy(y, e->g, bytes);
-        for (int trial = 0;; trial++) {
-            vector_add(unknowns, t - taken, d, e->x);
-            taken = t;
-            equilibrium_evaluate(e, e->x, e->g);
-            if (!isfinite(e->norm)) {
-                if (trial >= 4) return false;
-                t *= 0.25;
-                continue;
-            }
-            vector_products(unknowns, 1, &d, &d_norm, e->g, e->norm, &end);
-            if (fabs(end) <= 0.9 * -slope || e->norm <= 0.5 * before || trial >= 4) break;
-            const double secant = t * slope / (slope - end);
-            t = end > slope && isfinite(secant) ? fmin(fmax(secant, 0.1 * t), 4 * t) : 2 * t;
-        }
-        for (int64_t i = 0; i < unknowns->length; i++) y[i] = e->g[i] - y[i];
-        vector_scale(unknowns, taken, d);
-        self->s_norm[self->count] = fabs(taken) * d_norm;
-        const double y_largest = vector_largest(unknowns, y);
-        self->y_norm = vector_bound(unknowns, y_largest);
-        complete_pair(self, e, taken * slope);
-        const int k = self->count;
-        /* Curvature, or rounding: the product of the largest numbers is not beyond that of the norms. */
-        if (!(self->sy[k][k] > 1e-10 * fabs(taken) * far * y_largest)) continue;
+        self->s_norm[k] = vector_bound(&e->unknowns, far);
+        double end = slope;
+        const double taken = go(self, e, far, &end);
+        if (!(taken > 0)) return false;
+        if (taken < 1 || taken > 1) direction_scale(&e->unknowns, taken, self->s[k]);
+        self->s_norm[k] *= taken;
+        complete_pair(self, e, taken * slope, taken * end, norm);
+        /* Curvature, or rounding. */
+        if (!(self->sy[k][k] > 1e-6 * taken * -slope)) continue;
         if (self->zy[k][k] > 0) self->scale = self->sy[k][k] / self->zy[k][k];
         self->count++;
     }

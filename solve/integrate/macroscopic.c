@@ -26,6 +26,7 @@ struct macroscopic *macroscopic_new(const struct scene *scene, const struct body
     struct macroscopic *m = memory_new(1, sizeof *m);
     find_periods(m, body->lattice);
     m->volume = body->whole_volume;
+    m->sense = 1;
     for (int k = 0; k < COMPONENTS; k++) {
         m->component[k].given = !strains(m, k / 3, k % 3);
         m->component[k].kind = m->component[k].given ? MACROSCOPIC_STRAIN : MACROSCOPIC_STRESS;
@@ -51,7 +52,14 @@ struct macroscopic *macroscopic_new(const struct scene *scene, const struct body
 static double value_of(const struct macroscopic *m, int k, double time)
 {
     const struct value *value = m->component[k].value;
-    return value ? value_at(value, (const double[]){0, 0, 0}, time) : 0;
+    if (!value) return 0;
+    const bool turns = m->component[k].kind == MACROSCOPIC_RATE && value->kind == VALUE_CONSTANT;
+    return (turns ? m->sense : 1) * value_at(value, (const double[]){0, 0, 0}, time);
+}
+
+void macroscopic_turn(struct macroscopic *m, double sense)
+{
+    m->sense = sense;
 }
 
 void macroscopic_start(const struct macroscopic *m, struct body *body, double poissons_ratio,
@@ -182,7 +190,7 @@ double macroscopic_full_rate(const struct macroscopic *m)
 {
     const struct value *value = m->component[0].value;
     if (m->component[0].kind != MACROSCOPIC_RATE || !value) return 0;
-    return value->kind == VALUE_EXPRESSION ? 0 : value->number;
+    return value->kind == VALUE_CONSTANT || value->kind == VALUE_RAMP ? value->number : 0;
 }
 
 double macroscopic_ramp(const struct macroscopic *m)
@@ -194,6 +202,7 @@ void macroscopic_visit(struct macroscopic *m, struct body *body, struct checkpoi
 {
     checkpoint_numbers(checkpoint, "mean gradient", body->mean_gradient, COMPONENTS);
     checkpoint_numbers(checkpoint, "mean stress", body->mean_stress, COMPONENTS);
+    checkpoint_numbers(checkpoint, "sense of the mean gradient", &m->sense, 1);
     checkpoint_numbers(checkpoint, "mean rate", body->mean_rate, COMPONENTS);
     checkpoint_numbers(checkpoint, "given mean stress", m->target, COMPONENTS);
     checkpoint_numbers(checkpoint, "given mean stress before", m->target_before, COMPONENTS);

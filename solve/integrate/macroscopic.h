@@ -36,6 +36,7 @@ struct macroscopic {
     double mass;               /* kg */
     double target[COMPONENTS]; /* mean stress as it is given now, Pa */
     double target_before[COMPONENTS];
+    double sense;              /* of rates that are numbers: 1, or -1 where they go back */
     double way[COMPONENTS];    /* of given components in this step */
     double before[COMPONENTS]; /* H and P at the end of the step before */
     double stress_before[COMPONENTS];
@@ -51,6 +52,9 @@ void macroscopic_weigh(struct macroscopic *macroscopic, const struct body *body,
  * those along other axes. */
 void macroscopic_start(const struct macroscopic *macroscopic, struct body *body,
                        double poissons_ratio, double dt);
+
+/* Rates that are numbers go back (-1) or forth (1). */
+void macroscopic_turn(struct macroscopic *macroscopic, double sense);
 
 /* The ways of given components in the step from time on, and the stresses at its end. */
 void macroscopic_set_ways(struct macroscopic *macroscopic, const struct body *body, double time,

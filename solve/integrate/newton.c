@@ -5,6 +5,7 @@
  *
  * K is the tangent with the flow of the step so far.  eta: Eisenstat, Walker, SIAM J. Sci. Comput. 17 (1996) 16.
  * Where a direction has no stiffness, d ends before it (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626). */
+#include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"
 
@@ -16,7 +17,8 @@ static const double moved = 2e-6;   /* h max |p|, spacings */
 static const double forcing = 0.05; /* eta */
 
 struct newton {
-    double *d, *p, *r, *z, *Kp, *beside;
+    double *d, *p, *r, *Kp, *beside;
+    float *z;
 };
 
 static void *newton_start(const struct equilibrium *e)
@@ -25,7 +27,7 @@ static void *newton_start(const struct equilibrium *e)
     self->d = vector_new(&e->unknowns);
     self->p = vector_new(&e->unknowns);
     self->r = vector_new(&e->unknowns);
-    self->z = vector_new(&e->unknowns);
+    self->z = direction_new(&e->unknowns);
     self->Kp = vector_new(&e->unknowns);
     self->beside = vector_new(&e->unknowns);
     return self;
@@ -67,9 +69,10 @@ static void find_direction(struct newton *self, struct equilibrium *e)
     memset(self->d, 0, bytes);
     memcpy(self->r, e->g, bytes);
     vector_scale(unknowns, -1, self->r);
+    memset(self->p, 0, bytes);
     equilibrium_precondition(e, self->r, self->z);
-    memcpy(self->p, self->z, bytes);
-    double rz = vector_product(unknowns, self->r, self->z);
+    direction_add(unknowns, 1, self->z, self->p);
+    double rz = direction_product(unknowns, self->z, self->r);
     for (int k = 0; e->evaluations < e->last; k++) {
         multiply(self, e);
         const double stiffness = vector_product(unknowns, self->p, self->Kp);
@@ -82,9 +85,9 @@ static void find_direction(struct newton *self, struct equilibrium *e)
         if (vector_norm(unknowns, self->r) <= goal) return;
         equilibrium_precondition(e, self->r, self->z);
         const double before = rz;
-        rz = vector_product(unknowns, self->r, self->z);
+        rz = direction_product(unknowns, self->z, self->r);
         vector_scale(unknowns, rz / before, self->p);
-        vector_add(unknowns, 1, self->z, self->p);
+        direction_add(unknowns, 1, self->z, self->p);
     }
 }
 

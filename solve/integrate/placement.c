@@ -214,7 +214,7 @@ HS_SIMD static void put(struct runs runs, const double *restrict from, float *re
             to[run.to + i] = run.share * (float)from[run.from + i];
     }
 }
-HS_SIMD static void take(struct runs runs, const float *restrict to, double *restrict from)
+HS_SIMD static void take(struct runs runs, const float *restrict to, float *restrict from)
 {
     for (int64_t r = 0; r < runs.count; r++) {
         const struct run run = runs.items[r];
@@ -228,21 +228,13 @@ HS_SIMD static void sort_in(struct runs runs, const float *restrict from, float 
         for (int32_t i = 0; i < run.count; i++) to[run.to + i] = from[run.from + i];
     }
 }
-HS_SIMD static void sort_out(struct runs runs, const float *restrict to, float *restrict from)
-{
-    for (int64_t r = 0; r < runs.count; r++) {
-        const struct run run = runs.items[r];
-        for (int32_t i = 0; i < run.count; i++) from[run.from + i] = to[run.to + i];
-    }
-}
-
 /* The same of single numbers that meet others. */
 static void put_sums(struct runs runs, const double *from, float *to)
 {
     for (int64_t r = 0; r < runs.count; r++)
         to[runs.items[r].to] += runs.items[r].share * (float)from[runs.items[r].from];
 }
-static void take_sums(struct runs runs, const float *to, double *from)
+static void take_sums(struct runs runs, const float *to, float *from)
 {
     for (int64_t r = 0; r < runs.count; r++)
         from[runs.items[r].from] += runs.items[r].share * to[runs.items[r].to];
@@ -263,14 +255,14 @@ void placement_put(struct placement *p, const double *vector)
         (p->sums ? put_sums : put)(p->owned, vector, p->values);
 }
 
-void placement_take(struct placement *p, double *vector)
+void placement_take(struct placement *p, float *direction)
 {
     const float *values = p->values;
     if (p->given) {
-        sort_out(p->taken, p->values, p->got);
+        take(p->taken, p->values, p->got);
         shares_send(p->got, &p->in, p->given, &p->out);
         values = p->given;
     }
-    if (!p->places) memset(vector, 0, (size_t)p->length * sizeof *vector);
-    (p->sums ? take_sums : take)(p->owned, values, vector);
+    if (!p->places) memset(direction, 0, (size_t)p->length * sizeof *direction);
+    (p->sums ? take_sums : take)(p->owned, values, direction);
 }

@@ -1,5 +1,6 @@
 #include "preconditioner.h"
 
+#include "direction.h"
 #include "memory.h"
 
 #include <math.h>
@@ -113,10 +114,11 @@ static void choose_pins(struct preconditioner *p, const struct box box[3])
     free(list.pins);
 }
 
-/* values[count] of all ranks' pins in a vector.  Collective. */
-static void take_pins(const struct preconditioner *p, const double *vector, double *values)
+/* values[count] of all ranks' pins in a direction.  Collective. */
+static void take_pins(const struct preconditioner *p, const float *direction, double *values)
 {
-    for (int k = 0; k < p->count; k++) values[k] = p->at[k] >= 0 ? vector[p->at[k]] : INFINITY;
+    for (int k = 0; k < p->count; k++)
+        values[k] = p->at[k] >= 0 ? (double)direction[p->at[k]] : INFINITY;
     ranks_minimum(values, p->count);
 }
 
@@ -154,7 +156,7 @@ static void solve(const struct preconditioner *p, double *x)
 static void fill_pins(struct preconditioner *p)
 {
     const int n = p->count;
-    double *answer = vector_new(p->unknowns);
+    float *answer = direction_new(p->unknowns);
     p->factor = memory_new((size_t)n * (size_t)n, sizeof *p->factor);
     p->force = memory_new((size_t)n, sizeof *p->force);
     p->held = vector_new(p->unknowns);
@@ -203,7 +205,7 @@ double preconditioner_filled(const struct preconditioner *p)
     return transform_filled(p->transform);
 }
 
-void preconditioner_apply(struct preconditioner *p, const double *r, double *z)
+void preconditioner_apply(struct preconditioner *p, const double *r, float *z)
 {
     const struct unknowns *unknowns = p->unknowns;
     transform_apply(p->transform, r, z);

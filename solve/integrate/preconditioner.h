@@ -23,6 +23,6 @@ bool preconditioner_is_crowded(const struct preconditioner *preconditioner);
 double preconditioner_filled(const struct preconditioner *preconditioner);
 
 /* z of (pins.1); held components become 0.  Collective. */
-void preconditioner_apply(struct preconditioner *preconditioner, const double *r, double *z);
+void preconditioner_apply(struct preconditioner *preconditioner, const double *r, float *z);
 
 #endif

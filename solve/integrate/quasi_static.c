@@ -217,6 +217,11 @@ bool quasi_static_step(struct quasi_static *q)
     return true;
 }
 
+void quasi_static_turn(struct quasi_static *q)
+{
+    for (int64_t i = 0; i < q->equilibrium->unknowns.length; i++) q->rate[i] = -q->rate[i];
+}
+
 void quasi_static_velocities(const struct quasi_static *q)
 {
     vector_put(&q->equilibrium->unknowns, q->rate, q->equilibrium->body->v);

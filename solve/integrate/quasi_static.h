@@ -33,6 +33,9 @@ void quasi_static_free(struct quasi_static *quasi_static);
  * before.  Collective. */
 bool quasi_static_step(struct quasi_static *quasi_static);
 
+/* The held components go back from here on: so does the guess for the next step. */
+void quasi_static_turn(struct quasi_static *quasi_static);
+
 /* The free components of the body's velocities become those of the last step. */
 void quasi_static_velocities(const struct quasi_static *quasi_static);
 

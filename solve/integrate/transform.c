@@ -249,24 +249,20 @@ static void along_rows(struct transform *transform, int a, bool back)
     }
 }
 
-/* lines numbers of each of n rows that lie stride apart into the lanes from the first on, and back. */
-static void load_lines(int lines, int n, int64_t stride, const float *values, float (*room)[WIDTH],
-                       int first)
+/* Numbers of a row into the lanes from the first on, and back. */
+HS_INLINE void load_row(int lines, const float *values, float room[WIDTH], int first)
 {
     if (lines == WIDTH)
-        for (int i = 0; i < n; i++) memcpy(room[i], values + i * stride, sizeof room[i]);
+        memcpy(room, values, WIDTH * sizeof *room);
     else
-        for (int i = 0; i < n; i++)
-            memcpy(room[i] + first, values + i * stride, (size_t)lines * sizeof(float));
+        for (int l = 0; l < lines; l++) room[first + l] = values[l];
 }
-static void store_lines(int lines, int n, int64_t stride, float *values, const float (*room)[WIDTH],
-                        int first)
+HS_INLINE void store_row(int lines, float *values, const float room[WIDTH], int first)
 {
     if (lines == WIDTH)
-        for (int i = 0; i < n; i++) memcpy(values + i * stride, room[i], sizeof room[i]);
+        memcpy(values, room, WIDTH * sizeof *room);
     else
-        for (int i = 0; i < n; i++)
-            memcpy(values + i * stride, room[i] + first, (size_t)lines * sizeof(float));
+        for (int l = 0; l < lines; l++) values[l] = room[first + l];
 }
 
 /* Lines of several planes share lanes. */
@@ -283,10 +279,11 @@ static void across_rows(struct transform *transform, int a, bool back)
                           lines = (int)(wide - x < WIDTH - first ? wide - x : WIDTH - first);
                 float *values = slab->values + plane * slab->plane + x;
                 if (storing)
-                    store_lines(lines, n, wide, values, (const float(*)[WIDTH])transform->other,
-                                first);
+                    for (int i = 0; i < n; i++)
+                        store_row(lines, values + (int64_t)i * wide, transform->other[i], first);
                 else
-                    load_lines(lines, n, wide, values, transform->room, first);
+                    for (int i = 0; i < n; i++)
+                        load_row(lines, values + (int64_t)i * wide, transform->room[i], first);
                 at += lines;
             }
             if (!storing)
@@ -307,12 +304,13 @@ static void divide(struct transform *transform, int a)
     const int n = slab->size[2];
     for (int64_t tile = 0; tile < tiles(slab); tile++) {
         const int64_t first = tile * WIDTH, left = slab->columns - first;
-        const size_t bytes = (size_t)(left < WIDTH ? left : WIDTH) * sizeof(float);
-        for (int p = 0; p < n; p++) memcpy(transform->room[p], slab->turned[p] + first, bytes);
+        const int lines = left < WIDTH ? (int)left : WIDTH;
+        for (int p = 0; p < n; p++) load_row(lines, slab->turned[p] + first, transform->room[p], 0);
         waves_transform(waves, false, transform->room, transform->other);
         multiply((int64_t)n * WIDTH, transform->inverse[a] + tile * n * WIDTH, transform->other[0]);
         waves_transform(waves, true, transform->other, transform->room);
-        for (int p = 0; p < n; p++) memcpy(slab->turned[p] + first, transform->room[p], bytes);
+        for (int p = 0; p < n; p++)
+            store_row(lines, slab->turned[p] + first, transform->room[p], 0);
     }
 }
 
@@ -338,12 +336,12 @@ static void divide_coupled(struct transform *transform)
     const int n = slab->size[2];
     for (int64_t tile = 0; tile < tiles(slab); tile++) {
         const int64_t first = tile * WIDTH, left = slab->columns - first, at = tile * n * WIDTH;
-        const size_t bytes = (size_t)(left < WIDTH ? left : WIDTH) * sizeof(float);
+        const int lines = left < WIDTH ? (int)left : WIDTH;
         float(*other[3])[WIDTH], **inverse = transform->inverse;
         for (int a = 0; a < 3; a++) {
             other[a] = transform->other + (int64_t)a * transform->longest;
             for (int p = 0; p < n; p++)
-                memcpy(transform->room[p], slab[a].turned[p] + first, bytes);
+                load_row(lines, slab[a].turned[p] + first, transform->room[p], 0);
             waves_transform(transform->waves[a][2], false, transform->room, other[a]);
         }
         multiply_coupled((int64_t)n * WIDTH, inverse[0] + at, inverse[1] + at, inverse[2] + at,
@@ -352,12 +350,12 @@ static void divide_coupled(struct transform *transform)
         for (int a = 0; a < 3; a++) {
             waves_transform(transform->waves[a][2], true, other[a], transform->room);
             for (int p = 0; p < n; p++)
-                memcpy(slab[a].turned[p] + first, transform->room[p], bytes);
+                store_row(lines, slab[a].turned[p] + first, transform->room[p], 0);
         }
     }
 }
 
-void transform_apply(struct transform *transform, const double *r, double *z)
+void transform_apply(struct transform *transform, const double *r, float *z)
 {
     placement_put(transform->placement, r);
     for (int a = 0; a < 3; a++) {

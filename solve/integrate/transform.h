@@ -31,6 +31,6 @@ bool transform_is_crowded(const struct transform *transform);
 double transform_filled(const struct transform *transform);
 
 /* z = M^-1 r.  Collective. */
-void transform_apply(struct transform *transform, const double *r, double *z);
+void transform_apply(struct transform *transform, const double *r, float *z);
 
 #endif

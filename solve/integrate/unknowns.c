@@ -14,7 +14,7 @@ struct unknowns unknowns_new(struct body *body, const struct boundary *boundary)
     for (int k = 0; unknowns.macroscopic && k < COMPONENTS; k++)
         if (!unknowns.macroscopic->component[k].given) unknowns.mean[unknowns.n_mean++] = k;
     unknowns.length = 3 * unknowns.n_nodes + (body->ranks.rank == 0 ? unknowns.n_mean : 0);
-    unknowns.free = vector_new(&unknowns);
+    unknowns.free = memory_new((size_t)unknowns.length, 1);
     int64_t node = 0;
     for (int64_t s = 0; s < body->owned.count; s++)
         for (int i = 0; i < body->owned.items[s].count; i++, node++)
@@ -38,11 +38,11 @@ double *vector_new(const struct unknowns *unknowns)
 }
 
 HS_SIMD static void scale_masked(int count, const double *restrict field, double scale,
-                                 const double *restrict mask, double *restrict out)
+                                 const uint8_t *restrict mask, double *restrict out)
 {
     for (int i = 0; i < count; i++) out[i] = mask[i] > 0 ? scale * field[i] : 0;
 }
-HS_SIMD static void choose(int count, const double *restrict x, const double *restrict mask,
+HS_SIMD static void choose(int count, const double *restrict x, const uint8_t *restrict mask,
                            double *restrict field)
 {
     for (int i = 0; i < count; i++) field[i] = mask[i] > 0 ? x[i] : field[i];
@@ -123,14 +123,6 @@ static int block_length(const struct unknowns *unknowns, int64_t from)
     return (int)(remaining < BLOCK ? remaining : BLOCK);
 }
 
-void vector_add_all(const struct unknowns *unknowns, int count, const double a[], double *const x[],
-                    double *y)
-{
-    for (int64_t from = 0; from < unknowns->length; from += BLOCK)
-        for (int k = 0; k < count; k++)
-            add(block_length(unknowns, from), a[k], x[k] + from, y + from);
-}
-
 /* Largest magnitude, and 0, or not a number where one is not finite; in lanes of their own. */
 HS_SIMD static void find_largest(int64_t count, const double *restrict x, double *restrict largest,
                                  double *restrict nothing)
@@ -194,19 +186,6 @@ static void add_products(struct exact_sum *sum, int count, const double *x, cons
     sum->bottom = sums[1];
 }
 
-void vector_products(const struct unknowns *unknowns, int count, double *const x[],
-                     const double norms[], const double *y, double norm, double products[])
-{
-    struct exact_sum *sums = memory_new((size_t)count, sizeof *sums);
-    /* Cauchy and Schwarz bound the sum of the magnitudes. */
-    for (int k = 0; k < count; k++) sums[k] = exact_sum_new(1.000001 * norms[k] * norm);
-    for (int64_t from = 0; from < unknowns->length; from += BLOCK)
-        for (int k = 0; k < count; k++)
-            add_products(&sums[k], block_length(unknowns, from), x[k] + from, y + from);
-    exact_sum_finish(sums, count, products);
-    free(sums);
-}
-
 /* Numbers of a vector on all ranks, and a little more. */
 static double count_all(const struct unknowns *unknowns)
 {
@@ -230,10 +209,14 @@ double vector_norm(const struct unknowns *unknowns, const double *x)
     return sqrt(square);
 }
 
-double vector_product(const struct unknowns *unknowns, double *x, const double *y)
+double vector_product(const struct unknowns *unknowns, const double *x, const double *y)
 {
-    const double x_norm = vector_norm(unknowns, x), y_norm = vector_norm(unknowns, y);
+    /* Cauchy and Schwarz bound the sum of the magnitudes. */
+    struct exact_sum sum =
+        exact_sum_new(1.000001 * vector_norm(unknowns, x) * vector_norm(unknowns, y));
+    for (int64_t from = 0; from < unknowns->length; from += BLOCK)
+        add_products(&sum, block_length(unknowns, from), x + from, y + from);
     double product;
-    vector_products(unknowns, 1, &x, &x_norm, y, y_norm, &product);
+    exact_sum_finish(&sum, 1, &product);
     return product;
 }

@@ -13,7 +13,7 @@ struct unknowns {
     const struct macroscopic *macroscopic; /* NULL: the body is not periodic */
     int64_t n_nodes, length; /* of this rank; length = 3 n_nodes and those of the mean gradient */
     int n_mean, mean[COMPONENTS]; /* of all ranks: which of its components are unknown */
-    double *free;                 /* [length] 1, or 0 where the component is held */
+    uint8_t *free;                /* [length] 1, or 0 where the component is held */
 };
 
 struct unknowns unknowns_new(struct body *body, const struct boundary *boundary);
@@ -38,20 +38,13 @@ void vector_put_mean(const struct unknowns *unknowns, const double *vector,
 void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y);
 /* y *= a */
 void vector_scale(const struct unknowns *unknowns, double a, double *y);
-/* y += sum of a[k] x[k], k < count */
-void vector_add_all(const struct unknowns *unknowns, int count, const double a[], double *const x[],
-                    double *y);
-
 /* Largest magnitude; not a number where one is not.  Collective. */
 double vector_largest(const struct unknowns *unknowns, const double *x);
-/* What the Euclidean norm is not beyond where no number is larger than this: enough for the bounds of products. */
-double vector_bound(const struct unknowns *unknowns, double largest);
 /* Euclidean norm.  Collective. */
 double vector_norm(const struct unknowns *unknowns, const double *x);
 /* x . y.  Collective. */
-double vector_product(const struct unknowns *unknowns, double *x, const double *y);
-/* products[k] = x[k] . y, whose norms are not beyond norms[k] and norm.  Collective. */
-void vector_products(const struct unknowns *unknowns, int count, double *const x[],
-                     const double norms[], const double *y, double norm, double products[]);
+double vector_product(const struct unknowns *unknowns, const double *x, const double *y);
+/* What the Euclidean norm is not beyond where no number is larger than this: enough for the bounds of products. */
+double vector_bound(const struct unknowns *unknowns, double largest);
 
 #endif

@@ -215,6 +215,9 @@ static void ask_laws(struct point_store *store, const struct strip *strip, struc
         int lanes[LANES];
         struct part part;
         if (!find_part(store, strip, law, &part, lanes)) continue;
+        /* That of the next strip lies behind. */
+        const size_t length = (size_t)(law_components(use->law) * part.stride);
+        prefetch(part.state + length, length * sizeof *part.state);
         if (part.lanes)
             update_part(use, &part, points, step);
         else

@@ -23,6 +23,9 @@ setup_file() {
 
     cp "$extend/topology_layers.c" gen/
     name gen/topology.h 'define TOPOLOGIES(DO)' layers
+    cp "$extend/image_pgm.c" gen/
+    name gen/image.h '^        DO(ang), DO(inp)' pgm
+    row gen/image.c '{"#", NULL, ' '    {"P2", NULL, "PGM", image_pgm_read, NULL},'
     cp "$extend/damage_parabolic.c" solve/damage/parabolic.c
     name solve/damage/damage.h 'define DAMAGE_NODE_LAWS(DO)' parabolic
     cp "$extend/damage_critical_extension.c" solve/damage/critical_extension.c
@@ -203,4 +206,22 @@ output: {quantities: [{name: p, quantity: equivalent_plastic_strain, nearest: $M
     sed 's/core_distance/core_diameter/' layers.yaml >wrong.yaml
     run -2 hsgen -q wrong.yaml -o wrong.g
     [[ $output == *"'core_diameter' belongs to topology: random, not to topology: layers"* ]]
+}
+
+@test "a format of images: known by its first bytes, told among those that are read" {
+    printf 'P2\n3 2 9\n1 1 1\n2 1 2\n' >picture
+    cat >image.yaml <<'DECK'
+domain: {specimen: plate, topology: image, image: picture, voxel: 1 um, thickness: 1 um, labels: {A: 1, B: 2}}
+DECK
+    hsgen image.yaml -o image.g -s image.csv 2>said
+    grep -q 'image picture (PGM), 3 x 2 x 1 voxels' said
+    grep -qx 'nodes,A,,4,1' image.csv
+    # the first row is on top: the nodes 1 and 3 of the lower one are B
+    ncdump -v connect2 image.g | tr -d ' ' | grep -A 2 '^connect2=' | tr -d '\n' | grep -q '1,3;'
+    printf 'P2\n3 2 9\n1 1 1\n2 1\n' >picture
+    run -2 hsgen image.yaml -o image.g
+    [[ $output == *"picture:5: the file ends, expected a grey value"* ]]
+    echo nothing >picture
+    run -2 hsgen image.yaml -o image.g
+    [[ $output == *", PGM, "* ]]
 }

@@ -66,3 +66,12 @@ of_page() { sed 's/\\-/-/g; s/Fl -\([a-z]\)/--\1/g' "$docs/man/$1.1" | grep -E '
         diff help page
     done
 }
+
+@test "each flag of a property has a line in the manual" {
+    cd "$docs/.."
+    # words of flags in the sources: flag = "...", and both sides of ? and :
+    grep -hoE '(flag =|[?:]) *"[a-z]+(_[a-z]+)*"' post/report*.c post/strength.c post/law_fit.c post/loops.c |
+        grep -oE '"[a-z_]+"' | tr -d '"' | grep -vx loop | sort -u >"$BATS_TEST_TMPDIR/flags"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/flags")" -ge 18 ]
+    while read -r flag; do grep -q "\`$flag\`" docs/tensile.md || { echo "$flag"; return 1; }; done <"$BATS_TEST_TMPDIR/flags"
+}

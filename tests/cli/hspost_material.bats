@@ -50,11 +50,17 @@ number() { grep 'hardening:' "$2" | grep -oE "[{ ]$1: [0-9.]+" | grep -oE '[0-9.
 # misfit FILE: root mean square in per cent of Rm
 misfit() { sed -n 's/.*off the curve by \([0-9.]*\) % of Rm.*/\1/p' "$1"; }
 
-@test "the test of the material, by hssolve, is on the curve within 0.5 % of Rm: two measured curves and a made one" {
+@test "the test of the material, by hssolve, is on the curve within 0.5 % of Rm: two measured curves and five made ones" {
     hspost -q "$data/ni200_cg.csv" --modulus-rows 1:3 "${material[@]}" --calibrate cg >cg.yaml
     hspost -q "$data/hpt_ni_ufg.csv" --modulus-rows 1:4 --true-modulus '200 GPa' "${material[@]}" --calibrate ufg >ufg.yaml
     hspost -q "$data/records/digitised_coarse.csv" "${material[@]}" --calibrate coarse >coarse.yaml
-    for curve in cg ufg coarse; do
+    # of these up to maximum force alone, for what parts has its own test
+    for curve in voce noise small_yield_drop upper_yield_above_strength; do
+        awk -F, 'NR == FNR {if (FNR > 1 && $1 > 0.03 && $2 > most) {most = $2; last = FNR} next} FNR <= last' \
+            "$data/records/$curve.csv" "$data/records/$curve.csv" >$curve.csv
+        hspost -q $curve.csv "${material[@]}" --calibrate $curve >$curve.yaml
+    done
+    for curve in cg ufg coarse voce noise small_yield_drop upper_yield_above_strength; do
         near "$(misfit $curve.yaml)" 0.25 0.25
         grep -q 'does not reach the fracture' $curve.yaml
         [ "$(wc -l <$curve/misfit.csv)" -gt 5 ]

@@ -137,7 +137,7 @@ is_voce() {
 }
 
 @test "serrations are left out and counted" {
-    # 2 % down at standing strain rate and elastically back, four times
+    # 2 % down at standing strain rate and elastically back, four times; not as short as a spike
     awk -F, '/^e/ {print; next} {print; if ($1 > 0.03 && NR % 20 == 0 && k < 4) {k++; d = 0.02 * $2 / 69880
         printf "%.8f,%.5f\n%.8f,%.5f\n", $1 + 0.6 * d, 0.98 * $2, $1 + 1.6 * d, $2}}' "$records/voce.csv" >t.csv
     hspost -q t.csv -p p.csv -o /dev/null
@@ -155,10 +155,77 @@ implausible() {
 
 @test "what cannot be a metal is refused with the likely cause" {
     implausible 'slope of the elastic part is 0.699 GPa, the largest strain 18.4' 100 1
-    implausible 'the strain seems to be in per cent' 100 1
+    implausible 'the strain seems to be in %' 100 1
     implausible 'the stress seems to be in Pa' 1 1e6
     implausible 'the stress seems to be in kPa' 1 1e3
     implausible 'the stress seems to be in GPa' 1 1e-3
+    implausible 'the strain seems to be in um/m' 1e6 1
+    implausible 'the strain seems to be in % and the stress in Pa' 100 1e6
+    # 2 % of elongation and a slope of 2 GPa, as of a polymer: but no body bears 0.7 of its slope
+    awk 'BEGIN {print "strain,stress (MPa)"; for (i = 0; i <= 200; i++) {e = i * 1e-4; s = 2.06e5 * e; print 100 * e "," (s < 1300 ? s : 1300 + 20 * i)}}' >t.csv
+    run -2 --separate-stderr hspost t.csv
+    [[ $stderr == *"no stress above a tenth of the slope; the strain seems to be in %"* ]]
+}
+
+@test "signs that do not go together, and rows in no order, are refused" {
+    awk -F, '/^e/ {print; next} {print (-$1) "," $2}' "$records/voce.csv" >t.csv
+    run -2 --separate-stderr hspost t.csv
+    [[ $stderr == *"t: the strain is negative where the stress is positive: change the sign of its column"* ]]
+    awk -F, '/^e/ {print; next} {print $1 "," (-$2)}' "$records/voce.csv" >t.csv
+    run -2 --separate-stderr hspost t.csv
+    [[ $stderr == *"the stress is negative where the strain is positive"* ]]
+    { head -1 "$records/voce.csv"; sed 1d "$records/voce.csv" | awk '{print (NR * 83) % 222 " " $0}' | sort -n | cut -d' ' -f2; } >t.csv
+    run -2 --separate-stderr hspost t.csv
+    [[ $stderr == *"the rows are in no order: the strain goes 0."*" of its range from one row to the next"* ]]
+}
+
+# Rows by number, changed: leap 'NR == 100 {...}'
+leap() {
+    awk -F, -v OFS=, "$1 {print}" "$records/voce.csv" >t.csv
+    hspost -q t.csv -p p.csv -o /dev/null
+    is_voce
+    near "$(value extension_at_fracture p.csv)" 18.36 0.01
+    near "$(value spikes p.csv)" "$2" 0
+}
+
+@test "a few rows that leap as no body's do are left out" {
+    leap 'NR == 40 || NR == 150 || NR == 151 {$2 += 60}' 2
+    leap 'NR == 150 {$2 = 0}' 1
+    leap 'NR == 120 {$1 = 0.9}' 1
+    leap 'NR == 120 {$1 = 0}' 1
+    leap 'NR == 100 {$1 += 0.01}' 1
+}
+
+@test "a fall behind half a per cent of plastic strain is no yield point" {
+    # serrations that are regained slowly
+    awk -F, '/^e/ {print; next} {print $1 "," ($1 > 0.01 && $1 < 0.18 ? $2 * (1 - 0.02 * (1 - (NR % 10) / 10)) : $2)}' "$records/voce.csv" >t.csv
+    hspost -q t.csv -p p.csv -o /dev/null
+    blank upper_yield_strength no_yield_point
+    near "$(value hardening_exponent p.csv)" 0.186 0.01
+}
+
+@test "a bent toe: the slope behind it, and its origin" {
+    # to 0.2 % a parabola with the slope of 70 GPa at its end, which takes 0.1 % more than the straight line would
+    for noise in 0 0.5; do
+        awk -v noise=$noise 'function normal() {return noise * sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand())}
+            BEGIN {srand(3); E = 70000; print "strain,stress (MPa)"
+            for (i = 0; i < 60; i++) {e = 0.002 * i / 60; printf "%.9f,%.6f\n", e, E * e * e / 0.004 + normal()}
+            for (i = 0; i <= 340; i++) {e = 0.002 + i * (i < 40 ? 4e-5 : 4e-4); x = e - 0.001
+                s = E * x; if (s > 150) s = 150 + 1000 * (x - 150 / E); printf "%.9f,%.6f\n", e, s + normal()}}' >t.csv
+        hspost -q t.csv -p p.csv -o /dev/null
+        # The parts that are tried begin at shares of Rp0.2: the one at its half holds a little of the toe.
+        near "$(value modulus p.csv)" 70 "$(awk -v n=$noise 'BEGIN {print 0.3 + 3 * n}')"
+        near "$(value toe p.csv)" 0.001 3e-5
+        flagged modulus steepest_part
+    done
+}
+
+@test "values rounded to steps have the errors of that" {
+    awk -F, '/^e/ {print; next} {for (i = 0; i < 8; i++) {x = e + (i + 1) / 8 * ($1 - e); y = s + (i + 1) / 8 * ($2 - s); printf "%.9f,%d\n", x, y + 0.5}; e = $1; s = $2}' \
+        "$records/voce.csv" >t.csv
+    hspost -q t.csv -p p.csv -o /dev/null
+    near "$(value noise p.csv)" 0.2887 0.001
+    awk -F, '$1 == "proof_strength_0.2" {found = $3 - 152.88 < 2 * $5 && 152.88 - $3 < 2 * $5 && $5 < 0.5} END {exit !found}' p.csv
 }
 
 @test "ISO and ASTM: a yield point by zero slope, n over total strain" {
@@ -191,7 +258,7 @@ implausible() {
                 if (s > y) p[k] = e - y / 1e5; if (s < -y) p[k] = e + y / 1e5; f[k] = 1e5 * (e - p[k])}
             printf "%.9f,%.6f\n", e, (f[1] + f[2]) / 2}}' >t.csv
     hspost t.csv --loops loops.csv --plot-loops loops.svg -o curve.csv 2>said
-    [ "$(head -1 loops.csv)" = loop,true_strain,plastic_strain,flow_stress_MPa,lowest_stress_MPa,unloading_modulus_GPa,reloading_modulus_GPa,reverse_yield_MPa,reload_yield_MPa,back_stress_MPa,effective_stress_MPa,hysteresis_width,hysteresis_area_MJ_per_m3,damage,flag ]
+    [ "$(head -1 loops.csv)" = loop,true_strain,plastic_strain,flow_stress_MPa,lowest_stress_MPa,unloading_modulus_GPa,reloading_modulus_GPa,reverse_yield_MPa,reload_yield_MPa,back_stress_MPa,effective_stress_MPa,hysteresis_width,hysteresis_area_MJ_per_m3,damage,unloading_modulus_error_GPa,reloading_modulus_error_GPa,reverse_yield_error_MPa,reload_yield_error_MPa,back_stress_error_MPa,effective_stress_error_MPa,flag ]
     [ "$(wc -l <loops.csv)" -eq 3 ]
     # from 300 MPa down to 0 MPa: half of both
     near "$(awk -F, 'NR == 2 {print $10}' loops.csv)" 150 1

@@ -95,6 +95,26 @@ numbers() { sed 1d "$curve"; }
     same t.csv
 }
 
+@test "thousands, remarks, dates and times of the day beside the numbers" {
+    { echo '"Load (N)","Extension (mm)"'; numbers | perl -F, -lane '$n = sprintf "%.5f", $F[0 + 1] * 200; 1 while $n =~ s/^(\d+)(\d{3})/$1,$2/; printf "\"%s\",\"%.7f\"\n", $n, $F[0] * 50'; } >t.csv
+    grep -q '^"[0-9]*,[0-9]*\.' t.csv
+    same t.csv --section '200 mm2' --gauge-length '50 mm'
+    { echo 'Kraft [N];Weg [mm]'; numbers | perl -F, -lane '$n = sprintf "%.5f", $F[1] * 200; $n =~ tr/./,/; 1 while $n =~ s/^(\d+)(\d{3})/$1.$2/; $w = sprintf "%.7f", $F[0] * 50; $w =~ tr/./,/; print "$n;$w"'; } >t.csv
+    same t.csv --section '200 mm2' --gauge-length '50 mm'
+    { echo 'Zeit;Dehnung;Spannung (MPa);Datum;Bemerkung'; numbers | awk -F, '{printf "00:%02d:%02d;%s;%s;2020-01-02 10:00;%s\n", NR / 60, NR % 60, $1, $2, NR == 30 ? "yields" : ""}'; } >t.csv
+    same t.csv
+    grep -q "strain = column 2 'Dehnung' as it is, stress = column 3 'Spannung (MPa)' in MPa, rows from" said
+}
+
+@test "Greek, the extensometer before the crosshead, names right below a fact" {
+    { echo 'ε,σ [MPa]'; numbers; } >t.csv
+    same t.csv
+    { echo 'Nominal strain,Strain,Standard force (N)'; numbers | awk -F, '{print 1.3 * $1 "," $1 "," 20 * $2}'; } >t.csv
+    same t.csv --section '20 mm2'
+    { printf 'Querschnitt;20;mm²\nDehnung [%%];Kraft [N]\n'; numbers | awk -F, '{printf "%.6f;%.5f\n", 100 * $1, 20 * $2}'; } >t.csv
+    same t.csv
+}
+
 @test "facts above: section, gauge length, specimen, in English and German, with their units" {
     for facts in 'S0 [mm²]: 20|L0 [mm]: 50' 'Querschnitt = 0,2 cm²|Anfangsmesslänge = 5 cm' 'Area: 20 mm^2|Gauge length: 0.05 m'; do
         { echo 'Specimen name;Al 1'; echo "${facts%|*}"; echo "${facts#*|}"; echo 'Kraft [N];Weg [mm]'
@@ -143,6 +163,17 @@ fails() {
     fails 't.csv:100:22: more fields than the 2 columns' hspost t.csv
     cat "$curve" "$curve" >t.csv
     fails 't.csv:225: a second table of numbers beside that of lines 2 to 223' hspost t.csv
+    # not two rows and two hundred of a footer
+    { echo '"Load (N)","Extension (mm)"'; numbers | awk -F, 'NR < 4 {print $2 "," $1; next} {printf "\"%s kN\",%s\n", $2, $1}'; } >t.csv
+    fails "t.csv:5:1: '11.24819 kN' is not a finite number" hspost t.csv --section '20 mm2' --gauge-length '50 mm'
+    sed '100s/.*/NaN,NaN/' "$curve" >t.csv
+    fails "t.csv:100:1: 'NaN' is not a finite number" hspost t.csv
+    { echo 'Strain,Stress (MPa)'; numbers | sed '99s/,.*/,/'; } >t.csv
+    fails "t.csv:100: the stress (column 2 'Stress (MPa)') is blank in this row, expected a number" hspost t.csv
+    { echo 'Strain,Stress (MPa),Strain,Stress (MPa)'; numbers | awk -F, '{print $0 "," $0}'; } >t.csv
+    fails "t.csv:1: two columns of strain, 1 'Strain' and 3 'Strain'; say which by --columns-of strain=1" hspost t.csv
+    { echo 'Strain;Stress (MPa)'; numbers | tr , ';' | awk 'NR > 100 {gsub(/\./, ",")} {print}'; } >t.csv
+    fails 'is not a finite number' hspost t.csv
     { echo 'engineering strain (-) engineering stress (MPa)'; numbers | tr , ' '; } >t.csv
     fails '6 words above 2 columns of numbers' hspost t.csv
     same t.csv --columns-of strain=1,stress=2:MPa

@@ -141,6 +141,10 @@ numbers() { ncdump "$1" | sed -n '/^data:/,$p'; }
     refused 'two outputs are called z' hsgen -q s.yaml -o z -s z
     refused 'two outputs are called ./z.g' hsgen -q s.yaml -o z.g -s ./z.g
     refused 'two outputs are called w.csv' hspost -q s.e -o w.csv -p w.csv
+    refused 'two outputs are called ./w.csv' hspost -q s.e -o w.csv -p ./w.csv
+    touch there.csv
+    ln -s there.csv link.csv
+    refused 'two outputs are called there.csv' hspost -q s.e -o link.csv -p there.csv
     [ ! -e w.csv ]
     [ -z "$(find . -name '*.partial-*')" ]
 }

@@ -106,6 +106,15 @@ rows() { grep -v '^#' "$1"; }
     run -2 hspost -q --modulus-rows 1:9999 < <(cat history.e)
     [[ $output == *"kept: hspost-history-3.e"* ]]
     cmp history.e hspost-history-3.e
+    # stopped by a signal, here from the program that draws
+    mkdir stops
+    printf '#!/bin/sh\nkill -TERM $PPID\n' >stops/gnuplot
+    chmod +x stops/gnuplot
+    run bash -c "PATH=$PWD/stops:$PATH '$program' -q --plot f.png -o c.csv <&0" < <(cat history.e)
+    [ "$status" -eq 143 ]
+    [[ $output == *"kept: hspost-history-4.e"* ]]
+    cmp history.e hspost-history-4.e
+    rm hspost-history-4.e
     # a file that was read is there, and success leaves none
     run -2 hspost -q --modulus-rows 1:9999 <history.e
     [[ $output != *kept* ]]

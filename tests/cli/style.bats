@@ -128,6 +128,10 @@ only_in() {
     only_in 'muParser.*\.h' lib/expression.c
     only_in 'cairo.*\.h' lib/canvas.c
     only_in 'jansson\.h' post/properties.c
+    only_in 'zlib\.h' gen/scalars.c
+    only_in 'png\.h' gen/image_png.c
+    only_in 'tiffio\.h' gen/image_tiff.c
+    only_in 'hdf5\.h' gen/image_dream3d.c
     only_in 'expat\.h' gen/xml_deck.c
     only_in 'gsl/gsl_roots\.h' post/root.c
 }

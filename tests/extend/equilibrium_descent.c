@@ -1,5 +1,6 @@
 /* descent.c - equilibrium by preconditioned descent, x -= t M^-1 g, with the length t of Barzilai and Borwein, IMA J.
  * Numer. Anal. 8 (1988) 141. */
+#include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"
 
@@ -7,13 +8,13 @@
 #include <stdlib.h>
 
 struct descent {
-    double *z;
+    float *z;
 };
 
 static void *start(const struct equilibrium *e)
 {
     struct descent *self = memory_new(1, sizeof *self);
-    self->z = vector_new(&e->unknowns);
+    self->z = direction_new(&e->unknowns);
     return self;
 }
 
@@ -32,10 +33,10 @@ static bool solve(void *object, struct equilibrium *e)
     equilibrium_precondition(e, e->g, self->z);
     while (!equilibrium_reached(e)) {
         if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
-        const double slope = vector_product(unknowns, self->z, e->g);
-        vector_add(unknowns, -t, self->z, e->x);
+        const double slope = direction_product(unknowns, self->z, e->g);
+        direction_add(unknowns, -t, self->z, e->x);
         equilibrium_evaluate(e, e->x, e->g);
-        const double end = vector_product(unknowns, self->z, e->g);
+        const double end = direction_product(unknowns, self->z, e->g);
         t = slope > end ? t * slope / (slope - end) : 0.5;
         equilibrium_precondition(e, e->g, self->z);
     }

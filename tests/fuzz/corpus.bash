@@ -4,6 +4,10 @@ make_corpus() {
     local here
     here=$(dirname "${BASH_SOURCE[0]}")
     cp -r "$here"/corpus/* "$1"
+    mkdir -p "$1"/image
+    cp "$here"/../data/images/*.* "$1"/image
+    # what is described elsewhere, or refused as it is
+    rm "$1"/image/{README.md,values.raw,detached.nhdr,detached.bytes,bzip2.nrrd,hexagonal.ctf}
     mkdir -p "$1"/{genesis,history,frames,checkpoint}
     (
         cd "$1" || exit 1

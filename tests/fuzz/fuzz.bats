@@ -6,8 +6,8 @@ load corpus
 
 setup_file() { make_corpus "$BATS_FILE_TMPDIR"; }
 
-@test "readers of decks, expressions, particles, cores, tables, histories, fields and checkpoints end in order" {
-    for target in deck expression text cores table genesis history frames checkpoint; do
+@test "readers of decks, expressions, particles, cores, images, tables, histories, fields and checkpoints end in order" {
+    for target in deck expression text cores image table genesis history frames checkpoint; do
         run -0 env HS_FUZZ=$target ASAN_OPTIONS=detect_leaks=0 "$HS_BUILD/tests/fuzz/fuzz" "${COUNT:-400}" "$BATS_FILE_TMPDIR/$target"/*
         echo "# $target: $output" >&3
     done

@@ -4,11 +4,13 @@
 #include "cracks.h"
 #include "deck.h"
 #include "die.h"
+#include "domain_facts.h"
 #include "domain_input.h"
 #include "domain_order.h"
 #include "domain_text.h"
 #include "exodus.h"
 #include "expression.h"
+#include "image.h"
 #include "lattice.h"
 #include "material_read.h"
 #include "memory.h"
@@ -48,7 +50,7 @@ static void read_deck(const char *text, size_t size)
     struct deck *deck = deck_parse(text, size, "deck");
     const struct deck_node root = deck_root(deck);
     struct recipe recipe = recipe_read(deck);
-    (void)recipe;
+    recipe_free(&recipe);
     struct cracks cracks = cracks_read(deck_find(root, "cracks"), 25e-6, 3);
     cracks_free(&cracks);
     struct materials materials = materials_read(deck_get(root, "materials"), 2, phases, SPACE);
@@ -88,7 +90,8 @@ static void look_at(struct domain *domain, bool text)
     struct lattice lattice;
     const bool regular = domain_sort(domain);
     struct deck *deck = deck_parse(deck_of, strlen(deck_of), "deck");
-    if (text) domain_text_sets(domain, regular, deck);
+    const struct domain_facts facts = domain_facts_read(deck);
+    if (text) domain_facts_planes(&facts, regular, domain);
     if (!lattice_recognise(domain, &lattice)) lattice = lattice_scattered(domain, 0);
     lattice_free(&lattice);
     deck_free(deck);
@@ -124,6 +127,14 @@ static void read_cores(const char *text, size_t size)
     cores_free(&cores);
 }
 
+/* Any format by its first bytes; of files with several arrays the one that the corpus has. */
+static void read_image(const char *text, size_t size)
+{
+    const bool several = memmem(text, size, "grey", 4) || memmem(text, size, "nothing", 7);
+    struct image image = image_read(fuzz.path, several ? "material" : NULL, NULL);
+    image_free(&image);
+}
+
 static void read_table(const char *text, size_t size)
 {
     (void)text, (void)size;
@@ -152,7 +163,8 @@ static const struct target {
 } targets[] = {
     {"deck", read_deck},       {"expression", read_expression}, {"text", read_text},
     {"genesis", read_genesis}, {"cores", read_cores},           {"table", read_table},
-    {"history", read_table},   {"frames", read_frames},         {"checkpoint", read_checkpoint}};
+    {"history", read_table},   {"frames", read_frames},         {"checkpoint", read_checkpoint},
+    {"image", read_image}};
 
 /* --- as libFuzzer calls them -------------------------------------------------------------------- */
 

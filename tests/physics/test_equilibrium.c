@@ -1,6 +1,7 @@
 /* Bodies at rest: the symbol, the waves that invert it, and what the methods find, against independent answers. */
 #include "check.h"
 
+#include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"
 #include "quasi_static.h"
@@ -167,7 +168,8 @@ static void check_wave(const char *boundary, int a, int first, int n, bool sine,
              boundary, "lbfgs");
     struct equilibrium *e = rest.equilibrium;
     const struct body *body = &rest.it.small.body;
-    double *r = vector_new(&e->unknowns), *z = vector_new(&e->unknowns);
+    double *r = vector_new(&e->unknowns);
+    float *z = direction_new(&e->unknowns);
     for (int round = 0; round < 2; round++) {
         int64_t node = 0;
         for (int64_t s = 0; s < body->owned.count; s++)

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 static const double size[3] = {1e-3, 5e-4, 2e-4};
-static const struct cores_box body = {{1e-3, 5e-4, 2e-4}, {false}};
+static const struct cores_box body = {.size = {1e-3, 5e-4, 2e-4}};
 
 /* Nearest centre and nearest face of its cell, by looking at all of them. */
 static struct core_place look_at_all(const struct cores *cores, const double point[3])
@@ -69,7 +69,7 @@ static void lattices_have_their_neighbours(void **state)
 {
     (void)state;
     const double per_cell[] = {1, 2, 4}, edge[] = {1, 2 / sqrt(3), sqrt(2)};
-    const struct cores_box block = {{1e-3, 1e-3, 1e-3}, {false}};
+    const struct cores_box block = {.size = {1e-3, 1e-3, 1e-3}};
     for (int lattice = 0; lattice < 3; lattice++) {
         struct cores cores =
             cores_lattice((enum core_lattice)lattice, CORE_SPHERE, 1e-4, 0, &block, 1);

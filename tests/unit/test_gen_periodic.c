@@ -243,12 +243,51 @@ static void any_cell_may_be_cut(void **state)
     }
 }
 
+/* An offset of whole spacings moves the structure.  One of parts of them leaves fewer nodes equal
+ * by symmetry, to be split by the seed: those of one face in place of those of all six.  The
+ * fraction is met all the same, and the interface is that of the geometry.  Cells of sc are cubes
+ * of 0.6 of the volume, faces along those of nodes, whose area is then counted exactly but for t
+ * = 5.01 spacings that are made 5 and for what is split of one face: 4 %. */
+static void offsets_move_the_lattice(void **state)
+{
+    const int64_t by[3] = {7, -11, 29};
+    (void)state;
+    static const char keys[] =
+        "size: [32 um, 32 um, 32 um], spacing: 1 um, periodic: [x, y, z], topology: "
+        "harmonic, lattice: sc, core_distance: 32 um, %s, %s";
+    char *text = memory_print(keys, two_phases, "match: geometric");
+    struct made *one = make(text);
+    free(text);
+    text = memory_print(keys, two_phases, "match: geometric, offset: [7 um, -11 um, 29 um]");
+    struct made *other = make(text);
+    free(text);
+    compare_moved(one, other, by);
+    discard(other);
+    text =
+        memory_print(keys, two_phases, "offset: [0.137 spacings, 0.291 spacings, 0.413 spacings]");
+    other = make(text);
+    assert_near(other->findings.ufg_fraction, 0.4, 0.5 / 32768);
+    assert_int_equal(other->findings.cg.count, 1);
+    const double area = 6 * pow(0.6, 2.0 / 3) / 32e-6; /* 1/m */
+    assert_relative(statistics_interface(&other->structure, false).faces, area, 0.04);
+    discard(one);
+    free(text);
+    text = memory_print(keys, two_phases, "match: exact");
+    one = make(text);
+    assert_true(one->structure.threshold.split > 5 * other->structure.threshold.split);
+    /* What is split of all faces is rough: twice the area. */
+    assert_true(statistics_interface(&one->structure, false).faces > 1.9 * area);
+    discard(one);
+    discard(other);
+    free(text);
+}
+
 /* Distances to the nearest image by looking at all of them, 5 x 5 x 5 images.  Tolerance: rounding
  * of squares of lengths of up to 1e-4 m. */
 static void images_are_searched(void **state)
 {
     (void)state;
-    const struct cores_box box = {{2e-5, 1.5e-5, 1e-5}, {true, true, true}};
+    const struct cores_box box = {.size = {2e-5, 1.5e-5, 1e-5}, .periodic = {true, true, true}};
     struct cores cores = cores_random(CORE_CELL, 1e16, 0, &box, 3);
     assert_int_equal(cores.own, 30);
     for (int n = 0; n < 1000; n++) {
@@ -483,6 +522,9 @@ static void what_cannot_be_is_told(void **state)
          "phases: {cg: "
          "a, ufg: b}, ufg_fraction: 0.4",
          "so small that it holds 0.512 of a random core"},
+        {"size: [10, 10, 1], dimensions: 2, spacing: 1, topology: harmonic, lattice: sc, "
+         "core_distance: 5, offset: [1, 0, 0.5], phases: {cg: a, ufg: b}, ufg_fraction: 0.4",
+         "its offset along z is 0"},
         {"size: [4, 4, 4.5], spacing: 1, periodic: [z], topology: homogeneous, phase: a",
          "the lattice fills the size exactly"},
     };
@@ -496,6 +538,7 @@ int main(void)
         cmocka_unit_test(supercells_are_their_cells),
         cmocka_unit_test(they_are_along_some_axes),
         cmocka_unit_test(any_cell_may_be_cut),
+        cmocka_unit_test(offsets_move_the_lattice),
         cmocka_unit_test(images_are_searched),
         cmocka_unit_test(clusters_close_around_the_body),
         cmocka_unit_test(rings_close_with_their_last_pair),

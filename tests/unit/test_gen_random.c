@@ -3,6 +3,7 @@
 
 #include "fill.h"
 #include "random.h"
+#include "requirements.h"
 #include "statistics.h"
 #include "topology.h"
 
@@ -24,6 +25,7 @@ static struct recipe cube_of(enum core_shape shape, double scale, long seed)
         .distance = scale,
         .diameter = scale,
         .ufg_fraction = 0.4,
+        .require = REQUIRE_UFG_CONNECTED | REQUIRE_CG_CONNECTED,
         .seed = seed,
     };
     for (int axis = 0; axis < 3; axis++) recipe.specimen.size[axis] = EDGE * spacing;
@@ -205,6 +207,8 @@ static void sheets_are_refused(void **state)
     assert_non_null(fault);
     assert_non_null(strstr(fault, "must percolate"));
     free(fault);
+    recipe.require = 0;
+    assert_null(recipe.topology->fault(&recipe, &findings));
     structure_free(&structure);
     cores_free(&cores);
     sites_free(&sites);

@@ -4,6 +4,7 @@
 #include "fill.h"
 #include "findings.h"
 #include "memory.h"
+#include "requirements.h"
 #include "topology.h"
 
 #include <stdlib.h>
@@ -129,6 +130,7 @@ static char *fault_of(enum core_lattice lattice, enum core_shape shape, double d
     struct recipe recipe = {
         .specimen = {.size = {1e-3, 5e-4, 2.5e-4}, .spacing = {spacing, spacing, spacing}},
         .topology = &topology_harmonic,
+        .require = REQUIRE_UFG_CONNECTED | REQUIRE_CORES_APART,
         .grip_phase = -1,
         .n_phases = 2,
         .lattice = lattice,

@@ -141,7 +141,7 @@ static void yield_point(void **state)
     (void)state;
     const double e[] = {0, 0.001, 0.002, 0.003, 0.01, 0.02, 0.05, 0.1};
     const double s[] = {0, 200e6, 300e6, 270e6, 265e6, 275e6, 350e6, 340e6};
-    const struct yield_record record = {8, e, s, s, 0, 0, 0};
+    const struct yield_record record = {8, e, s, s, 0, 0, 0, NAN, NAN};
     struct yield_point found = yield_point_find(&record, 0.02);
     assert_near(found.upper, 300e6, 0);
     assert_near(found.lower, 265e6, 0);
@@ -156,7 +156,7 @@ static void transient_and_span(void **state)
     (void)state;
     const double e[] = {0, 0.001, 0.002, 0.004, 0.006, 0.008, 0.02, 0.05, 0.1};
     const double s[] = {0, 200e6, 300e6, 250e6, 280e6, 270e6, 300e6, 350e6, 340e6};
-    const struct yield_record record = {9, e, s, s, 0, 0, 0};
+    const struct yield_record record = {9, e, s, s, 0, 0, 0, NAN, NAN};
     struct yield_point found = yield_point_find(&record, 0.005);
     assert_near(found.upper, 300e6, 0);
     assert_near(found.lower, 270e6, 0);
@@ -165,7 +165,7 @@ static void transient_and_span(void **state)
     assert_near(found.extension, 0.006, 1e-12);
     const double g[] = {0, 0.001, 0.002, 0.0021, 0.0024, 0.01, 0.02, 0.05, 0.1};
     const double t[] = {0, 200e6, 300e6, 297e6, 301e6, 310e6, 320e6, 350e6, 340e6};
-    const struct yield_record soon = {9, g, t, t, 0, 0, 0};
+    const struct yield_record soon = {9, g, t, t, 0, 0, 0, NAN, NAN};
     assert_true(isnan(yield_point_find(&soon, 0.005).upper));
 }
 

@@ -38,13 +38,23 @@ static struct curve made_curve(double peak)
     return curve;
 }
 
-static struct curve noisy(const struct curve *from, double noise, struct random_stream *stream)
+/* What scatters: stress [Pa], correlated from row to row, strain, and the step [Pa] to which the stress is written. */
+struct scatter {
+    double stress, correlation, strain, step;
+};
+
+static struct curve noisy(const struct curve *from, struct scatter scatter,
+                          struct random_stream *stream)
 {
     struct curve curve = curve_new(from->n, "noisy");
+    struct noise_sequence sequence =
+        noise_begin((struct noise){scatter.stress, scatter.correlation}, stream);
     curve.measured = true;
     for (long i = 0; i < from->n; i++) {
-        curve.strain[i] = from->strain[i];
-        curve.stress[i] = from->stress[i] + noise * random_gaussian(stream);
+        curve.strain[i] = from->strain[i] + scatter.strain * random_gaussian(stream);
+        curve.stress[i] = from->stress[i] + noise_next(&sequence, stream);
+        if (scatter.step > 0)
+            curve.stress[i] = scatter.step * round(curve.stress[i] / scatter.step);
     }
     return curve;
 }
@@ -55,14 +65,14 @@ struct coverage {
     double deviations, errors;
 };
 
-static void cover(double peak, double noise, struct coverage found[MEASURES])
+static void cover(double peak, struct scatter scatter, struct coverage found[MEASURES])
 {
     struct curve truth = made_curve(peak);
     struct choices choices = choices_read(NULL);
     struct analysis exact = analysis_make(&truth, &choices);
     struct random_stream *stream = random_new(7, "curves");
     for (int k = 0; k < CURVES; k++) {
-        struct curve curve = noisy(&truth, noise, stream);
+        struct curve curve = noisy(&truth, scatter, stream);
         struct analysis analysis = analysis_make(&curve, &choices);
         for (int j = 0; j < MEASURES; j++) {
             const double error = j == MEASURE_MODULUS ? fmax(analysis.measures.line.error,
@@ -97,22 +107,42 @@ static void expect_coverage(const struct coverage *found, const enum measure mea
     }
 }
 
+static const enum measure all[] = {
+    MEASURE_MODULUS,   MEASURE_TOE,
+    MEASURE_PROOF_01,  MEASURE_PROOF_02,
+    MEASURE_PROOF_1,   MEASURE_STRENGTH,
+    MEASURE_EXTENSION, MEASURE_PLASTIC_EXTENSION,
+    MEASURE_EXPONENT,  MEASURE_PLASTIC_FRACTURE,
+};
+enum { ALL = sizeof all / sizeof *all };
+
 static void errors_cover_the_truth(void **state)
 {
     (void)state;
-    static const enum measure measures[] = {
-        MEASURE_MODULUS,   MEASURE_TOE,
-        MEASURE_PROOF_01,  MEASURE_PROOF_02,
-        MEASURE_PROOF_1,   MEASURE_STRENGTH,
-        MEASURE_EXTENSION, MEASURE_PLASTIC_EXTENSION,
-        MEASURE_EXPONENT,  MEASURE_PLASTIC_FRACTURE,
-    };
     const double shares[] = {5e-4, 3e-3};
     for (int k = 0; k < 2; k++) {
         struct coverage found[MEASURES] = {0};
-        cover(0, shares[k] * 430e6, found);
-        expect_coverage(found, measures, sizeof measures / sizeof *measures);
+        cover(0, (struct scatter){.stress = shares[k] * 430e6}, found);
+        expect_coverage(found, all, ALL);
     }
+}
+
+/* What a filter leaves; differences of rows alone would see a seventh of it. */
+static void errors_cover_filtered_noise(void **state)
+{
+    (void)state;
+    struct coverage found[MEASURES] = {0};
+    cover(0, (struct scatter){.stress = 1e6, .correlation = 0.9}, found);
+    expect_coverage(found, all, ALL);
+}
+
+/* 3e-5 over the elastic rows, which are 7e-6 apart, would take a tenth off a slope of stress on strain. */
+static void errors_cover_noise_of_the_strain(void **state)
+{
+    (void)state;
+    struct coverage found[MEASURES] = {0};
+    cover(0, (struct scatter){.strain = 3e-5, .stress = 2e5}, found);
+    expect_coverage(found, all, ALL);
 }
 
 static void errors_cover_a_yield_point(void **state)
@@ -120,9 +150,12 @@ static void errors_cover_a_yield_point(void **state)
     (void)state;
     static const enum measure measures[] = {MEASURE_UPPER, MEASURE_LOWER, MEASURE_YIELD_EXTENSION,
                                             MEASURE_STRENGTH};
-    struct coverage found[MEASURES] = {0};
-    cover(330e6, 0.5e6, found);
-    expect_coverage(found, measures, sizeof measures / sizeof *measures);
+    const double noise[] = {0.5e6, 1e6};
+    for (int k = 0; k < 2; k++) {
+        struct coverage found[MEASURES] = {0};
+        cover(330e6, (struct scatter){.stress = noise[k]}, found);
+        expect_coverage(found, measures, sizeof measures / sizeof *measures);
+    }
 }
 
 /* The noise that was put in, within a tenth; a curve without any, digitised or bent, has none to speak of. */
@@ -133,7 +166,7 @@ static void noise_is_found(void **state)
     struct random_stream *stream = random_new(3, "curves");
     const double shares[] = {1e-4, 1e-3, 1e-2};
     for (int k = 0; k < 3; k++) {
-        struct curve curve = noisy(&truth, shares[k] * 430e6, stream);
+        struct curve curve = noisy(&truth, (struct scatter){.stress = shares[k] * 430e6}, stream);
         assert_relative(noise_of(curve.strain, curve.stress, curve.n), shares[k] * 430e6, 0.1);
         curve_free(&curve);
     }
@@ -152,7 +185,7 @@ static void noise_makes_no_yield_point(void **state)
     struct random_stream *stream = random_new(5, "curves");
     int inside = 0;
     for (int k = 0; k < 40; k++) {
-        struct curve curve = noisy(&truth, 3e-3 * 430e6, stream);
+        struct curve curve = noisy(&truth, (struct scatter){.stress = 3e-3 * 430e6}, stream);
         struct analysis analysis = analysis_make(&curve, &choices);
         assert_true(isnan(analysis.measures.yield.upper));
         assert_near(analysis.considere.strain, exact.considere.strain, 0.01);
@@ -172,6 +205,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_cover_the_truth),
+        cmocka_unit_test(errors_cover_filtered_noise),
+        cmocka_unit_test(errors_cover_noise_of_the_strain),
         cmocka_unit_test(errors_cover_a_yield_point),
         cmocka_unit_test(noise_is_found),
         cmocka_unit_test(noise_makes_no_yield_point),

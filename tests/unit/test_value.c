@@ -4,7 +4,9 @@
 #include "memory.h"
 #include "value.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 enum { ANY = VALUE_IN_SPACE | VALUE_IN_TIME | VALUE_STEPPED };
 
@@ -114,6 +116,56 @@ static void test_steps(void **state)
     }
 }
 
+static void read_only(const void *argument);
+
+/* Linear between its rows, standing before and behind them. */
+static void expect_table(const struct value *value)
+{
+    static const struct {
+        double time, value;
+    } cases[] = {{-1, 2}, {0, 2}, {0.25, 3}, {0.5, 4}, {1, 2}, {1.5, 0}, {7, 0}};
+    assert_int_equal(value->kind, VALUE_TABLE);
+    assert_true(value_depends_on_time(value));
+    assert_false(value_depends_on_place(value));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_true(value_at(value, place, cases[i].time) == cases[i].value);
+    assert_true(value_next_row(value, 0) == 0.5);
+    assert_true(value_next_row(value, 0.5) == 1.5);
+    assert_true(value_next_row(value, 1.5) == INFINITY);
+}
+
+static void test_tables(void **state)
+{
+    (void)state;
+    struct value value = given((struct wanted){"[[0 s, 2], [500 ms, 4], [1.5, 0]]", "N", ANY});
+    expect_table(&value);
+    let_go(&value);
+    char name[] = "/tmp/test_value-XXXXXX";
+    FILE *file = fdopen(mkstemp(name), "w");
+    fputs("# made by hand\ntime,force\n0,2\n0.5; 4 # the top\r\n\n 1.5\t0\n", file);
+    fclose(file);
+    char *text = memory_print("{table: %s}", name);
+    value = given((struct wanted){text, "N", ANY});
+    expect_table(&value);
+    let_go(&value);
+    file = fopen(name, "a");
+    fputs("1.5 3\n", file);
+    fclose(file);
+    const struct wanted wanted = {text, "N", ANY};
+    assert_dies(EXIT_USER, ":7: its time, 1.5 s, is not after that of the row before", read_only,
+                &wanted);
+    file = fopen(name, "w");
+    fputs("0 1\n1 2 3\n", file);
+    fclose(file);
+    assert_dies(EXIT_USER, ":2: 3 numbers, expected time and value", read_only, &wanted);
+    file = fopen(name, "w");
+    fputs("0 1\n1 2000\n", file);
+    fclose(file);
+    assert_dies(EXIT_USER, ":2: 2000 N is out of range", read_only, &wanted);
+    unlink(name);
+    free(text);
+}
+
 static void grow(const void *argument)
 {
     struct value value = given(*(const struct wanted *)argument);
@@ -145,8 +197,17 @@ static void test_mistakes(void **state)
         {{"\"\"", "m/s", ANY}, "a value is missing"},
         {{"2*t", "m/s", VALUE_IN_SPACE}, "cannot depend on t"},
         {{"2*y", "m/s", VALUE_IN_TIME}, "cannot depend on x, y, z"},
-        {{"[1, 2]", "m/s", ANY},
-         "expected a number in m/s, an expression, {ramp: ..., to: ...}, {init"},
+        {{"[1, 2]", "m/s", ANY}, "study.yaml:1:5: expected a row of a table: [time, value]"},
+        {{"[[0, 1]]", "m/s", ANY},
+         "expected a number in m/s, an expression, {ramp: ..., to: ...}, a table [[time, value], "
+         "...] or {table: FILE}, {init"},
+        {{"[[0, 1], [1, 2]]", "N", VALUE_IN_SPACE}, "expected a number in N, an expression"},
+        {{"[[0, 1], [0, 2]]", "N", ANY},
+         "study.yaml:1:13: its time, 0 s, is not after that of the row before"},
+        {{"[[0, 1], [1, 2, 3]]", "N", ANY}, "expected a row of a table: [time, value]"},
+        {{"[[0, 1], [1 m, 2]]", "N", ANY}, "'m' is a length, expected a time in s"},
+        {{"[[0, 1], [1, 1001]]", "N", ANY}, "study.yaml:1:17: "},
+        {{"{table: nowhere.txt}", "N", ANY}, "study.yaml:1:12: cannot open nowhere.txt: "},
         {{"{ramp: 1 s, to: 2}", "m/s", VALUE_IN_SPACE}, "expected a number in m/s, an expression"},
         {{"{ramp: 1 s}", "m/s", ANY}, "key 'to' is missing"},
         {{"{ramp: 1 m, to: 2}", "m/s", ANY}, "study.yaml:1:11: 'm' is a length, expected a time"},
@@ -196,9 +257,10 @@ static void test_trials(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),  cmocka_unit_test(test_expressions),
-        cmocka_unit_test(test_ramp),     cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_trials),
+        cmocka_unit_test(test_numbers), cmocka_unit_test(test_expressions),
+        cmocka_unit_test(test_ramp),    cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_tables),  cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_trials),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -90,7 +90,7 @@ struct work {
     double e[COMPONENTS][LANES];
     double square[LANES];                                        /* |e - e'|^2 */
     double scale[LANES];                                         /* a mu V d, times the integrity */
-    double factor[LANES];                                        /* d */
+    double factor[LANES], increment[LANES];                      /* d, |de'| */
     double stored[LANES], dissipated[LANES], dissipating[LANES]; /* [J/m^3] */
 };
 
@@ -125,10 +125,10 @@ HS_SIMD static void find_strain(int count, double weight, double (*restrict h)[L
     }
 }
 
-/* d, and at a commit the state's alpha and work. */
+/* d, and what a commit would dissipate. */
 HS_SIMD static void flow(int count, const struct flowing *restrict f, const double *restrict mu,
-                         const double *restrict stress, struct work *restrict w,
-                         double *restrict alpha, double *restrict work, double commit)
+                         const double *restrict stress, const double *restrict alpha,
+                         struct work *restrict w)
 {
     const double slope = f->hardening / (1 - f->hardening), to_strain = f->limit / sqrt(3.);
     for (int i = 0; i < count; i++) {
@@ -137,10 +137,32 @@ HS_SIMD static void flow(int count, const struct flowing *restrict f, const doub
                      beyond = r > limit ? r - limit : 0;
         const double increment = (1 - f->hardening) * beyond;
         w->factor[i] = beyond > 0 ? 1 - increment / r : 1;
-        w->dissipating[i] = beyond > 0 ? commit * increment * (limit + 0.5 * slope * increment) : 0;
-        alpha[i] += commit * increment;
+        w->increment[i] = increment;
+        w->dissipating[i] = beyond > 0 ? increment * (limit + 0.5 * slope * increment) : 0;
+    }
+}
+
+/* The state moves on: alpha and work, and e' of the modes. */
+HS_SIMD static void move_on(int count, const struct work *restrict w, double *restrict alpha,
+                            double *restrict work)
+{
+    for (int i = 0; i < count; i++) {
+        alpha[i] += w->increment[i];
         work[i] += w->dissipating[i];
+    }
+}
+HS_SIMD static void move_mode_on(int count, const double *restrict factor, const double *restrict e,
+                                 double *restrict plastic)
+{
+    for (int i = 0; i < count; i++) plastic[i] += (1 - factor[i]) * (e[i] - plastic[i]);
+}
+
+/* The work that has been booked so far, and none in this step where it is not committed. */
+static void read_work(int count, const double *work, bool commit, struct work *w)
+{
+    for (int i = 0; i < count; i++) {
         w->dissipated[i] = work[i];
+        if (!commit) w->dissipating[i] = 0;
     }
 }
 
@@ -150,17 +172,16 @@ HS_SIMD static void find_scale(int count, double modulus, const double *restrict
     for (int i = 0; i < count; i++) w->scale[i] = modulus * mu[i] * volume[i] * w->factor[i];
 }
 
-/* tau = F^-T t of one mode, what it gives to A and to the mode; and e' moves on, at a commit (1, else 0). */
+/* tau = F^-T t of one mode, what it gives to A and to the mode. */
 HS_SIMD static void add_forces(int count, double weight, const struct work *restrict w,
-                               const double (*restrict e)[LANES], double commit,
-                               double *restrict px, double *restrict py, double *restrict pz,
+                               const double (*restrict e)[LANES], const double *restrict px,
+                               const double *restrict py, const double *restrict pz,
                                double (*restrict A)[PADDED], double (*restrict m)[PADDED])
 {
     for (int i = 0; i < count; i++) {
         const double ex = e[0][i], ey = e[1][i], ez = e[2][i];
         const double dx = ex - px[i], dy = ey - py[i], dz = ez - pz[i];
-        const double x = w->scale[i] * dx, y = w->scale[i] * dy, z = w->scale[i] * dz,
-                     flown = commit * (1 - w->factor[i]);
+        const double x = w->scale[i] * dx, y = w->scale[i] * dy, z = w->scale[i] * dz;
         const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
                      ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
                      tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
@@ -176,9 +197,6 @@ HS_SIMD static void add_forces(int count, double weight, const struct work *rest
         m[0][PAD + i] = weight * tx;
         m[1][PAD + i] = weight * ty;
         m[2][PAD + i] = weight * tz;
-        px[i] += flown * dx;
-        py[i] += flown * dy;
-        pz[i] += flown * dz;
     }
 }
 
@@ -240,9 +258,11 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     const double *mu = cells->points->mu;
     const bool flows = flowing->state && !mode.frozen;
     struct work w;
-    if (flowing->state)
+    if (flowing->state) {
         state = flowing->state + STATE * cells->strip->store;
-    else
+        prefetch(state + STATE * stride,
+                 (size_t)(STATE * stride) * sizeof *state); /* of the next strip */
+    } else
         memset(none, 0, sizeof none);
     find_inverse(n, cells->points, &w);
     for (int m = 0; m < modes; m++) {
@@ -251,18 +271,21 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                     plastic + stride, plastic + 2 * stride, w.e + 3 * m, w.square);
     }
     if (flows)
-        flow(n, flowing, mu, stress, &w, state + ALPHA * stride, state + WORK * stride,
-             mode.commit);
+        flow(n, flowing, mu, stress, state + ALPHA * stride, &w);
     else
         no_flow(n, &w);
+    if (flows && mode.commit) move_on(n, &w, state + ALPHA * stride, state + WORK * stride);
+    if (flows && (mode.energy || cells->integrity))
+        read_work(n, state + WORK * stride, mode.commit, &w);
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
     if (mode.energy || cells->integrity) find_energies(n, flowing->modulus, mu, &w);
     if (cells->integrity) degrade(flowing, cells, mode.commit, &w);
     for (int m = 0; m < modes; m++) {
         double *plastic = state + 3 * m * stride;
-        add_forces(n, flowing->weight[m], &w, (const double(*)[LANES])w.e + 3 * m,
-                   flows && mode.commit, plastic, plastic + stride, plastic + 2 * stride, cells->A,
-                   cells->m[m]);
+        add_forces(n, flowing->weight[m], &w, (const double(*)[LANES])w.e + 3 * m, plastic,
+                   plastic + stride, plastic + 2 * stride, cells->A, cells->m[m]);
+        for (int a = 0; a < 3 && flows && mode.commit; a++)
+            move_mode_on(n, w.factor, w.e[3 * m + a], plastic + a * stride);
     }
     if (mode.energy) sum_energies(body, cells, &w, energy);
 }
