@@ -3,6 +3,7 @@
 #include "peridigm_deck.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct model {
@@ -85,6 +86,7 @@ static const struct model *write_material(struct translation *t, const struct pe
     write_moduli(t, material, model->bonds);
     if (model->flows) write_hardening(t, material, model->hardens);
     fprintf(t->out, "}\n");
+    free(name);
     return model;
 }
 
@@ -116,6 +118,8 @@ static void write_damage(struct translation *t, const struct peridigm_blocks *bl
             char *one = quoted(blocks->items[k].phase), *other = quoted(blocks->items[i].phase);
             fprintf(t->out, "%s  - {law: critical_stretch, pair: [%s, %s], value: %.15g}\n",
                     begun ? "" : "damage:\n", one, other, both);
+            free(one);
+            free(other);
             begun = true;
         }
 }

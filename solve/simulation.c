@@ -103,7 +103,6 @@ static void refuse_cells(const struct simulation *s)
     const char *name = s->materials.formulation->name;
     if (lattice_is_scattered(&s->lattice)) {
         note("the particles lie on no lattice: a list of neighbours serves them");
-        warn_of_pieces(s);
         return;
     }
     if (lattice_is_oblong(&s->lattice))
@@ -359,6 +358,7 @@ static void build(struct simulation *s)
     s->gauge = gauge_new(&s->body, sets_of(s), s->domain.n_phases);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
     refuse_lost(s);
+    if (s->family.scattered && s->ranks.rank == 0) warn_of_pieces(s);
 }
 
 double simulation_fraction(const struct simulation *s, int phase)

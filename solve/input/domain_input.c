@@ -29,7 +29,7 @@ static enum file_kind kind_of(const char *path, const char *shown)
     const char *foreign = foreign_format(bytes, got);
     if (foreign)
         die_user("%s is %s, expected Genesis (Exodus), or text with 'x y z block volume' a line: "
-                 "programs such as meshio turn meshes into Exodus",
+                 "programs such as meshio turn meshes into Exodus; hsgen reads images of voxels",
                  shown, foreign);
     for (size_t i = 0; i < got; i++)
         if (bytes[i] < ' ' && !memchr("\n\r\t", bytes[i], 3)) return FILE_OTHER;

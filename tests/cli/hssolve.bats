@@ -105,8 +105,8 @@ wrong() {
     wrong 33:24 "did you mean mix? expected one of: mix, capped" 's/law: mix/law: mixx/'
     wrong 33:36 "7 is out of range, expected 0.01 to 1" 's/share: 0.1/share: 7/'
     wrong 34:15 "'nan' is not a number" 's/end_strain: 0.005/end_strain: nan/'
-    wrong 31:3 "give one of end_strain, end_time and end_steps" '/end_strain/d'
-    wrong 31:3 "give one of end_strain, end_time and end_steps" 's/  horizon: 1/&\n  end_time: 1 us/'
+    wrong 31:3 "give one of end_strain, end_time, end_steps and programme" '/end_strain/d'
+    wrong 31:3 "give one of end_strain, end_time, end_steps and programme" 's/  horizon: 1/&\n  end_time: 1 us/'
     wrong 33:9 "a ramp goes with 'start: ramp'" 's/  horizon: 1/&\n  ramp: 1 us/'
     wrong 33:3 "'safety' belongs to type: explicit or hybrid, not to type: quasi_static" \
         's/  horizon: 1/&\n  safety: 0.5/; s/type: explicit/type: quasi_static/'

@@ -256,3 +256,14 @@ AWK
     hssolve -q -d study.yaml -i bar.g -H spacings.e
     cmp <(columns length.e force_left_N force_right_N) <(columns spacings.e force_left_N force_right_N)
 }
+
+@test "a body that fills little of its box is told so before its load steps" {
+    # A band along the diagonal of a plate
+    awk 'BEGIN { for (k = 0; k < 3; k++) for (j = 0; j < 24; j++) for (i = 0; i < 24; i++)
+        if (i - j <= 1 && j - i <= 1) print i * 1e-4, j * 1e-4, k * 1e-4, 1, "1e-12" }' >band.txt
+    sed -i 's/correspondence_elastic/corner, law: elastic/; s/horizon: 1, //; s/set: low_x/where: "x < 0.15e-3"/; s/set: high_x/where: "x > 2.15e-3"/' study.yaml
+    run hssolve -d study.yaml -i band.txt -H band.e
+    [[ $output == *"the body fills "*" % of its box, which the preconditioner of load steps is made for"* ]]
+    run hssolve -d "$BATS_FILE_TMPDIR/study.yaml" -i bar.g -H bar.e
+    [[ $output != *"of its box"* ]]
+}
