@@ -109,7 +109,7 @@ char *refinement_scale(const char *text, double factor)
 /* --- cores ------------------------------------------------------------------------------------ */
 
 static const char *const placing[] = {"lattice", "core", "core_distance", "core_diameter",
-                                      "jitter"};
+                                      "jitter", "offset"};
 
 static bool places_cores(const char *key)
 {
