@@ -60,18 +60,6 @@ plate-cg: $(RESULTS)/plate-cg/curve.csv
 	$(call must,$@,-v blank=all) $<
 ni-cell: $(RESULTS)/ni-cell/curve.csv
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
-CELLS := bcc fcc sc jitter random interface contrast-bcc contrast-random size
-cells: $(RESULTS)/cells/table.csv
-	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
-$(RESULTS)/cells/table.csv: $(wildcard pipelines/cells/*) pipelines/vary | all
-	pipelines/cells/decks $(@D) $(if $(SMALL),small)
-	for deck in $(@D)/*.yaml; do hsgen -q --study $$deck -o $${deck%.yaml} && $(MAKE) -s -C $${deck%.yaml} || exit 1; done
-	awk -f pipelines/cells/table.awk $(CELLS:%=$(@D)/%/study.csv) > $@
-DECKS += $(RESULTS)/cells/decks
-.PHONY: $(RESULTS)/cells/decks
-$(RESULTS)/cells/decks: | all
-	pipelines/cells/decks $@ $(if $(SMALL),small)
-	for deck in $@/*.yaml; do hsgen -q --study $$deck --check || exit 1; done
 flagship: $(RESULTS)/ni-hs40/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
 r40: $(RESULTS)/ni-r40/curve.csv
@@ -108,6 +96,17 @@ small_ni-hs40-thesis = -e 's/end_strain: 0.25/end_strain: 0.01/'
 $(PLAIN:%=$(RESULTS)/%/study.yaml): $(RESULTS)/%/study.yaml: pipelines/%/study.yaml
 	$(call VARY,$(if $(SMALL),$(small_$*)) $(if $(filter ni-hs% ni-r%,$*),$(formulation)))
 DECKS := $(PLAIN:%=$(RESULTS)/%/study.yaml)
+
+CELLS := bcc fcc sc jitter random interface contrast-bcc contrast-random size
+cells: $(RESULTS)/cells/table.csv
+	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
+$(RESULTS)/cells/table.csv: $(wildcard pipelines/cells/*) pipelines/vary | all
+	pipelines/cells/run $(@D) $(if $(SMALL),small)
+	awk -f pipelines/cells/table.awk $(CELLS:%=$(@D)/%/study.csv) > $@
+DECKS += $(RESULTS)/cells/decks
+.PHONY: $(RESULTS)/cells/decks
+$(RESULTS)/cells/decks:
+	pipelines/cells/run $@ decks
 
 # From a deck to everything.
 define RUN
