@@ -108,8 +108,8 @@ char *refinement_scale(const char *text, double factor)
 
 /* --- cores ------------------------------------------------------------------------------------ */
 
-static const char *const placing[] = {"lattice", "core", "core_distance", "core_diameter",
-                                      "jitter", "offset"};
+static const char *const placing[] = {"lattice",       "core",   "core_distance",
+                                      "core_diameter", "jitter", "offset"};
 
 static bool places_cores(const char *key)
 {
