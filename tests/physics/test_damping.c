@@ -20,7 +20,8 @@ static uint8_t chequered(const int size[3], const int at[3])
 static struct boundary_set grip(const struct small_body *small, int first, int inner,
                                 double velocity)
 {
-    struct boundary_set set = {.value = {.kind = VALUE_RAMP, .ramp = ramp, .number = velocity},
+    struct boundary_set set = {.sense = 1,
+                               .value = {.kind = VALUE_RAMP, .ramp = ramp, .number = velocity},
                                .inner = inner * SMALL_SPACING};
     set.members.sites = memory_new(GRIP * WIDE * WIDE, sizeof *set.members.sites);
     set.members.n_all = GRIP * WIDE * WIDE;
