@@ -156,9 +156,13 @@ $(BUILD)/tests/bench/kernels: $(BUILD)/tests/bench/kernels.o $(BUILD)/tests/phys
     $(foreach part,gen solve post lib,$(call archive,$(part)))
 	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
+# Not a test: a spectral solver of the same voxels, beside which load steps of periodic cells stand.
+$(BUILD)/tests/bench/spectral: $(BUILD)/tests/bench/spectral.o $(call archive,lib)
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(call package,--libs,fftw3,-lfftw3) -o $@
+
 # QUICK=1: the kernels on 64,000 nodes alone, to standard output.
 BENCH := $(BUILD)/results/bench
-bench: all $(BUILD)/tests/bench/kernels
+bench: all $(BUILD)/tests/bench/kernels $(BUILD)/tests/bench/spectral
 	@mkdir -p $(BENCH)
 	@$(BUILD)/tests/bench/kernels > $(BENCH)/measured.csv
 	@tests/bench/lammps > $(BENCH)/lammps.txt
@@ -175,6 +179,7 @@ ifndef QUICK
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/load-steps $(BENCH)/load-steps > docs/bench/load-steps.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH pipelines/truths/cell $(BENCH)/cells cost > docs/bench/cells.csv
+	tests/bench/periodic $(BUILD) $(BENCH)/periodic > docs/bench/periodic.csv
 	$(MAKE) bench-tables
 endif
 
