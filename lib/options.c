@@ -103,10 +103,13 @@ static _Noreturn void print_completion(const struct option_table *table, const c
     const struct option_row **rows = memory_new((size_t)count, sizeof *rows);
     for (int i = 0; i < count; i++) rows[i] = row_at(table, i);
     completion_print(shell, table->program, rows, count);
+    free(rows);
     leave_after_printing();
 }
 
-static void take(const struct option_table *table, const struct option_row *row)
+/* Options that print something and leave; others return. */
+static void leave_by(const struct option_table *table, const struct option_row *row,
+                     const char *argument)
 {
     if (row == &built_in[HELP]) {
         print_help(table);
@@ -116,12 +119,21 @@ static void take(const struct option_table *table, const struct option_row *row)
         fputs(options_version(), stdout);
         leave_after_printing();
     }
-    if (row == &built_in[COMPLETION]) print_completion(table, optarg);
-    if (row == &built_in[KEYS_OPTION]) print_keys(table, optarg);
+    if (row == &built_in[COMPLETION]) print_completion(table, argument);
+    if (row == &built_in[KEYS_OPTION]) print_keys(table, argument);
+}
+
+static void take(const struct option_row *row)
+{
     if (row->argument)
         *row->value = optarg;
     else
         *row->flag = true;
+}
+
+static bool is_built_in(const struct option_row *row)
+{
+    return row >= built_in && row < built_in + sizeof built_in / sizeof *built_in;
 }
 
 int options_read(const struct option_table *table, int argc, char **argv)
@@ -132,15 +144,21 @@ int options_read(const struct option_table *table, int argc, char **argv)
     describe(table, letters, names);
     optind = 0; /* glibc: start afresh */
     int found;
-    while ((found = getopt_long(argc, argv, letters, names, NULL)) != -1) {
+    const struct option_row *last = NULL;
+    while (!last && (found = getopt_long(argc, argv, letters, names, NULL)) != -1) {
         const struct option_row *row = row_of(table, found);
         /* getopt has said what is wrong. */
         if (row == NULL) die_user("try '%s --help'", table->program);
-        take(table, row);
+        if (is_built_in(row))
+            last = row;
+        else
+            take(row);
     }
+    const int first = optind;
     free(letters);
     free(names);
-    return optind;
+    if (last) leave_by(table, last, optarg);
+    return first;
 }
 
 const char *options_version(void)
