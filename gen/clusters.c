@@ -80,6 +80,11 @@ static unsigned ends_at(const struct structure *structure, const struct forest *
     return ends;
 }
 
+bool clusters_percolate_everywhere(const struct clusters *clusters)
+{
+    return clusters->percolates[0] && clusters->percolates[1] && clusters->percolates[2];
+}
+
 struct clusters clusters_find(const struct structure *structure, int phase,
                               enum neighbourhood neighbourhood)
 {

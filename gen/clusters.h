@@ -18,6 +18,9 @@ struct clusters {
     bool percolates[3];
 };
 
+/* Along x, y and z. */
+bool clusters_percolate_everywhere(const struct clusters *clusters);
+
 /* Clusters of a phase in the counted region (union-find over half the neighbours). */
 struct clusters clusters_find(const struct structure *structure, int phase,
                               enum neighbourhood neighbourhood);

@@ -115,15 +115,15 @@ static char *remedy(const struct recipe *recipe, const struct findings *findings
 
 static bool lacks_cg(const struct recipe *recipe, const struct findings *findings)
 {
-    const bool *along = findings->cg.percolates;
-    return (recipe->require & REQUIRE_CG_CONNECTED) && !(along[0] && along[1] && along[2]);
+    return (recipe->require & REQUIRE_CG_CONNECTED) &&
+           !clusters_percolate_everywhere(&findings->cg);
 }
 
 static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
     const struct clusters *ufg = &findings->ufg;
-    const bool shell = !(recipe->require & REQUIRE_UFG_CONNECTED) ||
-                       (ufg->percolates[0] && ufg->percolates[1] && ufg->percolates[2]);
+    const bool shell =
+        !(recipe->require & REQUIRE_UFG_CONNECTED) || clusters_percolate_everywhere(ufg);
     const struct contact *contact = &findings->contact;
     const bool apart = !(recipe->require & REQUIRE_CORES_APART) ||
                        is_film(recipe, contact->touching > 0, contact->film);

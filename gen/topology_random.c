@@ -65,17 +65,14 @@ static int64_t score(const struct recipe *recipe, const struct cores *cores, con
     return cores->order[at.core] * gap - (int64_t)fmin(round(at.depth / unit), 1e12 - 1);
 }
 
-static bool everywhere(const struct clusters *clusters)
-{
-    return clusters->percolates[0] && clusters->percolates[1] && clusters->percolates[2];
-}
-
 static char *fault(const struct recipe *recipe, const struct findings *findings)
 {
     /* Of two phases in a plane one at most can connect opposite sides both ways. */
     if (specimen_is_sheet(&recipe->specimen)) return NULL;
-    const bool cg = !(recipe->require & REQUIRE_CG_CONNECTED) || everywhere(&findings->cg),
-               ufg = !(recipe->require & REQUIRE_UFG_CONNECTED) || everywhere(&findings->ufg);
+    const bool cg =
+        !(recipe->require & REQUIRE_CG_CONNECTED) || clusters_percolate_everywhere(&findings->cg);
+    const bool ufg =
+        !(recipe->require & REQUIRE_UFG_CONNECTED) || clusters_percolate_everywhere(&findings->ufg);
     if (cg && ufg) return NULL;
     return memory_print("not what the deck requires: %s%s%s must percolate along x, y and z "
                         "and %s not; use smaller cells or cores (core_distance, core_diameter) or "
