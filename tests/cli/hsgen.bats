@@ -2,6 +2,8 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../structures
+
 setup() {
     cd "$BATS_TEST_TMPDIR"
     # cairo's fonts: what fontconfig keeps until the end is no leak of ours (sanitizer builds)
@@ -25,11 +27,6 @@ domain:
 END
     sed 's/core_distance: .*/core_distance: 0.1 mm/' plate.yaml >unresolved.yaml
 }
-
-# Value of a quantity in the statistics, by quantity and axis.
-statistic() { awk -F, -v q="$2" -v a="$3" '$1 == q && $2 == a { print $4; exit }' "$1"; }
-
-attribute() { ncdump -h "$1" | sed -n "s/.*:hs_$2 = \(.*\) ;/\1/p"; }
 
 @test "two runs of one command are the same to the byte" {
     hsgen -q plate.yaml | sha256sum >one

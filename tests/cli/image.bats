@@ -2,6 +2,8 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../structures
+
 setup() {
     images=$PWD/tests/data/images
     cd "$BATS_TEST_TMPDIR"
@@ -14,18 +16,6 @@ domain:
   voxel: 2 um
   labels: {CG: [1, 3], UFG: [2, 4..5]}
 DECK
-}
-
-statistic() { awk -F, -v q="$2" -v a="$3" '$1 == q && $2 == a { print $4; exit }' "$1"; }
-attribute() { ncdump -h "$1" | sed -n "s/.*:hs_$2 = \(.*\) ;/\1/p"; }
-
-# refused DECK TEXT...: with exit code 2 and each of these texts.
-refused() {
-    run hsgen "$1" -o never.g
-    [ "$status" -eq 2 ]
-    [ ! -e never.g ]
-    shift
-    for text in "$@"; do [[ $output == *"$text"* ]] || { echo "$output"; return 1; }; done
 }
 
 @test "voxels become nodes of their phases, in the file's proportions, and keep their labels as grains" {

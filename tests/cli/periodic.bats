@@ -2,6 +2,8 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../structures
+
 setup() {
     cd "$BATS_TEST_TMPDIR"
     cat >cell.yaml <<'DECK'
@@ -18,18 +20,6 @@ domain:
   ufg_fraction: 0.40
 DECK
     sed '/lattice/d; s/harmonic/random/; s/core_distance: .*/core_distance: 60 um/' cell.yaml >random.yaml
-}
-
-statistic() { awk -F, -v q="$2" -v a="$3" '$1 == q && $2 == a { print $4; exit }' "$1"; }
-attribute() { ncdump -h "$1" | sed -n "s/.*:hs_$2 = \(.*\) ;/\1/p"; }
-
-# refused DECK TEXT...: with exit code 2, where it stands, and each of these texts.
-refused() {
-    run hsgen "$1" -o never.g
-    [ "$status" -eq 2 ]
-    [ ! -e never.g ]
-    shift
-    for text in "$@"; do [[ $output == *"$text"* ]] || { echo "$output"; return 1; }; done
 }
 
 @test "a cell is written with its axes and periods, its fraction to the node, without sets" {
