@@ -38,8 +38,8 @@ static void join_neighbours(const struct structure *structure, int phase, int ha
     }
 }
 
-/* Where the first and the last layer of the counted region end, inwards, along each axis of the body; a layer is as
- * thick as a cell is wide in that direction. */
+/* Where the first and the last layer of the counted region end, inwards, along each axis of the
+ * body; a layer is as thick as a cell is wide in that direction. */
 static void counted_ends(const struct structure *structure, double end[2][3])
 {
     const struct sites *sites = structure->sites;
@@ -143,9 +143,9 @@ struct contact clusters_contact(const struct structure *structure, int limit)
         if (!is_member(structure, node, PHASE_CG)) continue;
         int64_t at[3];
         sites_index(sites, node, at);
-        /* Neighbours are all counted; beyond them only what is nearer than known.  From a buried node
-         * its neighbour one step on, along the shortest edge that the step has, is nearer to whatever lies
-         * beyond, and the film is thinner: the direction turns to longer edges. */
+        /* Neighbours are all counted; beyond them only what is nearer than known.  From a buried
+         * node its neighbour one step on, along the shortest edge that the step has, is nearer to
+         * whatever lies beyond, and the film is thinner: the direction turns to longer edges. */
         const bool buried = is_buried(structure, node, at);
         for (int s = 0; s < n_steps; s++) {
             const double film = steps_film(&steps[s]);

@@ -27,12 +27,12 @@ struct clusters clusters_find(const struct structure *structure, int phase,
 
 struct contact {
     int64_t touching; /* pairs of coarse nodes of different cores that are 26-neighbours */
-    double
-        film; /* edges along x: least distance of coarse nodes of different cores, less a cell (steps_film) */
+    double film; /* edges along x: least distance of coarse nodes of different cores, less a cell
+                    (steps_film) */
 };
 
-/* On cubes film >= 1 says the same as touching = 0.  A film beyond `limit` edges of a cube of the cell's volume
- * is not looked for and comes out as infinity. */
+/* On cubes film >= 1 says the same as touching = 0.  A film beyond `limit` edges of a cube of the
+ * cell's volume is not looked for and comes out as infinity. */
 struct contact clusters_contact(const struct structure *structure, int limit);
 
 /* The offsets of half of a neighbourhood: [half][3], the 3 of faces first, then edges, corners. */

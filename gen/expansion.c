@@ -143,8 +143,8 @@ static void edit_values(const struct expansion *expansion, int64_t run, const ch
         }
 }
 
-/* ", ufg_fraction 0.2, spacing 25 um": all but the scatter, of which curves of one title are; names of values stand for
- * the values. */
+/* ", ufg_fraction 0.2, spacing 25 um": all but the scatter, of which curves of one title are; names
+ * of values stand for the values. */
 static char *words_of(const struct expansion *expansion, int64_t run)
 {
     char *words = memory_text("");

@@ -23,11 +23,12 @@ int64_t expansion_maker(const struct expansion *expansion, int64_t run);
 /* What varied in a run; the caller frees it. */
 struct varied expansion_varied(const struct expansion *expansion, int64_t run);
 
-/* The deck's text with the values of the run, titles that say so, and varied in place of vary; comments stay.  cores:
- * file of the cores of expansion_maker.  The caller frees it. */
+/* The deck's text with the values of the run, titles that say so, and varied in place of vary;
+ * comments stay.  cores: file of the cores of expansion_maker.  The caller frees it. */
 char *expansion_text(const struct expansion *expansion, int64_t run, const char *cores);
 
-/* Dies (exit 2) where the text, of the name given, is no deck with these values that hsgen takes. */
+/* Dies (exit 2) where the text, of the name given, is no deck with these values that hsgen takes.
+ */
 void expansion_check(const struct expansion *expansion, int64_t run, const char *text,
                      const char *name);
 

@@ -14,7 +14,7 @@ struct cells {
     double *owned;  /* [n_sites] the same with what was merged into it */
 };
 
-/* --- parts of cells ----------------------------------------------------------------------------- */
+/* --- parts of cells --------------------------------------------------------------------------- */
 
 static void find_parts(const struct specimen *specimen, struct cells *cells)
 {
@@ -35,7 +35,7 @@ static void find_parts(const struct specimen *specimen, struct cells *cells)
     }
 }
 
-/* --- merging ------------------------------------------------------------------------------------ */
+/* --- merging ---------------------------------------------------------------------------------- */
 
 struct part {
     double inside;
@@ -91,7 +91,7 @@ static void merge_small_parts(struct cells *cells)
     free(small);
 }
 
-/* --- the lattice -------------------------------------------------------------------------------- */
+/* --- the lattice ------------------------------------------------------------------------------ */
 
 static bool is_owned(const void *cells, int64_t site, const double point[3])
 {

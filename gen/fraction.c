@@ -55,8 +55,8 @@ static int compare_ties(const void *a, const void *b)
     return (first->hash > second->hash) - (first->hash < second->hash);
 }
 
-/* Takes nodes on the threshold, in the order of their hashes, as long as that brings the weight nearer to what is
- * wanted: the last one's hash becomes the threshold's. */
+/* Takes nodes on the threshold, in the order of their hashes, as long as that brings the weight
+ * nearer to what is wanted: the last one's hash becomes the threshold's. */
 static void split_ties(const struct ranks *ranks, double under, double wanted,
                        struct threshold *threshold)
 {

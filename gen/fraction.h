@@ -1,4 +1,5 @@
-/* fraction.h - which nodes become coarse: those of the lowest scores, as many as the fraction by volume asks. */
+/* fraction.h - which nodes become coarse: those of the lowest scores, as many as the fraction by
+ * volume asks. */
 #ifndef HS_FRACTION_H
 #define HS_FRACTION_H
 
@@ -29,8 +30,8 @@ struct threshold {
     long seed;
 };
 
-/* Rank selection: the coarse weight is the nearest one to coarse_fraction of all that can be had node by node, so
- * that the error is at most half a node's volume. */
+/* Rank selection: the coarse weight is the nearest one to coarse_fraction of all that can be had
+ * node by node, so that the error is at most half a node's volume. */
 struct threshold fraction_exact(const struct ranks *ranks, double coarse_fraction, long seed);
 
 /* Nodes of equal score stay together, as for a sphere of one diameter: bisection on the score until

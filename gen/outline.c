@@ -21,7 +21,7 @@ bool outline_holds(const struct specimen *specimen, const double point[3])
     return fabs(y) <= half && !(hypot(x - hole[0], y - hole[1]) < radius - slack);
 }
 
-/* --- flat bodies -------------------------------------------------------------------------------- */
+/* --- flat bodies ------------------------------------------------------------------------------ */
 
 /* Area of a polygon that a pocket takes away on one side (sign: of y). */
 static double area_in_pocket(const struct polygon *whole, const struct pocket *pocket, double sign)
@@ -60,7 +60,7 @@ static double flat_area(const struct specimen *specimen, const struct polygon *c
     return area;
 }
 
-/* --- round bodies ------------------------------------------------------------------------------- */
+/* --- round bodies ----------------------------------------------------------------------------- */
 
 /* A prism: a polygon of the body's x and y from one z to another. */
 struct prism {
@@ -144,8 +144,8 @@ static void find_ends(const struct prism *prism, struct breaks *breaks)
     sort_breaks(breaks);
 }
 
-/* How far the circle reaches beyond a corner of the rectangle, or beyond a side's line: which % 3 is y's end or
- * neither, which / 3 is z's. */
+/* How far the circle reaches beyond a corner of the rectangle, or beyond a side's line: which % 3
+ * is y's end or neither, which / 3 is z's. */
 static double beyond_corner(const struct prism *prism, double x, int which)
 {
     double y[2];
@@ -155,8 +155,8 @@ static double beyond_corner(const struct prism *prism, double x, int which)
     return specimen_half_width(prism->specimen, x) - hypot(across, up);
 }
 
-/* Where the circle passes a corner or touches a side between two ends; by samples, of which two that are on
- * different sides enclose such a place. */
+/* Where the circle passes a corner or touches a side between two ends; by samples, of which two
+ * that are on different sides enclose such a place. */
 static void find_passages(const struct prism *prism, double from, double to, struct breaks *breaks)
 {
     enum { SAMPLES = 32, HALVINGS = 50, WAYS = 8 };
@@ -233,7 +233,7 @@ static double round_volume(struct prism *prism)
     return integrate(prism);
 }
 
-/* --- cells -------------------------------------------------------------------------------------- */
+/* --- cells ------------------------------------------------------------------------------------ */
 
 double outline_of_cell(const struct specimen *specimen, const double centre[3])
 {

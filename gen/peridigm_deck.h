@@ -4,9 +4,9 @@
 
 #include "translation.h"
 
-/* Reads the deck (NULL, "-": standard input) and writes ours to a name (NULL, "-": standard output).  units: see
- * translation_new.  What has no counterpart is said line by line; dies (exit 2) where the body, a material, or where the run
- * ends cannot be told. */
+/* Reads the deck (NULL, "-": standard input) and writes ours to a name (NULL, "-": standard
+ * output).  units: see translation_new.  What has no counterpart is said line by line; dies (exit
+ * 2) where the body, a material, or where the run ends cannot be told. */
 void peridigm_deck_translate(const char *deck, const char *units, const char *output);
 
 /* Parts of it, each a section of our deck. */
@@ -21,8 +21,8 @@ struct peridigm_blocks {
     struct peridigm_block *items;
 };
 struct peridigm_blocks peridigm_blocks_read(struct translation *t);
-/* The sections materials and damage; whether the ordinary formulation is among them, whose influence Peridigm has
- * constant. */
+/* The sections materials and damage; whether the ordinary formulation is among them, whose
+ * influence Peridigm has constant. */
 bool peridigm_materials(struct translation *t, const struct peridigm_blocks *blocks);
 void peridigm_boundary(struct translation *t);
 /* The axis along which alone nodes are moved, 0, 1 or 2; 0 where there are more. */

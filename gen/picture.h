@@ -1,4 +1,5 @@
-/* picture.h - the three middle sections (of a sheet, the one) as an image: a figure without further software. */
+/* picture.h - the three middle sections (of a sheet, the one) as an image: a figure without further
+ * software. */
 #ifndef HS_PICTURE_H
 #define HS_PICTURE_H
 

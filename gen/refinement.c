@@ -126,7 +126,8 @@ bool refinement_has_cores(const struct deck *deck)
     return has && !deck_has(domain, "cores");
 }
 
-/* In place of the first of the keys stands the file; the others go, within {...} with the comma behind them. */
+/* In place of the first of the keys stands the file; the others go, within {...} with the comma
+ * behind them. */
 static void edit_cores(const struct deck *deck, const char *cores, struct text_edits *edits)
 {
     const struct deck_node domain = deck_get(deck_root(deck), "domain");

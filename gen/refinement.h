@@ -5,8 +5,8 @@
 #include "deck_path.h"
 #include "text_edits.h"
 
-/* How many spacings 'refine: 2' or [2, 4] adds; where number i stands, for messages; and domain.spacing divided by
- * number i, as YAML writes it, which the caller frees. */
+/* How many spacings 'refine: 2' or [2, 4] adds; where number i stands, for messages; and
+ * domain.spacing divided by number i, as YAML writes it, which the caller frees. */
 int refinement_count(struct deck_node refine);
 struct deck_node refinement_where(struct deck_node refine, int i);
 char *refinement_text(struct deck_node refine, int i, struct deck_node spacing);
@@ -17,8 +17,9 @@ double refinement_spacing(const char *text, struct deck_node where);
 /* A text with each length in spacings times factor; the caller frees it. */
 char *refinement_scale(const char *text, double factor);
 
-/* Edits that make the spacing finer by factor and leave the body as it is: all lengths in spacings, but of the places in
- * except[count]; and, where the file of cores is given, that in place of what would place them anew. */
+/* Edits that make the spacing finer by factor and leave the body as it is: all lengths in spacings,
+ * but of the places in except[count]; and, where the file of cores is given, that in place of what
+ * would place them anew. */
 void refinement_edit(const struct deck *deck, const struct deck_paths *paths,
                      const struct deck_node except[], int count, double factor, const char *cores,
                      struct text_edits *edits);

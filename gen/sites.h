@@ -1,9 +1,10 @@
 /* sites.h - the lattice that carries the nodes.
  *
- * The bounding box of the specimen is filled exactly by equal cells, boxes with the edges `spacing`, and centred at
- * the origin; a node sits at the centre of its cell and owns its volume, or the part of it that lies in the
- * specimen (of a sheet, one layer of them, a column of its own thickness: specimen.h).  A specimen that is no
- * block leaves sites empty, and may be turned about z against the lattice.  Nodes are numbered x fastest, then y, then z, empty sites skipped. */
+ * The bounding box of the specimen is filled exactly by equal cells, boxes with the edges
+ * `spacing`, and centred at the origin; a node sits at the centre of its cell and owns its volume,
+ * or the part of it that lies in the specimen (of a sheet, one layer of them, a column of its own
+ * thickness: specimen.h).  A specimen that is no block leaves sites empty, and may be turned about
+ * z against the lattice.  Nodes are numbered x fastest, then y, then z, empty sites skipped. */
 #ifndef HS_SITES_H
 #define HS_SITES_H
 

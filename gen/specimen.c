@@ -11,7 +11,7 @@ enum { MOST_LAYERS = 1000000 };
 #define THINNEST 1e-12 /* m, sheet */
 #define THICKEST 1e3
 
-/* --- the deck ----------------------------------------------------------------------------------- */
+/* --- the deck --------------------------------------------------------------------------------- */
 
 const char *const specimen_shapes[] = {"plate", "dogbone", "rod", "round_dogbone", NULL};
 const char *const specimen_volumes[] = {"whole", "cut", NULL};
@@ -271,7 +271,7 @@ void specimen_read(struct specimen *specimen, struct deck_node domain)
     if (hole.index) read_hole(hole, specimen);
 }
 
-/* --- the body ----------------------------------------------------------------------------------- */
+/* --- the body --------------------------------------------------------------------------------- */
 
 bool specimen_is_sheet(const struct specimen *specimen)
 {

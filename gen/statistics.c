@@ -128,8 +128,8 @@ struct interface statistics_interface(const struct structure *structure, bool sh
             crossings(structure, offset) / (steps_to(spacing, offset).distance * spacing[0]);
         const bool face = abs(offset[0]) + abs(offset[1]) + abs(offset[2]) == 1;
         if (face) interface.faces += per_length;
-        /* S_V = 2 P_L, both senses of a direction share its line; in the plane L_A = pi/2 P_L, and a direction's
-         * share of the half turn is half of the angles to the next ones. */
+        /* S_V = 2 P_L, both senses of a direction share its line; in the plane L_A = pi/2 P_L, and
+         * a direction's share of the half turn is half of the angles to the next ones. */
         const double turn = !face ? M_PI / 4 : offset[0] ? slope : M_PI / 2 - slope;
         interface.crofton +=
             sheet ? M_PI / 2 * turn / M_PI * per_length : 2 * 2 * share[n] * per_length;

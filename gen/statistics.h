@@ -21,22 +21,22 @@ struct interface {
 /* Interface area per volume.  crofton: twice the mean number of crossings per length of line over
  * the 13 directions of a cubic lattice, each weighted by its share of the sphere of directions
  * (Ohser and Muecklich, Statistical Analysis of Microstructures in Materials Science, 2000,
- * section 4.2; Legland, Kieu and Devaux, Image Analysis and Stereology 26 (2007) 83).  Of a sheet its
- * length of interface per area, which is the area per volume: pi/2 times the mean number of crossings
- * over the 4 directions of a square lattice (same sources); faces are 4/pi too much there.  On oblong cells
- * the directions and their shares are those of the cells. */
+ * section 4.2; Legland, Kieu and Devaux, Image Analysis and Stereology 26 (2007) 83).  Of a sheet
+ * its length of interface per area, which is the area per volume: pi/2 times the mean number of
+ * crossings over the 4 directions of a square lattice (same sources); faces are 4/pi too much
+ * there.  On oblong cells the directions and their shares are those of the cells. */
 struct interface statistics_interface(const struct structure *structure, bool sheet);
 
-/* Shares of directions nearest to each of clusters_offset on cells with these edges, either sense; of cubes
- * those of faces, edges and corners (of the 6, 12 and 8), in closed form, else by counting directions: 1e-4. */
+/* Shares of directions nearest to each of clusters_offset on cells with these edges, either sense;
+ * of cubes those of faces, edges and corners (of the 6, 12 and 8), in closed form, else by counting
+ * directions: 1e-4. */
 extern const double statistics_direction_share[3];
 void statistics_direction_shares(const double spacing[3], double share[NEIGHBOURS_26]);
 
-/* Local shell thickness in edges along x at up to `most` fine nodes, evenly strided: distances to the
- * nearest coarse nodes of the two nearest cores, added, less a cell (steps_film);
- * a straight film of n layers has n of their edges.
- * thickness: [most].  Returns how many were found (nodes further than 12 edges of a cube of the cell's volume from a second
- * core are passed over). */
+/* Local shell thickness in edges along x at up to `most` fine nodes, evenly strided: distances to
+ * the nearest coarse nodes of the two nearest cores, added, less a cell (steps_film); a straight
+ * film of n layers has n of their edges. thickness: [most].  Returns how many were found (nodes
+ * further than 12 edges of a cube of the cell's volume from a second core are passed over). */
 int64_t statistics_shell(const struct structure *structure, int64_t most, double *thickness);
 
 /* Text for people, line by line through note(). */

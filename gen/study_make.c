@@ -2,8 +2,9 @@
 
 #include <stdbool.h>
 
-/* What does not depend on the study.  One shell runs a whole recipe (.ONESHELL).  A run that fails says so and leaves the
- * others alone: its target is not there, which the last line tells and the next make tries again. */
+/* What does not depend on the study.  One shell runs a whole recipe (.ONESHELL).  A run that fails
+ * says so and leaves the others alone: its target is not there, which the last line tells and the
+ * next make tries again. */
 static const char head[] = "# Made by hsgen --study; made anew by it.\n"
                            "#\n"
                            "#   make -j4            runs what is missing or older than its deck, "

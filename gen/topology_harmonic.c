@@ -5,8 +5,8 @@
  * cell: the Voronoi cells of the centres, all faces moved in by the same distance: a shell of
  * uniform thickness, as sintered powders have.
  *
- * A sheet shows the middle section, which passes through centres: of sc a square lattice of cores along
- * x and y, of fcc one along the diagonals, with the same core distance. */
+ * A sheet shows the middle section, which passes through centres: of sc a square lattice of cores
+ * along x and y, of fcc one along the diagonals, with the same core distance. */
 #include "findings.h"
 #include "memory.h"
 #include "periodic.h"
@@ -78,8 +78,8 @@ static bool is_film(const struct recipe *recipe, bool touching, double film)
     return !touching && film >= recipe->minimum_shell - 1e-9;
 }
 
-/* The largest distance of two lattice sites, in edges along x, that is too near: nodes of cores further apart
- * than this always leave the film asked for. */
+/* The largest distance of two lattice sites, in edges along x, that is too near: nodes of cores
+ * further apart than this always leave the film asked for. */
 static double film_needed(const struct recipe *recipe)
 {
     const double *spacing = recipe->specimen.spacing;

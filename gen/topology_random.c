@@ -7,8 +7,9 @@
  * is what none of them covers, phi_U = exp(-rho v) (Torquato, Random Heterogeneous Materials, 2002,
  * section 5.1), which sets the number density rho.
  *
- * Whether the phases are connected is found and said, and asked for where the deck requires it: to keep those samples alone in which
- * they are is to choose.  A sheet shows the middle section of such a structure; phases are not asked to be connected in it. */
+ * Whether the phases are connected is found and said, and asked for where the deck requires it: to
+ * keep those samples alone in which they are is to choose.  A sheet shows the middle section of
+ * such a structure; phases are not asked to be connected in it. */
 #include "findings.h"
 #include "memory.h"
 #include "recipe.h"

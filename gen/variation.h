@@ -35,8 +35,8 @@ struct variations {
     struct deck_paths paths; /* of the deck, without vary */
 };
 
-/* Reads and checks both sections; dies (exit 2) at what the deck does not have, at empty lists, and where there is
- * nothing to vary or there are more than 100,000 combinations. */
+/* Reads and checks both sections; dies (exit 2) at what the deck does not have, at empty lists, and
+ * where there is nothing to vary or there are more than 100,000 combinations. */
 struct variations variations_read(const struct deck *deck);
 void variations_free(struct variations *variations);
 

@@ -1,7 +1,8 @@
 /* canvas.h - pictures by cairo: the only file that knows it.
  *
  * Lengths are points, x to the right and y downwards from the origin, which canvas_move shifts.
- * Colours are red, green, blue from 0 to 1 (sRGB).  The same calls give the same bytes: no dates. */
+ * Colours are red, green, blue from 0 to 1 (sRGB).  The same calls give the same bytes: no dates.
+ */
 #ifndef HS_CANVAS_H
 #define HS_CANVAS_H
 
@@ -9,7 +10,8 @@ struct canvas;
 
 enum canvas_align { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT };
 
-/* Dies (exit 2) unless path ends in .png, .svg or .pdf; option names what gave it in the message. */
+/* Dies (exit 2) unless path ends in .png, .svg or .pdf; option names what gave it in the message.
+ */
 void canvas_check_name(const char *option, const char *path);
 
 /* A white sheet that appears as the file path when it is closed.  width and height in points (of a
@@ -36,7 +38,8 @@ void canvas_text(struct canvas *canvas, double x, double y, enum canvas_align al
 
 /* A round length (1, 2 or 5 times a power of ten) of about a sixth of size, in the same unit. */
 double canvas_bar_length(double size);
-/* A bar of canvas_bar_length(size) with its length in mm behind it; size in m, scale in points a m. */
+/* A bar of canvas_bar_length(size) with its length in mm behind it; size in m, scale in points a m.
+ */
 void canvas_scale_bar(struct canvas *canvas, double size, double scale);
 
 #endif

@@ -1,8 +1,8 @@
 /* choices.h - what a user may choose about the evaluation of a curve.
  *
- * The section "post:" of the deck; every tool reads it, so that what is wrong there stops the first of them, not
- * hspost after the run.  Each key is, with dashes, an option of hspost, too, and the option wins.  To add one: a
- * member here, a row of the table in choices.c. */
+ * The section "post:" of the deck; every tool reads it, so that what is wrong there stops the first
+ * of them, not hspost after the run.  Each key is, with dashes, an option of hspost, too, and the
+ * option wins.  To add one: a member here, a row of the table in choices.c. */
 #ifndef HS_CHOICES_H
 #define HS_CHOICES_H
 

@@ -57,7 +57,8 @@ static void print_bash(const char *program, const struct option_row *const rows[
     printf("' -- \"$word\")\n}\ncomplete -o filenames -F _%s %s\n", program, program);
 }
 
-/* Words in the single quotes of a shell, for _arguments, to which brackets and colons are special. */
+/* Words in the single quotes of a shell, for _arguments, to which brackets and colons are special.
+ */
 static void print_words(const char *words)
 {
     for (; *words; words++) {

@@ -4,8 +4,8 @@
 
 #include "option_row.h"
 
-/* A script for bash or zsh on standard output: the options of the rows, files where an argument is one.  Dies (exit 2) at
- * another shell. */
+/* A script for bash or zsh on standard output: the options of the rows, files where an argument is
+ * one.  Dies (exit 2) at another shell. */
 void completion_print(const char *shell, const char *program, const struct option_row *const rows[],
                       int count);
 

@@ -59,7 +59,8 @@ void deck_error(struct deck_node where, const char *format, ...)
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-/* Editors of Windows put it before the text; libyaml, told the encoding, takes it for a part of that. */
+/* Editors of Windows put it before the text; libyaml, told the encoding, takes it for a part of
+ * that. */
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
 static void start_parser(yaml_parser_t *parser, const char *text, size_t length)
@@ -367,8 +368,8 @@ static size_t skip_properties(const struct deck *deck, struct deck_span span)
     return at < span.end ? at : span.end;
 }
 
-/* A block goes on, for libyaml, to what follows it; here it ends with the last of what it holds.  What an alias names
- * stands elsewhere, before its key: such a line ends the block whole. */
+/* A block goes on, for libyaml, to what follows it; here it ends with the last of what it holds.
+ * What an alias names stands elsewhere, before its key: such a line ends the block whole. */
 static size_t end_of_block(struct deck_node node, size_t begin)
 {
     size_t end = begin;

@@ -68,14 +68,15 @@ const char *deck_key(struct deck_node map, int i);
 struct deck_node deck_key_node(struct deck_node map, int i); /* the key itself, for messages */
 struct deck_node deck_value(struct deck_node map, int i);
 
-/* Bytes of the deck's text in which a value stands, without an anchor before it and without what follows it; of a
- * value that an alias names, those where it is written. */
+/* Bytes of the deck's text in which a value stands, without an anchor before it and without what
+ * follows it; of a value that an alias names, those where it is written. */
 struct deck_span {
     size_t begin, end;
 };
 struct deck_span deck_span(struct deck_node node);
 
-/* Whether the value is written over lines of its own: a block of keys or items, a text behind | or >. */
+/* Whether the value is written over lines of its own: a block of keys or items, a text behind | or
+ * >. */
 bool deck_is_block(struct deck_node node);
 
 /* Number of the node's line, from 1; 0 where it is not there. */

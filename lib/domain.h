@@ -1,6 +1,6 @@
-/* domain.h - particles with phases and named node sets: what hsgen makes and hssolve runs.  hsgen's lie
- * on a lattice and are numbered from 0 in lattice order (x fastest, then y, then z), absent sites
- * skipped; a file from elsewhere may hold any particles in any order. */
+/* domain.h - particles with phases and named node sets: what hsgen makes and hssolve runs.  hsgen's
+ * lie on a lattice and are numbered from 0 in lattice order (x fastest, then y, then z), absent
+ * sites skipped; a file from elsewhere may hold any particles in any order. */
 #ifndef HS_DOMAIN_H
 #define HS_DOMAIN_H
 
@@ -44,8 +44,9 @@ struct domain {
     int n_sets;
     struct node_set *sets;
     struct attributes attributes; /* spacing_m, deck, deck_name, program, command, ... */
-    /* Of particles that are hexahedra of a mesh: the mesh's nodes, as a domain of positions and sets alone, and
-     * [8 n_nodes] which of them are a particle's corners, in the order of Exodus; else NULL. */
+    /* Of particles that are hexahedra of a mesh: the mesh's nodes, as a domain of positions and
+     * sets alone, and [8 n_nodes] which of them are a particle's corners, in the order of Exodus;
+     * else NULL. */
     struct domain *corners;
     int64_t *hexahedra;
 };
@@ -61,9 +62,10 @@ void domain_forget_nodes(struct domain *domain);
 void domain_forget_mesh(struct domain *domain);
 void domain_free(struct domain *domain);
 
-/* Distance of the particles (m): the attribute spacing_m, of scattered ones mean_spacing_m, else the
- * cube root of their mean volume.  Of particles in one plane of z the square root of their mean area:
- * volume over the attribute thickness_m, without it the area of their box over their number. */
+/* Distance of the particles (m): the attribute spacing_m, of scattered ones mean_spacing_m, else
+ * the cube root of their mean volume.  Of particles in one plane of z the square root of their mean
+ * area: volume over the attribute thickness_m, without it the area of their box over their number.
+ */
 double domain_spacing(const struct domain *domain);
 
 /* Smallest and largest of count values, for the corners of a body. */

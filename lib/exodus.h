@@ -19,15 +19,16 @@ const char *exodus_library(void);
  * domain's attributes as netCDF global attributes with the prefix "hs_". */
 void exodus_write_domain(const struct spool *output, const struct domain *domain);
 
-/* What is wrong with the name of a phase, which becomes that of a block, and a part of those of columns and attributes;
- * NULL: nothing. */
+/* What is wrong with the name of a phase, which becomes that of a block, and a part of those of
+ * columns and attributes; NULL: nothing. */
 const char *exodus_phase_fault(const char *name);
 
 /* Reads what exodus_write_domain wrote, and Genesis from elsewhere (then without hs_ attributes;
  * hs_file_bytes may be missing): SPHERE elements, one a node, with an element attribute VOLUME, or
- * hexahedra of eight nodes, or both.  A hexahedron becomes a particle at its centroid with its exact
- * volume, and belongs to a node set when at least half of its corners do; particles are then numbered
- * as the elements.  Where all are hexahedra, the domain keeps the mesh's nodes and their sets. */
+ * hexahedra of eight nodes, or both.  A hexahedron becomes a particle at its centroid with its
+ * exact volume, and belongs to a node set when at least half of its corners do; particles are then
+ * numbered as the elements.  Where all are hexahedra, the domain keeps the mesh's nodes and their
+ * sets. */
 struct domain exodus_read_domain(const struct spool *input);
 
 /* Histories: an Exodus file without nodes, one global variable a column, one time step a record.
@@ -43,8 +44,8 @@ struct history {
 
 void exodus_write_history(const struct spool *output, const struct history *history);
 
-/* The same record by record: the file holds the history's columns and attributes; expected records find room even where
- * others fill the disk. */
+/* The same record by record: the file holds the history's columns and attributes; expected records
+ * find room even where others fill the disk. */
 struct exodus_history;
 struct exodus_history *exodus_history_open(const struct spool *output,
                                            const struct history *history, int64_t expected);
@@ -53,8 +54,9 @@ void exodus_history_add(struct exodus_history *file, const struct history *histo
 /* Adds what is new, and closes it; numbers among the attributes become those of now. */
 void exodus_history_close(struct exodus_history *file, const struct history *history);
 
-/* A history or frames that were left behind unfinished become whole up to their last sound record; how many those are, and
- * the time of the last one [s].  Dies (exit 2) where there is none, or the file is no such thing. */
+/* A history or frames that were left behind unfinished become whole up to their last sound record;
+ * how many those are, and the time of the last one [s].  Dies (exit 2) where there is none, or the
+ * file is no such thing. */
 int64_t exodus_repair(const char *name, double *time);
 
 struct history exodus_read_history(const struct spool *input);
@@ -65,15 +67,15 @@ void history_free(struct history *history);
 struct exodus_fields;
 struct exodus_fields *exodus_fields_open(const struct spool *output, const struct domain *domain,
                                          int n_variables, const char *const names[]);
-/* values[variable] is an array of n_nodes; the frame is on the disk itself when the call returns.  A run that
- * fails keeps its last good frame if a function given to die_at_exit (after spool_output) calls
- * exodus_fields_close and spool_finish. */
+/* values[variable] is an array of n_nodes; the frame is on the disk itself when the call returns.
+ * A run that fails keeps its last good frame if a function given to die_at_exit (after
+ * spool_output) calls exodus_fields_close and spool_finish. */
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
 void exodus_fields_close(struct exodus_fields *fields);
 
 int64_t exodus_fields_count(const struct exodus_fields *fields);
-/* Takes over so many frames of an earlier file, finished or not, of the same domain and variables; false, and nothing
- * changed, where it is not there or has not got them. */
+/* Takes over so many frames of an earlier file, finished or not, of the same domain and variables;
+ * false, and nothing changed, where it is not there or has not got them. */
 bool exodus_fields_take(struct exodus_fields *fields, const char *name, int64_t frames);
 
 /* Frames read back; the domain beside them is read by exodus_read_domain from the same input. */

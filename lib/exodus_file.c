@@ -54,7 +54,8 @@ void exodus_read(const struct exodus_file *file, int status, const char *what)
 
 void exodus_bound(const struct exodus_file *file, int64_t count, int64_t size, const char *what)
 {
-    /* Deflate packs 1032 bytes into one at best (zlib's technical details, on its compression factor). */
+    /* Deflate packs 1032 bytes into one at best (zlib's technical details, on its compression
+     * factor). */
     const int64_t bytes = file->packed ? 1032 * file->bytes : file->bytes;
     if (count < 0 || count > bytes / size)
         die_user("%s: damaged: %lld %s cannot be in %lld bytes", file->shown, (long long)count,
@@ -281,7 +282,8 @@ static void touch(const char *path)
     }
 }
 
-/* libnetcdf 4.9 ends by a signal, or never, at some damaged files of HDF5: a child looks at such a file first. */
+/* libnetcdf 4.9 ends by a signal, or never, at some damaged files of HDF5: a child looks at such a
+ * file first. */
 static void try_packed(const struct exodus_file *file)
 {
     enum { LONGEST = 20 }; /* s */
@@ -330,7 +332,8 @@ void exodus_close(struct exodus_file *file)
     forget(file);
 }
 
-/* Records are written one behind the other, and time goes on: what is not so has not reached the disk. */
+/* Records are written one behind the other, and time goes on: what is not so has not reached the
+ * disk. */
 static int64_t sound_records(const struct exodus_file *file, double *last)
 {
     const int64_t records = ex_inquire_int(file->id, EX_INQ_TIME);

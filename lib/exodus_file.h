@@ -31,8 +31,9 @@ void exodus_sync(const struct exodus_file *file);
 /* Numbers of attributes that the file has get these values. */
 void exodus_renew_numbers(const struct exodus_file *file, const struct attributes *attributes);
 
-/* Opens a file of any netCDF format; a classic one has a sane header and is whole by its hs_file_bytes, and without that
- * attribute passes only where foreign is true.  A netCDF-4 file, which these tools do not write, passes only there. */
+/* Opens a file of any netCDF format; a classic one has a sane header and is whole by its
+ * hs_file_bytes, and without that attribute passes only where foreign is true.  A netCDF-4 file,
+ * which these tools do not write, passes only there. */
 struct exodus_file exodus_open(const struct spool *input, bool foreign);
 /* The same, whole or not. */
 struct exodus_file exodus_open_any(const struct spool *input);

@@ -31,17 +31,18 @@ struct element_shape {
     int hexahedron[MOST_CORNERS]; /* its corners as those of a hexahedron, some of which coincide */
 };
 
-/* NULL: a surface or a line.  Dies (exit 2), naming the block, where it is none of what is known, or has too few
- * nodes. */
+/* NULL: a surface or a line.  Dies (exit 2), naming the block, where it is none of what is known,
+ * or has too few nodes. */
 const struct element_shape *element_shape(const struct exodus_file *file, const ex_block *block,
                                           const char *name);
 
-/* Volume [m^3] and centroid [m] of an element with straight edges and faces that are planes or ruled by them
- * bilinearly: exact. */
+/* Volume [m^3] and centroid [m] of an element with straight edges and faces that are planes or
+ * ruled by them bilinearly: exact. */
 double element_volume(const struct mesh *mesh, const struct element_shape *shape,
                       const int64_t nodes[], double centroid[3]);
 
-/* Node sets and side sets of the file become sets of the domain's particles and of its mesh's nodes. */
+/* Node sets and side sets of the file become sets of the domain's particles and of its mesh's
+ * nodes. */
 void exodus_read_sets(const struct mesh *mesh, const ex_init_params *sizes, struct domain *domain);
 
 #endif

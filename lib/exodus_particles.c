@@ -1,5 +1,6 @@
-/* Reading a domain: particles from elements.  A SPHERE is the particle on its node with the volume of its
- * attribute; a hexahedron, tetrahedron, wedge or pyramid is one at its centroid with its volume. */
+/* Reading a domain: particles from elements.  A SPHERE is the particle on its node with the volume
+ * of its attribute; a hexahedron, tetrahedron, wedge or pyramid is one at its centroid with its
+ * volume. */
 #include "die.h"
 #include "exodus.h"
 #include "exodus_mesh.h"
@@ -141,8 +142,8 @@ static void add_solids(struct mesh *mesh, const struct block *block, int64_t fir
     free(nodes);
 }
 
-/* Names and sizes of all blocks first: they say whether particles keep the nodes' numbers.  Blocks without
- * particles are no phases, but for empty ones. */
+/* Names and sizes of all blocks first: they say whether particles keep the nodes' numbers.  Blocks
+ * without particles are no phases, but for empty ones. */
 static int64_t read_shapes(struct mesh *mesh, struct block blocks[], struct domain *domain)
 {
     const struct exodus_file *file = mesh->file;
@@ -233,7 +234,8 @@ static void check_particles(const struct mesh *mesh, const struct domain *domain
     }
 }
 
-/* Where all particles are hexahedra, the domain keeps their corners; it takes over the positions. */
+/* Where all particles are hexahedra, the domain keeps their corners; it takes over the positions.
+ */
 static void keep_corners(struct mesh *mesh, struct domain *domain)
 {
     if (mesh->n_hexahedra < domain->n_nodes) return;

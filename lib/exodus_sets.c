@@ -1,5 +1,5 @@
-/* Node sets and side sets of a mesh, as sets of particles: every element with a node in the node set, as Peridigm
- * has it, and every element with a side in the side set. */
+/* Node sets and side sets of a mesh, as sets of particles: every element with a node in the node
+ * set, as Peridigm has it, and every element with a side in the side set. */
 #include "die.h"
 #include "exodus_mesh.h"
 #include "memory.h"
@@ -90,8 +90,8 @@ static void add_nodes(const struct mesh *mesh, const struct entries *set, struct
 
 enum { SIDES = 6, SIDE_CORNERS = 4 };
 
-/* Corners of a hexahedron's sides: Schoof, Yarberry, EXODUS II: a finite element data model, SAND92-2137, 1994,
- * table of the side numbering. */
+/* Corners of a hexahedron's sides: Schoof, Yarberry, EXODUS II: a finite element data model,
+ * SAND92-2137, 1994, table of the side numbering. */
 static const int sides[SIDES][SIDE_CORNERS] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
                                                {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 

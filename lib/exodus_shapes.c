@@ -1,5 +1,6 @@
-/* Shapes of elements.  All that are particles are hexahedra of which some corners coincide: the map of a hexahedron
- * from the cube is then the one that the shape has of its own, and its quadrature is as exact. */
+/* Shapes of elements.  All that are particles are hexahedra of which some corners coincide: the map
+ * of a hexahedron from the cube is then the one that the shape has of its own, and its quadrature
+ * is as exact. */
 #include "die.h"
 #include "exodus_mesh.h"
 #include "hexahedron.h"

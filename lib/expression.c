@@ -129,7 +129,8 @@ static size_t operator_length(const struct expression *e, const char *at)
                   : "has a character that means nothing in an expression");
 }
 
-/* Notes brackets and comparisons: compared[depth] says that one has been made at this depth already. */
+/* Notes brackets and comparisons: compared[depth] says that one has been made at this depth
+ * already. */
 static void follow(const struct expression *e, const char *at, size_t length, int *depth,
                    bool compared[DEEPEST + 1])
 {
@@ -216,7 +217,8 @@ struct expression *expression_new(struct deck_node where, const char *const vari
     define(e);
     mupSetExpr(e->parser, text_of(e));
     check_parser(e);
-    /* Mistakes show only when it is evaluated; a comma gives two values, of which the last would count. */
+    /* Mistakes show only when it is evaluated; a comma gives two values, of which the last would
+     * count. */
     int results = 0;
     mupEvalMulti(e->parser, &results);
     check_parser(e);

@@ -51,8 +51,8 @@ static double ludwik_slope(const struct hardening *h, double p)
     return k * n * pow(p, n - 1);
 }
 
-/* Swift (1952): sigma_y = K (e0 + p)^n.  The deck has the stress at first yield, Y = K e0^n, in the place of the
- * offset e0 that a fit finds. */
+/* Swift (1952): sigma_y = K (e0 + p)^n.  The deck has the stress at first yield, Y = K e0^n, in the
+ * place of the offset e0 that a fit finds. */
 static const struct key swift_keys[] = {
     STRENGTH(0), NUMBER(1, "yield", "Y", "Pa", 1, 1e13, "stress at first yield, K e0^n"),
     EXPONENT(2)};

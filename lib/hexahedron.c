@@ -9,8 +9,8 @@ static const int sides[8][3] = {
     {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1},
 };
 
-/* Position relative to the mean of the corners, and the determinant of its gradient, at one point of the
- * cube. */
+/* Position relative to the mean of the corners, and the determinant of its gradient, at one point
+ * of the cube. */
 static double at_point(double corner[8][3], const double r[3], double x[3])
 {
     double g[3][3] = {{0}};
@@ -101,8 +101,9 @@ void hexahedron_slopes(const struct hexahedron *hexahedron, const double r[3],
     slopes_of(gradient, slope);
 }
 
-/* The four functionals of the corners that vanish for 1 and x and give 1 for their own product, 0 for the others: s_m
- * less the affine motion that its values have by the gradients in the middle, where those of all s_m vanish. */
+/* The four functionals of the corners that vanish for 1 and x and give 1 for their own product, 0
+ * for the others: s_m less the affine motion that its values have by the gradients in the middle,
+ * where those of all s_m vanish. */
 static void find_amplitudes(const struct hexahedron *hexahedron, double middle[8][3],
                             double amplitude[HEXAHEDRON_MODES][8])
 {

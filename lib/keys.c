@@ -69,7 +69,8 @@ static bool belongs(const struct section *section, int variant, const char *name
     return section->variant && find(&section->variant(variant)->keys, name);
 }
 
-/* "type: explicit or hybrid": the variants that have the key, NULL where none has; the caller frees it. */
+/* "type: explicit or hybrid": the variants that have the key, NULL where none has; the caller frees
+ * it. */
 static char *owners(const struct section *section, const char *name)
 {
     char *text = NULL;

@@ -1,11 +1,14 @@
-/* keys.h - the deck's schema: each key is declared once, and reading, checking, defaults and manual follow.
+/* keys.h - the deck's schema: each key is declared once, and reading, checking, defaults and manual
+ * follow.
  *
- * A section of the deck is a struct section: its keys, and, where one of them chooses a variant (solver.type,
- * a hardening law, a topology), the variants with keys of their own.  A key is one row: name, kind, unit, range,
- * default, choices, a line of words, and the member of a struct that it fills.
+ * A section of the deck is a struct section: its keys, and, where one of them chooses a variant
+ * (solver.type, a hardening law, a topology), the variants with keys of their own.  A key is one
+ * row: name, kind, unit, range, default, choices, a line of words, and the member of a struct that
+ * it fills.
  *
- * To add a key: a member of the struct, a row of its table.  To add a section: a struct section, its line
- * in the table that the program's --keys prints (docs/deck.md and hsdeck(5) are made of that by 'make docs'). */
+ * To add a key: a member of the struct, a row of its table.  To add a section: a struct section,
+ * its line in the table that the program's --keys prints (docs/deck.md and hsdeck(5) are made of
+ * that by 'make docs'). */
 #ifndef HS_KEYS_H
 #define HS_KEYS_H
 
@@ -19,14 +22,16 @@ enum key_kind {
     KEY_NUMBER,   /* double [SI], low <= value <= high */
     KEY_LENGTH,   /* double [m]; also in spacings */
     KEY_SPACINGS, /* the same, but low, high and usual are in spacings */
-    KEY_SPACING, /* double [m] or, with a size, double[size], all alike where the deck has one number; the first
-                    is the spacing of all lengths that follow, of the variant's rows too */
-    KEY_INTEGER, /* int64_t */
-    KEY_CHOICE,  /* int or enum, index in names */
-    KEY_FLAG,    /* bool, false or true */
-    KEY_TEXT,    /* const char *, lives as long as the deck */
-    KEY_SECTION, /* a mapping whose keys (section->keys) fill the same struct */
-    KEY_NODE /* struct deck_node that its owner reads, as form says (index 0: absent); section: its keys */
+    KEY_SPACING,  /* double [m] or, with a size, double[size], all alike where the deck has one
+                     number; the first  is the spacing of all lengths that follow, of the variant's
+                     rows too */
+    KEY_INTEGER,  /* int64_t */
+    KEY_CHOICE,   /* int or enum, index in names */
+    KEY_FLAG,     /* bool, false or true */
+    KEY_TEXT,     /* const char *, lives as long as the deck */
+    KEY_SECTION,  /* a mapping whose keys (section->keys) fill the same struct */
+    KEY_NODE /* struct deck_node that its owner reads, as form says (index 0: absent); section: its
+                keys */
 };
 
 struct section;
@@ -78,14 +83,16 @@ struct section {
     bool outside; /* the chooser stands in the mapping around, whose reader tells the variant */
 };
 
-/* The variant that the map's chooser names, or the usual one; dies where it is unknown or missing. */
+/* The variant that the map's chooser names, or the usual one; dies where it is unknown or missing.
+ */
 int keys_variant(struct deck_node map, const struct section *section);
 
-/* Checks that each key of the map belongs to the section and to this variant (0 where there are none): an unknown one
- * is told with the nearest known, one of another variant with whose it is.  Then fills *common from the section's
- * rows and *own from the variant's (NULL: it has none): what the map says, in range, or the default; of keys that are
- * not this variant's the default, and all defaults of a map that is not there (index 0).  spacing [m]: for lengths in
- * spacings; 0: there are none. */
+/* Checks that each key of the map belongs to the section and to this variant (0 where there are
+ * none): an unknown one is told with the nearest known, one of another variant with whose it is.
+ * Then fills *common from the section's rows and *own from the variant's (NULL: it has none): what
+ * the map says, in range, or the default; of keys that are not this variant's the default, and all
+ * defaults of a map that is not there (index 0).  spacing [m]: for lengths in spacings; 0: there
+ * are none. */
 void keys_read(struct deck_node map, const struct section *section, int variant, double spacing,
                void *common, void *own);
 
@@ -103,7 +110,8 @@ double keys_usual(const struct key *key, int k);
 
 enum keys_format { KEYS_TEXT, KEYS_MDOC, KEYS_MARKDOWN };
 
-/* The sections as a manual: for --keys, hsdeck(5), and the tables of docs/deck.md.  sections: ended by NULL. */
+/* The sections as a manual: for --keys, hsdeck(5), and the tables of docs/deck.md.  sections: ended
+ * by NULL. */
 void keys_print(FILE *file, const struct section *const sections[], enum keys_format format);
 
 #endif

@@ -44,7 +44,7 @@ struct printer {
     int count;
 };
 
-/* --- words and numbers -------------------------------------------------------------------------- */
+/* --- words and numbers ------------------------------------------------------------------------ */
 
 static void put(const struct printer *to, const char *text)
 {
@@ -79,7 +79,7 @@ static void put_number(const struct printer *to, double value)
     if (mark) fprintf(to->file, "e%d", atoi(mark + 1));
 }
 
-/* --- what a key takes --------------------------------------------------------------------------- */
+/* --- what a key takes ------------------------------------------------------------------------- */
 
 static void put_range(const struct printer *to, const struct key *key)
 {
@@ -167,7 +167,7 @@ static void put_users(const struct printer *to, const struct section *section,
     if (key->users) put(to, " only");
 }
 
-/* --- sections ----------------------------------------------------------------------------------- */
+/* --- sections --------------------------------------------------------------------------------- */
 
 static void put_keys(const struct printer *to, const struct section *section,
                      const struct keys *keys)

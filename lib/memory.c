@@ -17,8 +17,8 @@ void *memory_new(size_t count, size_t size)
     size_t bytes;
     if (__builtin_mul_overflow(count, size, &bytes) || bytes > PTRDIFF_MAX - LARGE_PAGE)
         die_run("cannot allocate %zu elements of %zu bytes", count, size);
-    /* Fields of large bodies, of which many are read at once, lie in large pages where the system has them.
-     * aligned_alloc wants a multiple of the alignment. */
+    /* Fields of large bodies, of which many are read at once, lie in large pages where the system
+     * has them. aligned_alloc wants a multiple of the alignment. */
     const bool large = bytes >= 8 * (size_t)LARGE_PAGE;
     const size_t alignment = large ? LARGE_PAGE : ALIGNMENT;
     bytes = (bytes / alignment + 1) * alignment;

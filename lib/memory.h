@@ -9,9 +9,10 @@
  * count * size overflows.  count = 0 gives a valid pointer.  Freed with free(). */
 void *memory_new(size_t count, size_t size);
 
-/* Room for one more element behind count of them; returns where they now lie, the new one zeroed where the block was
- * made anew.  items: NULL, or of an array that grew by this alone, from the first element on.  The block doubles at
- * powers of two, so that its length need not be kept, and n elements cost O(n). */
+/* Room for one more element behind count of them; returns where they now lie, the new one zeroed
+ * where the block was made anew.  items: NULL, or of an array that grew by this alone, from the
+ * first element on.  The block doubles at powers of two, so that its length need not be kept, and n
+ * elements cost O(n). */
 void *memory_grow(void *items, int64_t count, size_t size);
 
 /* A copy of a string; text = NULL gives NULL. */

@@ -15,9 +15,11 @@ struct option_table {
     const struct section *const *sections; /* of the deck, for --keys; ended by NULL */
 };
 
-/* Reads argv by the table (getopt_long).  -h/--help, -V/--version, --completion SHELL and, where there are sections,
- * --keys[=text|mdoc|markdown] (the manual of their keys) are built in, print to stdout and exit 0.  A wrong option ends with exit 2 and a hint at --help.
- * Returns the index of the first operand in argv. */
+/* Reads argv by the table (getopt_long).  -h/--help, -V/--version, --completion SHELL and, where
+ * there are sections,
+ * --keys[=text|mdoc|markdown] (the manual of their keys) are built in, print to stdout and exit 0.
+ * A wrong option ends with exit 2 and a hint at --help. Returns the index of the first operand in
+ * argv. */
 int options_read(const struct option_table *table, int argc, char **argv);
 
 /* Program name, version, compiler and libraries on one line each, as --version prints them. */

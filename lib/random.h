@@ -1,7 +1,7 @@
 /* random.h - seeded random streams (GSL's taus2, period 2^88; L'Ecuyer 1996, 1999).
  *
- * One integer seed gives one stream a purpose ("positions", "labels", ...), so that drawing one more
- * number for one purpose never shifts another.  The same on every machine. */
+ * One integer seed gives one stream a purpose ("positions", "labels", ...), so that drawing one
+ * more number for one purpose never shifts another.  The same on every machine. */
 #ifndef HS_RANDOM_H
 #define HS_RANDOM_H
 

@@ -1,7 +1,7 @@
 /* sections.h - the deck's top level.
  *
- * Each tool reads the sections that it owns and passes over the others, but none passes over a section that no tool
- * knows, nor over a mistake in post. */
+ * Each tool reads the sections that it owns and passes over the others, but none passes over a
+ * section that no tool knows, nor over a mistake in post. */
 #ifndef HS_SECTIONS_H
 #define HS_SECTIONS_H
 

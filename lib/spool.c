@@ -237,7 +237,8 @@ static int open_stream(const char *name)
     return descriptor;
 }
 
-/* A file that outgrows its limit (ulimit -f) is then an error of a write, told as a full disk is. */
+/* A file that outgrows its limit (ulimit -f) is then an error of a write, told as a full disk is.
+ */
 static void outlive_limits(void)
 {
     signal(SIGXFSZ, SIG_IGN);
@@ -353,7 +354,8 @@ static int pump(const struct spool *spool, int stream)
     return close(stream) == 0 || failure ? failure : errno;
 }
 
-/* A reader that has gone ends this program quietly, as it does any filter; what took long to make is kept before. */
+/* A reader that has gone ends this program quietly, as it does any filter; what took long to make
+ * is kept before. */
 static void send(struct spool *spool)
 {
     char *shown = memory_text(spool->final ? spool->final : "standard output");

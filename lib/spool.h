@@ -23,7 +23,8 @@ struct spool {
 /* name = NULL or "-": standard input.  An empty input or a terminal is the user's error. */
 struct spool spool_input(const char *name);
 
-/* A new folder among the temporary ones, for who needs one of his own: its path.  Removed with all that is in it. */
+/* A new folder among the temporary ones, for who needs one of his own: its path.  Removed with all
+ * that is in it. */
 char *spool_folder(void);
 void spool_remove_folder(char *path);
 
@@ -38,13 +39,14 @@ void spool_check_output(const char *name);
 /* Dies (exit 1) where this output is a pipe that has no reader any more: before long work. */
 void spool_refuse_unread(const struct spool *spool);
 
-/* Makes the output appear: renames it when it is on the disk itself, so that a power cut leaves the whole of it or
- * nothing, or copies it to stdout (checked to the last byte; a closed pipe ends the program quietly by SIGPIPE as with
- * any filter, a full disk exits 1; either keeps what is precious). */
+/* Makes the output appear: renames it when it is on the disk itself, so that a power cut leaves the
+ * whole of it or nothing, or copies it to stdout (checked to the last byte; a closed pipe ends the
+ * program quietly by SIGPIPE as with any filter, a full disk exits 1; either keeps what is
+ * precious). */
 void spool_finish(struct spool *spool);
 
-/* What there is of an unfinished output gets this name, for good; false where it is empty, and gone.  Dies (exit 1)
- * where it cannot: then it stays where it is. */
+/* What there is of an unfinished output gets this name, for good; false where it is empty, and
+ * gone.  Dies (exit 1) where it cannot: then it stays where it is. */
 bool spool_keep(struct spool *spool, const char *name);
 
 /* Whether nothing has been written to it, or that has gone elsewhere. */
@@ -53,11 +55,13 @@ bool spool_is_empty(const struct spool *spool);
 /* The file at from, once it is on the disk itself, gets the name to; exit 1 where it cannot. */
 void spool_rename(const char *from, const char *to);
 
-/* What has been written to the file at path is on the disk itself; exit 1 where it cannot get there. */
+/* What has been written to the file at path is on the disk itself; exit 1 where it cannot get
+ * there. */
 void spool_sync(const char *path, const char *shown);
 
-/* Bytes of the disk behind the end of the file at path, so that it still grows where the disk is full otherwise: exit 1
- * where the disk has not so many.  A disk that knows no such thing reserves nothing. */
+/* Bytes of the disk behind the end of the file at path, so that it still grows where the disk is
+ * full otherwise: exit 1 where the disk has not so many.  A disk that knows no such thing reserves
+ * nothing. */
 void spool_reserve(const char *path, const char *shown, int64_t bytes);
 /* Gives back what the file at path has not taken. */
 void spool_release(const char *path);

@@ -1,7 +1,7 @@
 /* variable.h - units of the nodal variables in a file of frames.
  *
- * A variable's unit is known by how its name begins, as Displacement, or the file says it in an attribute
- * hs_unit_NAME; without either it is a pure number. */
+ * A variable's unit is known by how its name begins, as Displacement, or the file says it in an
+ * attribute hs_unit_NAME; without either it is a pure number. */
 #ifndef HS_VARIABLE_H
 #define HS_VARIABLE_H
 

@@ -1,5 +1,5 @@
-/* varied.h - how a study of many decks is written: the section vary, which hsgen --study expands, and the section varied
- * that each deck then has. */
+/* varied.h - how a study of many decks is written: the section vary, which hsgen --study expands,
+ * and the section varied that each deck then has. */
 #ifndef HS_VARIED_H
 #define HS_VARIED_H
 
@@ -12,7 +12,8 @@ enum varied_role {
     VARIED_RESOLUTION, /* what its values go to is asked: the spacing */
 };
 
-/* The words of vary that are no keys of the deck; the nodes have the index 0 where they are not there. */
+/* The words of vary that are no keys of the deck; the nodes have the index 0 where they are not
+ * there. */
 struct vary_words {
     struct deck_node scatter, resolution;
     int combine; /* enum vary_combine */
@@ -39,7 +40,8 @@ extern const struct section varied_section;
 struct varied varied_read(struct deck_node section);
 void varied_free(struct varied *varied);
 
-/* The section in one line that varied_read takes, without the end of the line; the caller frees it. */
+/* The section in one line that varied_read takes, without the end of the line; the caller frees it.
+ */
 char *varied_print(const struct varied *varied);
 
 /* A text in double quotes of YAML; the caller frees it. */

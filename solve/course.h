@@ -1,4 +1,5 @@
-/* course.h - how a run advances.  To add a course: course_NAME.c, its name in the list of scene.h. */
+/* course.h - how a run advances.  To add a course: course_NAME.c, its name in the list of scene.h.
+ */
 #ifndef HS_COURSE_H
 #define HS_COURSE_H
 
@@ -9,7 +10,8 @@ struct simulation;
 
 struct course {
     bool moving; /* it starts with inertia: velocities, and a step that is stable */
-    /* After the first record, makes what the course remembers, simulation->own for what no other needs to see. */
+    /* After the first record, makes what the course remembers, simulation->own for what no other
+     * needs to see. */
     void (*begin)(struct simulation *simulation);
     /* From the last record to the next or less; fills simulation->failure where it cannot. */
     void (*advance)(struct simulation *simulation);

@@ -37,8 +37,9 @@ void explicit_begin(struct simulation *s)
     s->explicit_steps.broken = damage_broken_bonds(s->damage);
 }
 
-/* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is found again each 5 % of
- * strain, and each hundredth of the bonds.  When that is looked at does not depend on what the deck asks to see. */
+/* The step changes with the shape of the lattice, and where correspondence has lost bonds; it is
+ * found again each 5 % of strain, and each hundredth of the bonds.  When that is looked at does not
+ * depend on what the deck asks to see. */
 static void check_step(struct simulation *s)
 {
     const int64_t every = s->n_steps / 500 > LOOK_EVERY ? s->n_steps / 500 : LOOK_EVERY;
@@ -68,8 +69,9 @@ static bool near_end(const struct simulation *s)
     return simulation_is_end(s, s->integration.step + 1, s->integration.time + s->integration.dt);
 }
 
-/* Stepped loads grow after what there is to see of the step has been seen.  At equilibrium the kinetic energy
- * has stayed below a thousandth of the internal one while a wave would have run there and back. */
+/* Stepped loads grow after what there is to see of the step has been seen.  At equilibrium the
+ * kinetic energy has stayed below a thousandth of the internal one while a wave would have run
+ * there and back. */
 static void raise_loads(struct simulation *s, bool looking)
 {
     const struct energy_balance *balance = &s->integration.balance;
@@ -84,7 +86,8 @@ static void raise_loads(struct simulation *s, bool looking)
         s->explicit_steps.disturbed = time;
 }
 
-/* Whether the gauge may be at its end within two looks; from then on each step has one, whatever is recorded. */
+/* Whether the gauge may be at its end within two looks; from then on each step has one, whatever is
+ * recorded. */
 static bool close_to_end(const struct simulation *s)
 {
     const struct explicit_steps *steps = &s->explicit_steps;
@@ -103,8 +106,8 @@ static void look_at_gauge(struct simulation *s)
     steps->since = time;
 }
 
-/* What is left to the end that is given, where the next step would go beyond it: a little more, or rounding would miss
- * it.  Else infinite. */
+/* What is left to the end that is given, where the next step would go beyond it: a little more, or
+ * rounding would miss it.  Else infinite. */
 static double time_left(const struct simulation *s)
 {
     enum { A_LITTLE = 1000000 }; /* a part in so many */

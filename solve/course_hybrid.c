@@ -1,8 +1,8 @@
 /* The hybrid course: load steps as long as the test is slow, explicit steps through what is fast.
  *
- * Displacements, plastic states and broken bonds are the same for both; what changes is that nodes have
- * velocities.  They start with those of a short last load step, so that no wave is sent out: the test goes on as
- * it went, at the speed that the deck gives the grips. */
+ * Displacements, plastic states and broken bonds are the same for both; what changes is that nodes
+ * have velocities.  They start with those of a short last load step, so that no wave is sent out:
+ * the test goes on as it went, at the speed that the deck gives the grips. */
 #include "balance.h"
 #include "checkpoint.h"
 #include "die.h"
@@ -33,8 +33,9 @@ static const char *event(struct simulation *s)
     return NULL;
 }
 
-/* The rate of the last load step is its mean; that of a short one is the rate now.  It is the second that counts: what
- * flows at a stress of the step before (flowing.3) begins the first one late. */
+/* The rate of the last load step is its mean; that of a short one is the rate now.  It is the
+ * second that counts: what flows at a stress of the step before (flowing.3) begins the first one
+ * late. */
 static void find_rate(struct simulation *s)
 {
     const double dt = s->integration.dt,
@@ -108,7 +109,8 @@ static void hybrid_advance(struct simulation *s)
 {
     if (s->integration.moving) {
         explicit_advance(s);
-        /* Only where the energies are known: what the body then loses until it is at rest is a difference to them. */
+        /* Only where the energies are known: what the body then loses until it is at rest is a
+         * difference to them. */
         const bool quiet = !s->failure && is_quiet(s);
         if (quiet && s->explicit_steps.looked) begin_static(s);
         return;

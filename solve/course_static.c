@@ -15,7 +15,8 @@ double static_step(const struct simulation *s, double step)
 
 void static_first_step(struct simulation *s)
 {
-    /* Of the elastic part: with this growth three records or more lie between 0.1 and 0.4 of any Rp0.2.  A short test has records, too. */
+    /* Of the elastic part: with this growth three records or more lie between 0.1 and 0.4 of any
+     * Rp0.2.  A short test has records, too. */
     static const double share = 1.0 / 80, of_test = 0.01;
     struct scene_static *statics = &s->scene.statics;
     if (isfinite(statics->first_step)) return;
@@ -25,7 +26,8 @@ void static_first_step(struct simulation *s)
     statics->smallest_step = fmin(statics->smallest_step, statics->first_step);
 }
 
-/* Steps leave no error where no phase remembers its path; those that are counted are as long as the deck says. */
+/* Steps leave no error where no phase remembers its path; those that are counted are as long as the
+ * deck says. */
 static double accuracy_of_steps(const struct simulation *s)
 {
     bool remembers = false;
@@ -67,7 +69,8 @@ static char *no_equilibrium(const struct simulation *s, const char *what)
         equilibrium_residual(s->load_steps.equilibrium), s->load_steps.equilibrium->tolerance);
 }
 
-/* Until the next multiple of the largest step, where motions and loads that are given over time may turn. */
+/* Until the next multiple of the largest step, where motions and loads that are given over time may
+ * turn. */
 static double time_to_turn(const struct simulation *s)
 {
     static const double met = 1e-6; /* steps */
@@ -88,7 +91,8 @@ static double time_to_row(const struct simulation *s)
     return next - time;
 }
 
-/* The last step ends where the run does; at a strain, where the gauge gets there if it goes on as in the last step. */
+/* The last step ends where the run does; at a strain, where the gauge gets there if it goes on as
+ * in the last step. */
 static double time_left(const struct simulation *s)
 {
     enum {
@@ -138,8 +142,8 @@ void static_settle(struct simulation *s)
     }
     shorten_step(s, damage.degradation);
     if (damage.rounds > 0) {
-        /* A force with the integrities of the step before is no point of the curve; one at which bonds
-         * break is. */
+        /* A force with the integrities of the step before is no point of the curve; one at which
+         * bonds break is. */
         if (damage.degradation > 0) recorder_forget(&s->recorder);
         s->drift = energy_drift(&s->integration.balance);
         simulation_record(s);

@@ -1,4 +1,5 @@
-/* explicit_steps.h - explicit steps (course_explicit.c), of a course of their own or of one that takes them for a while. */
+/* explicit_steps.h - explicit steps (course_explicit.c), of a course of their own or of one that
+ * takes them for a while. */
 #ifndef HS_EXPLICIT_STEPS_H
 #define HS_EXPLICIT_STEPS_H
 
@@ -21,7 +22,8 @@ double explicit_length(const struct simulation *simulation);
 /* Explicit steps follow, with the step that simulation->integration has. */
 void explicit_begin(struct simulation *simulation);
 void explicit_advance(struct simulation *simulation);
-/* The step from here on, which is stable and resolves the test; where nothing acts on anything the one before. */
+/* The step from here on, which is stable and resolves the test; where nothing acts on anything the
+ * one before. */
 void explicit_find_step(struct simulation *simulation);
 
 #endif

@@ -70,6 +70,7 @@ int main(int argc, char **argv)
     release(&arguments, inputs);
     ranks_wait();
     ranks_stop();
-    /* mpirun takes another code of a rank for an accident; the parent of -j sees that the history is gone. */
+    /* mpirun takes another code of a rank for an accident; the parent of -j sees that the history
+     * is gone. */
     return stopped && !spooled ? EXIT_STOPPED : 0;
 }

@@ -1,4 +1,5 @@
-/* legs.h - where a run by load steps is in its programme, and when its grips turn (course_legs.c). */
+/* legs.h - where a run by load steps is in its programme, and when its grips turn (course_legs.c).
+ */
 #ifndef HS_LEGS_H
 #define HS_LEGS_H
 

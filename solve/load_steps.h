@@ -1,4 +1,5 @@
-/* load_steps.h - load steps (course_static.c), of a course of their own or of one that takes them for a while. */
+/* load_steps.h - load steps (course_static.c), of a course of their own or of one that takes them
+ * for a while. */
 #ifndef HS_LOAD_STEPS_H
 #define HS_LOAD_STEPS_H
 

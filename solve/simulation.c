@@ -161,8 +161,8 @@ static const struct domain *sets_of(const struct simulation *s)
     return s->lattice.hexahedron ? &s->corners : &s->domain;
 }
 
-/* Rank 0 reads and checks everything a user can get wrong; the others follow what is known to be good,
- * so that each error is told once. */
+/* Rank 0 reads and checks everything a user can get wrong; the others follow what is known to be
+ * good, so that each error is told once. */
 static void read_inputs(struct simulation *s)
 {
     int n_phases = 0;
@@ -250,8 +250,8 @@ static void start_damage(struct simulation *s)
     cracks_free(&cracks);
 }
 
-/* Steps keep the energy of an elastic body; each node that begins to flow, and each bond that breaks, is a kink which a step
- * meets in its midst. */
+/* Steps keep the energy of an elastic body; each node that begins to flow, and each bond that
+ * breaks, is a kink which a step meets in its midst. */
 static double usual_tolerance(const struct simulation *s)
 {
     bool elastic = !deck_find(deck_root(s->deck), "damage").index;
@@ -268,8 +268,9 @@ static void fill_corners(struct simulation *s)
     free(density);
 }
 
-/* Layers of nodes that a grip has to have, so that no free node misses a part of its family in it; where the stress is
- * that of nodes two at least: the layer which the free ones see needs a gradient. */
+/* Layers of nodes that a grip has to have, so that no free node misses a part of its family in it;
+ * where the stress is that of nodes two at least: the layer which the free ones see needs a
+ * gradient. */
 static int layers_of_grip(const struct simulation *s)
 {
     const struct formulation *formulation = s->materials.formulation;

@@ -75,7 +75,8 @@ static bool asked_for(const struct simulation *s)
     return s->arguments->checkpoint || s->scene.checkpoint.given.index;
 }
 
-/* Of long load steps each begins with one, so that it can be cut off: at most a fiftieth of the time goes there. */
+/* Of long load steps each begins with one, so that it can be cut off: at most a fiftieth of the
+ * time goes there. */
 static bool is_slow(const struct simulation *s)
 {
     return s->load_steps.equilibrium && !s->integration.moving &&

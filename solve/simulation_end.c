@@ -13,9 +13,11 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Seconds from one saving of records to the next at least, and the share of the run that they may take. */
+/* Seconds from one saving of records to the next at least, and the share of the run that they may
+ * take. */
 static const double SAVE_EVERY = 0.5, SAVE_SHARE = 0.005;
-/* Records that find room on a full disk: a quarter more than expected, as load steps may be more. */
+/* Records that find room on a full disk: a quarter more than expected, as load steps may be more.
+ */
 static int64_t reserved(const struct simulation *s)
 {
     enum { MOST = 20000 };
@@ -107,7 +109,8 @@ static char *names_of_fields(const struct simulation *s)
     return all;
 }
 
-/* The last given runs first, and where it dies the other has its turn: of history and fields the history wins. */
+/* The last given runs first, and where it dies the other has its turn: of history and fields the
+ * history wins. */
 void simulation_protect(struct simulation *s)
 {
     if (s->ranks.rank != 0) return;
@@ -132,7 +135,8 @@ void simulation_save_records(struct simulation *s, bool now)
     s->next_save = end + fmax(SAVE_EVERY, (end - begun) / SAVE_SHARE);
 }
 
-/* Degraded nodes have next to nothing left to give when their bonds go: below 0 it is the error of a half step (theory.md). */
+/* Degraded nodes have next to nothing left to give when their bonds go: below 0 it is the error of
+ * a half step (theory.md). */
 static void tell_broken(const struct simulation *s)
 {
     const double bonds = damage_broken_bonds(s->damage), energy = s->integration.balance.fracture;

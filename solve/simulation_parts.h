@@ -92,10 +92,12 @@ char *simulation_find_failure(const struct simulation *simulation);
 /* From here on records go to disk, and a dying program keeps what is good as NAME.failed. */
 void simulation_protect(struct simulation *simulation);
 
-/* Records that are new go to disk, every now and then, or now.  Between the steps alone, which may take one back. */
+/* Records that are new go to disk, every now and then, or now.  Between the steps alone, which may
+ * take one back. */
 void simulation_save_records(struct simulation *simulation, bool now);
 
-/* A checkpoint of the run as it stands; false, with a warning, where there is no room for it.  Collective. */
+/* A checkpoint of the run as it stands; false, with a warning, where there is no room for it.
+ * Collective. */
 bool simulation_checkpoint(struct simulation *simulation);
 /* Its name: a new text. */
 char *simulation_checkpoint_name(const struct simulation *simulation);

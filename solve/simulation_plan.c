@@ -8,7 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Evaluations of the force that a load step takes where nothing breaks: of plates of nickel 40 to 100. */
+/* Evaluations of the force that a load step takes where nothing breaks: of plates of nickel 40 to
+ * 100. */
 enum { USUAL_EVALUATIONS = 70 };
 
 static double count_load_steps(const struct simulation *s)

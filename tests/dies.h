@@ -1,4 +1,5 @@
-/* dies.h - run something that is meant to end the program, in a child, and look at its last words. */
+/* dies.h - run something that is meant to end the program, in a child, and look at its last words.
+ */
 #ifndef HS_DIES_H
 #define HS_DIES_H
 

@@ -26,8 +26,8 @@ struct body {
     struct profile *profile; /* NULL: none */
     struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
-    /* Of a periodic body, row by row: the mean displacement gradient, its rate [1/s], and where a formulation sums it up (model.h) the
-     * mean nominal stress of the last force [Pa]. */
+    /* Of a periodic body, row by row: the mean displacement gradient, its rate [1/s], and where a
+     * formulation sums it up (model.h) the mean nominal stress of the last force [Pa]. */
     double mean_gradient[9], mean_rate[9], mean_stress[9];
     double whole_volume;           /* of a periodic body with its holes, m^3 */
     struct exact_sum *stress_sums; /* [9] P V [J] of owned particles, in a force; else NULL */
@@ -70,12 +70,13 @@ void body_free(struct body *body);
 /* profile: lives as long as the body. */
 void body_profile(struct body *body, struct profile *profile);
 
-/* Makes the fields of gradients and stresses and counts the unsupported nodes, at the first call: formulations whose
- * forces come from bonds need them for output and for damage alone.  Collective. */
+/* Makes the fields of gradients and stresses and counts the unsupported nodes, at the first call:
+ * formulations whose forces come from bonds need them for output and for damage alone.  Collective.
+ */
 void body_need_gradient(struct body *body);
 
-/* Gathers an owned field of the particles to rank 0 in their order: out[n_particles] there (NULL elsewhere).
- * Collective. */
+/* Gathers an owned field of the particles to rank 0 in their order: out[n_particles] there (NULL
+ * elsewhere). Collective. */
 void body_gather(const struct body *body, const double *field, double *out);
 
 /* Reference position of a site [m]. */
@@ -94,7 +95,8 @@ static inline void body_particle_position(const struct body *body, int64_t site,
     lattice_particle(body->lattice, at, x);
 }
 
-/* A number of the site's node that is the same on every rank: its site in the lattice, of an image that of its original. */
+/* A number of the site's node that is the same on every rank: its site in the lattice, of an image
+ * that of its original. */
 static inline int64_t body_number(const struct body *body, int64_t site)
 {
     int at[3];

@@ -1,8 +1,9 @@
 /* bond_loop.c - a kernel over bonds between scattered particles (bond_loop.h).
  *
- * Ends of listed bonds lie anywhere in memory.  They are gathered into buffers first and what they get is scattered
- * last, lower ends before upper ones: between the two the kernel runs over arrays, as it does on a lattice, and a
- * material has one form for both.  Out of line, since gathering costs more than a call. */
+ * Ends of listed bonds lie anywhere in memory.  They are gathered into buffers first and what they
+ * get is scattered last, lower ends before upper ones: between the two the kernel runs over arrays,
+ * as it does on a lattice, and a material has one form for both.  Out of line, since gathering
+ * costs more than a call. */
 #include "bond_loop.h"
 
 void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,

@@ -1,22 +1,25 @@
 /* bond_loop.h - what one bond does, done to all bonds of a strip.
  *
- * A material writes what one bond gives to its ends, as an inline function of struct bond; BOND_KERNELS makes loops of
- * it, and bond_run lays the fields of the ends before them.  Why it is laid out like this:
+ * A material writes what one bond gives to its ends, as an inline function of struct bond;
+ * BOND_KERNELS makes loops of it, and bond_run lays the fields of the ends before them.  Why it is
+ * laid out like this:
  *
- * A root and a division a bond set the pace, so that all else has to be out of their way, and each bond is visited once, for both
- * its ends.  On a lattice the bonds of a strip share their offset: their lower ends lie on end in memory, their upper ones
- * as well, and a kernel reads and writes the fields themselves, vector by vector.  Bonds that are alike have their
- * geometry and weight in registers, which takes a fifth off the time of those with an array of weights, as a surface
- * correction or a break makes them.  Between scattered particles there are arrays of everything, ends are gathered
- * before and scattered after.  These are the three variants; they give the same bits for the same numbers, so that a strip
- * may be alike on one rank and weighted on another.
+ * A root and a division a bond set the pace, so that all else has to be out of their way, and each
+ * bond is visited once, for both its ends.  On a lattice the bonds of a strip share their offset:
+ * their lower ends lie on end in memory, their upper ones as well, and a kernel reads and writes
+ * the fields themselves, vector by vector.  Bonds that are alike have their geometry and weight in
+ * registers, which takes a fifth off the time of those with an array of weights, as a surface
+ * correction or a break makes them.  Between scattered particles there are arrays of everything,
+ * ends are gathered before and scattered after.  These are the three variants; they give the same
+ * bits for the same numbers, so that a strip may be alike on one rank and weighted on another.
  *
- * What a strip adds must not meet itself.  Its lower ends are always apart on a lattice; so are its upper ones, unless
- * the offset runs along x: then they are the lower ends of others in the strip, and what they get takes a detour
- * through a buffer, to be added after the loop.
+ * What a strip adds must not meet itself.  Its lower ends are always apart on a lattice; so are its
+ * upper ones, unless the offset runs along x: then they are the lower ends of others in the strip,
+ * and what they get takes a detour through a buffer, to be added after the loop.
  *
- * Strip follows strip in an order that the whole body fixes, lower ends come before upper ones, and no vector sums up
- * within itself: the terms of a node are added in the same order on any number of ranks and at any width of vectors. */
+ * Strip follows strip in an order that the whole body fixes, lower ends come before upper ones, and
+ * no vector sums up within itself: the terms of a node are added in the same order on any number of
+ * ranks and at any width of vectors. */
 #ifndef HS_BOND_LOOP_H
 #define HS_BOND_LOOP_H
 
@@ -26,8 +29,8 @@
 
 enum { BOND_NODE_FIELDS = 4, BOND_SUMS = 3, BOND_GIVEN = 4, BOND_EACH = 5 };
 
-/* A strip as a kernel sees it: arrays of its first bond, or of one number for all bonds where they are alike.  [0]: lower,
- * [1]: upper ends.  What follows volume is the kernel's own. */
+/* A strip as a kernel sees it: arrays of its first bond, or of one number for all bonds where they
+ * are alike.  [0]: lower, [1]: upper ends.  What follows volume is the kernel's own. */
 struct bond_pass {
     int count;
     const double *u[2][3], *xi[3], *length, *weight, *volume[2];
@@ -100,7 +103,8 @@ HS_INLINE void bond_push(const struct bond_pass *p, int k, struct bond b, double
     p->sum[1][2][k] -= j * b.z;
 }
 
-/* Pointers and the first bond are copied before the loop, so that no store of it can change them. */
+/* Pointers and the first bond are copied before the loop, so that no store of it can change them.
+ */
 #define BOND_KERNEL(name, g, w, call)                                                              \
     HS_SIMD static void name(const struct bond_pass *pass)                                         \
     {                                                                                              \
@@ -114,7 +118,8 @@ HS_INLINE void bond_push(const struct bond_pass *p, int k, struct bond b, double
         }                                                                                          \
     }
 
-/* name[BOND_VARIANTS] of a call of an inline function, with the pass p, the bond's number k, and the bond b. */
+/* name[BOND_VARIANTS] of a call of an inline function, with the pass p, the bond's number k, and
+ * the bond b. */
 #define BOND_KERNELS(name, call)                                                                   \
     BOND_KERNEL(name##_alike, false, false, call)                                                  \
     BOND_KERNEL(name##_weighted, false, true, call)                                                \
@@ -132,8 +137,9 @@ void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,
                         const struct bond_strip *strip, struct bond_fields fields,
                         struct bond_pass *pass);
 
-/* Where the offset of a lattice strip runs along x, what a kernel adds to fields at the upper ends takes a detour:
- * through the cleared buffers, which become the targets, and then to the fields from the site j on. */
+/* Where the offset of a lattice strip runs along x, what a kernel adds to fields at the upper ends
+ * takes a detour: through the cleared buffers, which become the targets, and then to the fields
+ * from the site j on. */
 HS_INLINE void bond_detour(int fields, double buffer[][BOND_LANES], int count, double *target[])
 {
     for (int a = 0; a < fields; a++)
@@ -148,8 +154,9 @@ HS_INLINE void bond_detour_end(int fields, double buffer[][BOND_LANES], int coun
     }
 }
 
-/* Runs a kernel over a strip, whose own numbers are in pass.  Inlined, so that on a lattice nothing is left of it but
- * addresses: behind a call, with a view of each strip, lines of 40 bonds took 16 to 28 % longer. */
+/* Runs a kernel over a strip, whose own numbers are in pass.  Inlined, so that on a lattice nothing
+ * is left of it but addresses: behind a call, with a view of each strip, lines of 40 bonds took 16
+ * to 28 % longer. */
 HS_INLINE void bond_run(bond_kernel *const kernel[BOND_VARIANTS], const struct bonds *bonds,
                         const struct bond_strip *strip, struct bond_fields fields,
                         struct bond_pass *pass)

@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a strip of a lattice comes in the order of the sums: line by line, by offset, then along x. */
+/* Where a strip of a lattice comes in the order of the sums: line by line, by offset, then along x.
+ */
 struct place {
     int key[4];
     struct bond_strip strip;

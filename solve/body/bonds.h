@@ -1,13 +1,14 @@
 /* bonds.h - every pair of particles in each other's family, once.
  *
- * Bonds come in strips of at most BOND_LANES, listed in an order that the whole body fixes, so that a sum over
- * the bonds of a node has the same terms in the same order on any number of ranks.  On a lattice the bonds
- * of a strip share their offset and their ends lie side by side; between scattered particles a strip has one
- * lower end, and its upper ends, each another one, lie anywhere.  A bond across a cut is on the list of both ranks.
+ * Bonds come in strips of at most BOND_LANES, listed in an order that the whole body fixes, so that
+ * a sum over the bonds of a node has the same terms in the same order on any number of ranks.  On a
+ * lattice the bonds of a strip share their offset and their ends lie side by side; between
+ * scattered particles a strip has one lower end, and its upper ends, each another one, lie
+ * anywhere.  A bond across a cut is on the list of both ranks.
  *
- * The weight of a bond is what its material multiplies it by: influence function, partial volume and
- * surface correction; 0 once it is broken, or where a crack has cut it from the start.  It is one number for
- * a whole strip of a lattice until something makes the bonds of the strip differ. */
+ * The weight of a bond is what its material multiplies it by: influence function, partial volume
+ * and surface correction; 0 once it is broken, or where a crack has cut it from the start.  It is
+ * one number for a whole strip of a lattice until something makes the bonds of the strip differ. */
 #ifndef HS_BONDS_H
 #define HS_BONDS_H
 
@@ -17,15 +18,17 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Strips are cut where the global x of the lower ends is a multiple of it: long enough for most bodies' lines, which
- * a kernel then goes through at once.  Those between scattered particles have up to LANES bonds. */
+/* Strips are cut where the global x of the lower ends is a multiple of it: long enough for most
+ * bodies' lines, which a kernel then goes through at once.  Those between scattered particles have
+ * up to LANES bonds. */
 enum { BOND_LANES = 512 };
 
 struct bond_strip {
     int count;
     int offset; /* on a lattice: number of the half offset; else -1 */
-    int line; /* on a lattice: the strips whose lower ends lie on the same line along x; else its own */
-    int64_t i;      /* on a lattice: site of the first lower end; else: first entry of the lists */
+    int line;   /* on a lattice: the strips whose lower ends lie on the same line along x; else its
+                   own */
+    int64_t i;  /* on a lattice: site of the first lower end; else: first entry of the lists */
     int64_t store;  /* sum of the strides before it: room for one number a bond */
     double *weight; /* [count] of its own, or NULL: all have the offset's */
 };
@@ -97,7 +100,8 @@ static inline int64_t bond_upper(const struct bond_view *view, int k)
     return view->upper ? view->upper[k] : view->j + k;
 }
 
-/* A field at the lower or the upper ends: where it lies, or gathered into the buffer [BOND_LANES]. */
+/* A field at the lower or the upper ends: where it lies, or gathered into the buffer [BOND_LANES].
+ */
 static inline const double *bond_gather(const struct bond_view *view, bool upper,
                                         const double *field, double *buffer)
 {
@@ -107,9 +111,10 @@ static inline const double *bond_gather(const struct bond_view *view, bool upper
     return buffer;
 }
 
-/* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer [BOND_LANES], which
- * bond_scatter then adds in the order of the bonds.  Of a lattice strip the lower ends are always apart from each other; the upper
- * ones are the lower ends of others in the strip when the offset runs along x. */
+/* Where a kernel may add what it gives to the ends: the field itself, or the cleared buffer
+ * [BOND_LANES], which bond_scatter then adds in the order of the bonds.  Of a lattice strip the
+ * lower ends are always apart from each other; the upper ones are the lower ends of others in the
+ * strip when the offset runs along x. */
 static inline double *bond_target(const struct bond_view *view, bool upper, double *field,
                                   double *buffer)
 {
@@ -118,8 +123,8 @@ static inline double *bond_target(const struct bond_view *view, bool upper, doub
     return buffer;
 }
 
-/* The one lower end of a scattered strip is summed up in a register: through memory each term would wait for the one
- * before, half of the time of such a strip. */
+/* The one lower end of a scattered strip is summed up in a register: through memory each term would
+ * wait for the one before, half of the time of such a strip. */
 static inline void bond_scatter(const struct bond_view *view, bool upper, double *field,
                                 const double *buffer)
 {
@@ -136,7 +141,8 @@ static inline void bond_scatter(const struct bond_view *view, bool upper, double
 /* Bonds of the whole body.  Collective. */
 int64_t bonds_total(const struct bonds *bonds);
 
-/* terms[k] of bond k of a strip becomes 0 where another rank counts it: the owner of its lower end. */
+/* terms[k] of bond k of a strip becomes 0 where another rank counts it: the owner of its lower end.
+ */
 void bonds_only_owned(const struct bonds *bonds, const struct bond_strip *strip, double *terms);
 
 #endif

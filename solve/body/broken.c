@@ -1,9 +1,11 @@
-/* broken.c - families that have lost bonds: shape tensor, gradient and divergence, bond by bond (broken.h).
+/* broken.c - families that have lost bonds: shape tensor, gradient and divergence, bond by bond
+ * (broken.h).
  *
- * The sums by columns (family_sums.h) take whole families for granted; here is what they leave to the nodes beside a crack.
- * A bit a bond and lower end is asked from both ends.  Shapes change where bonds have broken alone, so a run pays for
- * the nodes beside its cracks and no others.  What remains of a family may span no space, or so little of it that the node
- * would be stiffer than the step allows: then the node is given up as one without a gradient. */
+ * The sums by columns (family_sums.h) take whole families for granted; here is what they leave to
+ * the nodes beside a crack. A bit a bond and lower end is asked from both ends.  Shapes change
+ * where bonds have broken alone, so a run pays for the nodes beside its cracks and no others.  What
+ * remains of a family may span no space, or so little of it that the node would be stiffer than the
+ * step allows: then the node is given up as one without a gradient. */
 #include "broken.h"
 
 #include "bonds.h"
@@ -110,7 +112,8 @@ static void new_gradient(const struct body *body, int64_t site, double F[9])
     }
 }
 
-/* A of (broken.1), remaining being 1 + H over the remaining bonds; false where these see another volume altogether. */
+/* A of (broken.1), remaining being 1 + H over the remaining bonds; false where these see another
+ * volume altogether. */
 static bool keep_gradient(const struct body *body, int64_t site, const double remaining[9])
 {
     enum { MOST_CHANGE = 5 };
@@ -133,7 +136,8 @@ static bool keep_gradient(const struct body *body, int64_t site, const double re
     return true;
 }
 
-/* Whether the remaining bonds span space, and not so little of it that a stiff remnant sets the time step. */
+/* Whether the remaining bonds span space, and not so little of it that a stiff remnant sets the
+ * time step. */
 static bool still_spans(const struct body *body, int64_t site)
 {
     enum { MOST_STIFFENING = 10 };
@@ -175,7 +179,8 @@ static void lattice_shapes(struct body *body, bool keep)
         }
 }
 
-/* Shape tensors of nodes that have lost bonds where families are lists of bonds; every rank finds those of its near nodes. */
+/* Shape tensors of nodes that have lost bonds where families are lists of bonds; every rank finds
+ * those of its near nodes. */
 static void list_shapes(struct body *body, bool keep)
 {
     struct broken *broken = body->broken;

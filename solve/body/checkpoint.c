@@ -99,7 +99,8 @@ static void write_rows(struct checkpoint *c, const char *name, struct rows *rows
     free(rows->words);
 }
 
-/* Copies of a site that a rank may have: in a periodic body its images, a period up or down along each axis. */
+/* Copies of a site that a rank may have: in a periodic body its images, a period up or down along
+ * each axis. */
 static int copies(const struct checkpoint *c)
 {
     return lattice_is_periodic(c->body->lattice) ? 27 : 1;
@@ -127,7 +128,8 @@ static void read_rows(struct checkpoint *c, const char *name, int64_t width, fin
     }
 }
 
-/* Box site of a copy of a site of the lattice, the first of which is itself; -1 where this rank does not look at it. */
+/* Box site of a copy of a site of the lattice, the first of which is itself; -1 where this rank
+ * does not look at it. */
 static int64_t own_site(const struct checkpoint *c, int64_t number, int copy)
 {
     static const int shifts[] = {0, -1, 1};

@@ -12,8 +12,8 @@ static double constant(double length, double horizon)
     return 1;
 }
 
-/* w = |xi|^-8 (xi in spacings): nearly the nearest neighbours alone, which keeps thin shells apart at
- * horizons of two and three spacings. */
+/* w = |xi|^-8 (xi in spacings): nearly the nearest neighbours alone, which keeps thin shells apart
+ * at horizons of two and three spacings. */
 static double steep(double length, double horizon)
 {
     (void)horizon;
@@ -59,7 +59,8 @@ int family_influence(const char *name)
 
 double family_moment(const struct family *family, int power)
 {
-    /* Simpson's rule; the functions are smooth but for the middle of the spline, which is a node. */
+    /* Simpson's rule; the functions are smooth but for the middle of the spline, which is a node.
+     */
     enum { INTERVALS = 4096 };
     const double step = family->horizon / INTERVALS;
     double sum = 0;
@@ -152,8 +153,8 @@ void family_free(struct family *family)
 
 bool family_invert_shape(const double members[6], int dimensions, double inverse[6])
 {
-    /* In a plane nothing moves across it: any K_zz will do, and this leaves the measure of the family to
-     * the plane. */
+    /* In a plane nothing moves across it: any K_zz will do, and this leaves the measure of the
+     * family to the plane. */
     const double across = dimensions == 2 ? 0.5 * (members[0] + members[1]) : members[2];
     const double K[6] = {members[0], members[1], across, members[3], members[4], members[5]};
     double xx = K[1] * K[2] - K[4] * K[4], xy = K[4] * K[5] - K[3] * K[2],

@@ -1,10 +1,11 @@
 /* family_sums.c - the sums of (family_sums.2), strips of nodes at a time.
  *
- * Gradient and divergence are sums over whole families, of the same weights at every node, in each evaluation of the
- * force.  Member by member they would read each neighbour once a node; by columns, what nodes beside each other
- * share is added once, in buffers along x that are as much longer than the strip as the family reaches.  The
- * order of the terms depends on the family alone, so a node's sum has the same bits in any strip.  No index but the
- * strip's own varies in a loop: they are vector loads at any offset. */
+ * Gradient and divergence are sums over whole families, of the same weights at every node, in each
+ * evaluation of the force.  Member by member they would read each neighbour once a node; by
+ * columns, what nodes beside each other share is added once, in buffers along x that are as much
+ * longer than the strip as the family reaches.  The order of the terms depends on the family alone,
+ * so a node's sum has the same bits in any strip.  No index but the strip's own varies in a loop:
+ * they are vector loads at any offset. */
 #include "family_sums.h"
 
 #include "simd.h"

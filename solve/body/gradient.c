@@ -1,8 +1,9 @@
 /* gradient.c - the deformation gradient at the near nodes (gradient.h).
  *
- * sum (u_j - u_i) xi is split into sum u_j xi, which the columns of family_sums.h make cheap, and u_i s_i, with s_i = 0 of a full
- * family: absent neighbours have u = 0, and s_i leaves them out again.  Nodes with broken bonds, few of all, are
- * summed up bond by bond instead (broken.h).  H is kept in place of F: in small strains 1 + H would lose its last digits. */
+ * sum (u_j - u_i) xi is split into sum u_j xi, which the columns of family_sums.h make cheap, and
+ * u_i s_i, with s_i = 0 of a full family: absent neighbours have u = 0, and s_i leaves them out
+ * again.  Nodes with broken bonds, few of all, are summed up bond by bond instead (broken.h).  H is
+ * kept in place of F: in small strains 1 + H would lose its last digits. */
 #include "gradient.h"
 
 #include "broken.h"

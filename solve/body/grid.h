@@ -1,9 +1,9 @@
 /* grid.h - the part of the lattice that a rank computes on.
  *
- * A padded box around the owned sites; every field is an array over the box, x contiguous, zero at sites
- * without a particle.  Work is listed as strips: runs of consecutive x, cut where the global x is a
- * multiple of LANES, ordered by global z, y, x.  Since each node's sums are made strip by strip in that
- * order, they have the same bits on any number of ranks. */
+ * A padded box around the owned sites; every field is an array over the box, x contiguous, zero at
+ * sites without a particle.  Work is listed as strips: runs of consecutive x, cut where the global
+ * x is a multiple of LANES, ordered by global z, y, x.  Since each node's sums are made strip by
+ * strip in that order, they have the same bits on any number of ranks. */
 #ifndef HS_GRID_H
 #define HS_GRID_H
 
@@ -60,7 +60,8 @@ void grid_position(const struct grid *grid, int64_t site, int at[3]);
 
 /* Strips of the sites with all of the flags wanted and none of those unwanted. */
 struct strips grid_strips(const struct grid *grid, int wanted, int unwanted);
-/* Strips of the lower ends i of the bonds i -> i + step with an owned end, cut at multiples of lanes. */
+/* Strips of the lower ends i of the bonds i -> i + step with an owned end, cut at multiples of
+ * lanes. */
 struct strips grid_bond_strips(const struct grid *grid, const int step[3], int lanes);
 void strips_free(struct strips *strips);
 

@@ -9,7 +9,8 @@
 
 enum { MOST_FIELDS = 9 };
 
-/* What goes to and comes from one rank, which may be this one: box indices in the order of the sites that are wanted. */
+/* What goes to and comes from one rank, which may be this one: box indices in the order of the
+ * sites that are wanted. */
 struct peer {
     int rank;
     int64_t n_send, n_receive;
@@ -25,7 +26,8 @@ struct halo {
     MPI_Request *requests; /* [2 * n_peers] */
 };
 
-/* What a rank wants, grouped by the ranks that own it: wanted[r] sites from rank r, from number start[r] on. */
+/* What a rank wants, grouped by the ranks that own it: wanted[r] sites from rank r, from number
+ * start[r] on. */
 struct wants {
     int *count, *start;
     int64_t *site; /* global */

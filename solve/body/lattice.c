@@ -14,8 +14,8 @@ static int compare_numbers(const void *a, const void *b)
     return (s > t) - (s < t);
 }
 
-/* Smallest distance above a threshold of neighbours in one coordinate, averaged over the layers between
- * the ends so that the rounding of two positions does not decide; 0 where there is none. */
+/* Smallest distance above a threshold of neighbours in one coordinate, averaged over the layers
+ * between the ends so that the rounding of two positions does not decide; 0 where there is none. */
 static double layer_distance(const double *values, int64_t count, double threshold)
 {
     double *sorted = memory_new((size_t)count, sizeof *sorted), gap = INFINITY;
@@ -30,8 +30,8 @@ static double layer_distance(const double *values, int64_t count, double thresho
     return gap < INFINITY ? span / round(span / gap) : 0;
 }
 
-/* What the box of a plane set gives to each particle.  A lattice that fills 1/64 of its box at least has
- * a spacing of 1/8 of it or more. */
+/* What the box of a plane set gives to each particle.  A lattice that fills 1/64 of its box at
+ * least has a spacing of 1/8 of it or more. */
 static double plane_distance(const double span[3], int64_t count)
 {
     double n = (double)count, longest = fmax(span[0], span[1]);
@@ -148,8 +148,8 @@ static void find_axes(const struct domain *domain, const char *name, bool axes[3
     for (int a = 0; letters && a < 3; a++) axes[a] = strchr(letters, 'x' + a) != NULL;
 }
 
-/* Along which axes the domain says that it is periodic, and across which it is mirrored; dies where its sites are not as
- * many as its period has. */
+/* Along which axes the domain says that it is periodic, and across which it is mirrored; dies where
+ * its sites are not as many as its period has. */
 static void find_symmetry(const struct domain *domain, struct lattice *lattice)
 {
     static const char *const names[] = {"period_x_m", "period_y_m", "period_z_m"};

@@ -1,15 +1,15 @@
 /* lattice.h - the whole body as every rank knows it: one byte a lattice site.
  *
- * Sites are numbered x fastest; a site without a particle is ABSENT.  Nodes (particles) are numbered in
- * site order, as in the domain file.
+ * Sites are numbered x fastest; a site without a particle is ABSENT.  Nodes (particles) are
+ * numbered in site order, as in the domain file.
  *
  * Scattered particles are kept as a row of sites, each with a position and a volume of its own.
  *
  * A periodic body goes on beyond its sites: what lies there are images of them.
  *
- * Where the unknowns are those of the corners of the particles' cells (corners.h), sites are corners: the nodes are
- * those that a particle has, and a particle is kept at the site of its lowest corner.  A mesh of hexahedra is a row of
- * such sites (mesh.h). */
+ * Where the unknowns are those of the corners of the particles' cells (corners.h), sites are
+ * corners: the nodes are those that a particle has, and a particle is kept at the site of its
+ * lowest corner.  A mesh of hexahedra is a row of such sites (mesh.h). */
 #ifndef HS_LATTICE_H
 #define HS_LATTICE_H
 
@@ -25,10 +25,10 @@ enum { ABSENT = 255 };
 enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 
 struct lattice {
-    bool periodic
-        [3]; /* along these axes the body repeats itself after size sites: a site beyond is the image of one */
-    bool mirror[3]; /* across these axes the plane below the first layer is one of symmetry */
-    int dimensions; /* 2: one layer of sites that has a thickness of its own; else 3 */
+    bool periodic[3]; /* along these axes the body repeats itself after size sites: a site beyond is
+                         the image of one */
+    bool mirror[3];   /* across these axes the plane below the first layer is one of symmetry */
+    int dimensions;   /* 2: one layer of sites that has a thickness of its own; else 3 */
     int size[3];
     double spacing;     /* m; along x where edges differ */
     double edge[3];     /* m, of a cell along each axis */
@@ -39,33 +39,35 @@ struct lattice {
     uint8_t *phase; /* [n_sites] of the particle, or ABSENT */
     uint8_t
         *corner; /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
-    double *point[3]; /* [n_sites] m, of scattered particles and nodes of a mesh; else NULL */
-    double *volume;   /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
-    double extent[3]; /* m, between the outermost positions, likewise */
-    int32_t *
-        hexahedron; /* [8 n_sites] of a mesh: sites of the corners of the particle at a site, in the order of
-                          * Exodus; else NULL */
-    int axis;      /* of the test: grips, gauge and what is measured along it */
+    double *point[3];    /* [n_sites] m, of scattered particles and nodes of a mesh; else NULL */
+    double *volume;      /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
+    double extent[3];    /* m, between the outermost positions, likewise */
+    int32_t *hexahedron; /* [8 n_sites] of a mesh: sites of the corners of the particle at a site,
+                          * in the order of Exodus; else NULL */
+    int axis;            /* of the test: grips, gauge and what is measured along it */
     double finest; /* m, of a mesh: edge of the cube that is as stiff as its stiffest element */
 };
 
 /* Finds out whether the particles of a domain, in whatever order, lie on a lattice: positions
- * within 1e-6 spacings (of a long body that share of its length), equal volumes of a cell within 1e-6, or, where the
- * attribute volumes says cut, no larger ones; no site twice.  The edge of a cell along x is the attribute spacing_m,
- * else the cube root of the volume, those along y and z spacing_y_m and spacing_z_m, else the same.
+ * within 1e-6 spacings (of a long body that share of its length), equal volumes of a cell within
+ * 1e-6, or, where the attribute volumes says cut, no larger ones; no site twice.  The edge of a
+ * cell along x is the attribute spacing_m, else the cube root of the volume, those along y and z
+ * spacing_y_m and spacing_z_m, else the same.
  *
- * Particles in one plane of z are a lattice of two dimensions where the attribute dimensions says 2, or
- * where it says nothing and their volume is not spacing^3; without spacing_m their spacing is then the
- * smallest distance along x.  The thickness is the attribute thickness_m, else volume / spacing^2.
+ * Particles in one plane of z are a lattice of two dimensions where the attribute dimensions says
+ * 2, or where it says nothing and their volume is not spacing^3; without spacing_m their spacing is
+ * then the smallest distance along x.  The thickness is the attribute thickness_m, else volume /
+ * spacing^2.
  *
- * False where they do not; then nothing is in the lattice.  The nodes' numbers are those of the sites
- * only after domain_sort. */
+ * False where they do not; then nothing is in the lattice.  The nodes' numbers are those of the
+ * sites only after domain_sort. */
 bool lattice_recognise(const struct domain *domain, struct lattice *lattice);
 
 /* Site nearest to a position (m) within the lattice. */
 int64_t lattice_nearest(const struct lattice *lattice, const double x[3]);
 
-/* Particles that lie on no lattice; of one layer where they lie in a plane and the thickness is not 0. */
+/* Particles that lie on no lattice; of one layer where they lie in a plane and the thickness is not
+ * 0. */
 struct lattice lattice_scattered(const struct domain *domain, double thickness);
 
 /* Copies rank 0's lattice to all ranks. */
@@ -134,7 +136,8 @@ static inline double lattice_volume(const struct lattice *lattice, int64_t site)
     return lattice->volume ? lattice->volume[site] : lattice->node_volume;
 }
 
-/* How many corners a particle's cell has; corner k from its lowest one: a step of 0 or 1 along each axis. */
+/* How many corners a particle's cell has; corner k from its lowest one: a step of 0 or 1 along each
+ * axis. */
 static inline int lattice_corners(const struct lattice *lattice)
 {
     return lattice->dimensions == 2 ? 4 : 8;
@@ -194,8 +197,8 @@ static inline double lattice_period(const struct lattice *lattice, int axis)
     return lattice->size[axis] * lattice->edge[axis];
 }
 
-/* Volume of a body that is periodic along all of its axes, with what holes it has; of another one that of its particles
- * [m^3]. */
+/* Volume of a body that is periodic along all of its axes, with what holes it has; of another one
+ * that of its particles [m^3]. */
 double lattice_whole_volume(const struct lattice *lattice);
 
 /* Distance of the outermost positions along an axis, and the middle between them [m]. */
@@ -217,7 +220,8 @@ static inline void lattice_coordinates(const struct lattice *lattice, const int 
                                  : lattice->origin[a] + at[a] * lattice->edge[a];
 }
 
-/* Reference position of the particle kept at a site [m]: of one between corners the mean of theirs. */
+/* Reference position of the particle kept at a site [m]: of one between corners the mean of theirs.
+ */
 static inline void lattice_particle(const struct lattice *lattice, const int at[3], double x[3])
 {
     if (lattice->hexahedron) {

@@ -111,7 +111,8 @@ void mesh_hexahedron(const struct lattice *lattice, int64_t site, struct hexahed
             hexahedron->corner[k][a] = lattice->point[a][lattice->hexahedron[CORNERS * site + k]];
 }
 
-/* Edge of the cube whose gradient reaches as far as the element's steepest: on a cube sqrt(3)/(4 dx). */
+/* Edge of the cube whose gradient reaches as far as the element's steepest: on a cube sqrt(3)/(4
+ * dx). */
 static double find_edge(const struct lattice *lattice, int64_t site)
 {
     struct hexahedron hexahedron;

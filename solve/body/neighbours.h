@@ -1,4 +1,5 @@
-/* neighbours.h - who lies within a distance of a scattered particle: bins as wide as the distance. */
+/* neighbours.h - who lies within a distance of a scattered particle: bins as wide as the distance.
+ */
 #ifndef HS_NEIGHBOURS_H
 #define HS_NEIGHBOURS_H
 
@@ -17,8 +18,8 @@ struct neighbours {
 struct neighbours neighbours_new(double *const x[3], int64_t n, double reach);
 void neighbours_free(struct neighbours *neighbours);
 
-/* Puts the nodes j != i with |x_j - x_i| <= reach (1 + 1e-9) into found, ascending, and returns how many there
- * are. */
+/* Puts the nodes j != i with |x_j - x_i| <= reach (1 + 1e-9) into found, ascending, and returns how
+ * many there are. */
 int64_t neighbours_find(const struct neighbours *neighbours, double *const x[3], int64_t i);
 
 #endif

@@ -131,7 +131,8 @@ static void cut(struct partition *p, const struct lattice *lattice, int size)
     graph_free(&graph);
 }
 
-/* The spacing, or so much more that the bins of a loose set take no more room than its particles. */
+/* The spacing, or so much more that the bins of a loose set take no more room than its particles.
+ */
 static double bin_width(const struct lattice *lattice)
 {
     for (double width = lattice->spacing;; width *= 2) {
@@ -141,7 +142,8 @@ static double bin_width(const struct lattice *lattice)
     }
 }
 
-/* The owner of each scattered particle: that of the cell, as wide as on a lattice, where it lies. */
+/* The owner of each scattered particle: that of the cell, as wide as on a lattice, where it lies.
+ */
 static struct partition partition_scattered(const struct lattice *lattice, int reach, int rank,
                                             int size)
 {

@@ -1,8 +1,8 @@
 /* partition.h - which rank owns which part of the lattice (METIS).
  *
- * The lattice is cut into cells a horizon wide (at least two sites); METIS partitions the cells, weighted
- * by the particles in them, instead of the bond graph: a hundred times cheaper for a few per cent more
- * cut.  A cell belongs to one rank whole. */
+ * The lattice is cut into cells a horizon wide (at least two sites); METIS partitions the cells,
+ * weighted by the particles in them, instead of the bond graph: a hundred times cheaper for a few
+ * per cent more cut.  A cell belongs to one rank whole. */
 #ifndef HS_PARTITION_H
 #define HS_PARTITION_H
 

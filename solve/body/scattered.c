@@ -1,8 +1,10 @@
-/* scattered.c - shape tensor, gradient and divergence where particles lie anywhere: sums over the list of bonds.
+/* scattered.c - shape tensor, gradient and divergence where particles lie anywhere: sums over the
+ * list of bonds.
  *
- * Without a lattice there are no columns to share.  Each bond is visited once and adds to both of its ends, xi being odd and
- * xi (x) xi even under their exchange.  Volumes count by their share of the mean one, in the units of the lattice's
- * formulas, so that what is made of the results is the same code for both. */
+ * Without a lattice there are no columns to share.  Each bond is visited once and adds to both of
+ * its ends, xi being odd and xi (x) xi even under their exchange.  Volumes count by their share of
+ * the mean one, in the units of the lattice's formulas, so that what is made of the results is the
+ * same code for both. */
 #include "scattered.h"
 
 #include "memory.h"

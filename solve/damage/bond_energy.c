@@ -1,13 +1,15 @@
-/* bond_energy.c - (bond_energy.1): a bond that is longer than at rest breaks when it holds more than an energy density w_c
- * [J/m^6]; from a fracture energy by (opening.3), which is the same for all bonds and materials (Foster,
- * Silling, Chen, Int. J. Multiscale Comput. Eng. 9 (2011) 675).  What an ordinary bond holds is that of the
- * force states of its ends as they are, over its elastic extension; theirs is the work done on it so far,
- * the same where the strain grows in proportion. */
+/* bond_energy.c - (bond_energy.1): a bond that is longer than at rest breaks when it holds more
+ * than an energy density w_c [J/m^6]; from a fracture energy by (opening.3), which is the same for
+ * all bonds and materials (Foster, Silling, Chen, Int. J. Multiscale Comput. Eng. 9 (2011) 675).
+ * What an ordinary bond holds is that of the force states of its ends as they are, over its elastic
+ * extension; theirs is the work done on it so far, the same where the strain grows in proportion.
+ */
 #include "bond_loop.h"
 #include "damage.h"
 #include "opening.h"
 
-/* |xi| (1 - w/w_c) of a bond beyond w_c, else 0: what it holds does not tell how far its ends may still move. */
+/* |xi| (1 - w/w_c) of a bond beyond w_c, else 0: what it holds does not tell how far its ends may
+ * still move. */
 HS_INLINE void find_margin(const struct bond_pass *p, int k, struct bond b)
 {
     const double allowed = p->given[0][k], held = p->given[1][k];

@@ -1,10 +1,11 @@
 /* cracks.h - cracks that are there from the start, from the deck's section "cracks".
  *
- * A bond whose segment of line crosses a crack is cut: it has weight 0 before any model looks at it.  A node
- * exactly on the plane of a crack (within 1e-9 spacings) belongs to the side that the normal points to (of a
- * rectangle: first edge times second), so that each bond is cut or whole, never half; a segment that meets
- * the rim within 1e-9 spacings is cut.  In a body of one layer a rectangle reaches through the layer: it is
- * the line of the edge that lies in the plane; a disc is a line of twice its radius. */
+ * A bond whose segment of line crosses a crack is cut: it has weight 0 before any model looks at
+ * it.  A node exactly on the plane of a crack (within 1e-9 spacings) belongs to the side that the
+ * normal points to (of a rectangle: first edge times second), so that each bond is cut or whole,
+ * never half; a segment that meets the rim within 1e-9 spacings is cut.  In a body of one layer a
+ * rectangle reaches through the layer: it is the line of the edge that lies in the plane; a disc is
+ * a line of twice its radius. */
 #ifndef HS_CRACKS_H
 #define HS_CRACKS_H
 

@@ -1,8 +1,10 @@
-/* critical_stretch.c - (critical_stretch.1): a bond breaks beyond a stretch s = (|y| - |xi|)/|xi| (Silling, Askari, Computers &
- * Structures 83 (2005) 1526); from a fracture energy G by s = sqrt(G/a), (opening.1) and (opening.2).
+/* critical_stretch.c - (critical_stretch.1): a bond breaks beyond a stretch s = (|y| - |xi|)/|xi|
+ * (Silling, Askari, Computers & Structures 83 (2005) 1526); from a fracture energy G by s =
+ * sqrt(G/a), (opening.1) and (opening.2).
  *
- * The law of brittle materials of central forces: a bond's stretch fixes its energy there.  The margin is a length, s_c |xi| less
- * the extension, so that the ways of the ends tell when it can be used up (damage.c). */
+ * The law of brittle materials of central forces: a bond's stretch fixes its energy there.  The
+ * margin is a length, s_c |xi| less the extension, so that the ways of the ends tell when it can be
+ * used up (damage.c). */
 #include "bond_loop.h"
 #include "damage.h"
 

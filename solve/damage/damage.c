@@ -1,10 +1,12 @@
 /* damage.c - finds what has to break, and breaks it (damage.h).
  *
- * Testing every bond at every step would cost as much as a force.  But a bond's margin shrinks at most by the ways of its two
- * ends: each strip notes how far nodes may move until its closest bond could be due, and is passed over until they have.
- * How far they have moved is bounded from above twice, by the distance since the last test and by the steps' own
- * ways, with factors that outweigh the rounding: a strip is passed over only where no bond of it can break, so the bits
- * are those of testing all.  What is found and what breaks are two calls: an equilibrium breaks the worst alone, and then looks again. */
+ * Testing every bond at every step would cost as much as a force.  But a bond's margin shrinks at
+ * most by the ways of its two ends: each strip notes how far nodes may move until its closest bond
+ * could be due, and is passed over until they have. How far they have moved is bounded from above
+ * twice, by the distance since the last test and by the steps' own ways, with factors that outweigh
+ * the rounding: a strip is passed over only where no bond of it can break, so the bits are those of
+ * testing all.  What is found and what breaks are two calls: an equilibrium breaks the worst alone,
+ * and then looks again. */
 #include "damage.h"
 
 #include "broken.h"
@@ -25,15 +27,17 @@ struct damage {
     double broken, removed; /* bonds and nodes of the whole body */
     double *spent;          /* box field: 1 where all bonds of a node are to break */
     bool test_all;
-    /* A strip is tested again only when its ends may have closed the margin of its closest bond: due is what the way of
-     * its ends must be beyond, soonest the least of all.  No node is farther from where it was at any test than the way
-     * has grown since: by the largest distance from one test to the next. */
+    /* A strip is tested again only when its ends may have closed the margin of its closest bond:
+     * due is what the way of its ends must be beyond, soonest the least of all.  No node is farther
+     * from where it was at any test than the way has grown since: by the largest distance from one
+     * test to the next. */
     double travelled, *due, soonest; /* travelled: the way at the last test */
     double *last[3];                 /* box fields: u at the last test */
     double reach;                    /* bound on the distance of any node from last, m */
     double moved; /* bound on the motion of any node since damage_find, m; below 0: unknown */
-    /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at that site; how far
-     * it is beyond its limit, as a stretch or a share of it; 1 where this rank counts it. */
+    /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at
+     * that site; how far it is beyond its limit, as a stretch or a share of it; 1 where this rank
+     * counts it. */
     struct found {
         int64_t strip, place;
         double excess, count;
@@ -41,8 +45,8 @@ struct damage {
     int64_t n_found;
 };
 
-/* The volume of its family that each node is bonded to, now or without what has been cut and broken: adds that of the
- * other end to both, for bonds of weight over 0. */
+/* The volume of its family that each node is bonded to, now or without what has been cut and
+ * broken: adds that of the other end to both, for bonds of weight over 0. */
 static double *family_volumes(const struct damage *damage, bool whole)
 {
     const struct bonds *bonds = damage->bonds;
@@ -152,8 +156,8 @@ static double distance(const struct damage *damage)
     return sqrt(square) * (1 + 0x1p-48);
 }
 
-/* The way at a distance far from the last test.  The factors outweigh the rounding: it never grows by less than a node has
- * moved. */
+/* The way at a distance far from the last test.  The factors outweigh the rounding: it never grows
+ * by less than a node has moved. */
 static double way(const struct damage *damage, double far)
 {
     return (damage->travelled + far) * (1 + 0x1p-51);
@@ -164,8 +168,8 @@ void damage_moved(struct damage *damage, double most)
     damage->moved = fmax(damage->moved, 0) + most;
 }
 
-/* Whether a rank has to look where its nodes are: one message, of how far nodes have moved and of how far they may go.
- * Collective. */
+/* Whether a rank has to look where its nodes are: one message, of how far nodes have moved and of
+ * how far they may go. Collective. */
 static bool may_be_due(struct damage *damage)
 {
     const double moved = damage->moved < 0 || damage->test_all ? INFINITY : damage->moved;
@@ -216,8 +220,8 @@ static void add_found(struct damage *damage, struct found found)
     damage->found[damage->n_found++] = found;
 }
 
-/* Half of the closest bond's margin, less what rounding may hide, is how far a node may go until the next
- * test. */
+/* Half of the closest bond's margin, less what rounding may hide, is how far a node may go until
+ * the next test. */
 static void test_strip(struct damage *damage, int64_t s)
 {
     const struct bond_strip *strip = &damage->bonds->strips[s];
@@ -264,8 +268,8 @@ HS_SIMD static int64_t any_beyond(int count, const double *restrict p, double li
     return any;
 }
 
-/* What is done to an owned node beyond the least of its rule, whose law gets these states; a change is summed up as
- * the least of all. */
+/* What is done to an owned node beyond the least of its rule, whose law gets these states; a change
+ * is summed up as the least of all. */
 typedef double node_action(struct damage *damage, int64_t site, const struct node_rule *rule,
                            const double state[]);
 

@@ -207,7 +207,8 @@ static void tell_unbroken(const struct damage_rules *rules, const struct materia
                      materials->items[a].name, materials->items[b].name);
 }
 
-/* The stress of a correspondence material comes from its nodes, whose shape tensors make up for lost bonds. */
+/* The stress of a correspondence material comes from its nodes, whose shape tensors make up for
+ * lost bonds. */
 static void tell_weak(const struct damage_rules *rules, const struct materials *materials)
 {
     if (materials->formulation->stress_of == STRESS_OF_NODES && rules->n_node_laws == 0)

@@ -1,4 +1,5 @@
-/* plastic_strain.c - (plastic_strain.1): all bonds of a node break once its equivalent plastic strain is beyond a value. */
+/* plastic_strain.c - (plastic_strain.1): all bonds of a node break once its equivalent plastic
+ * strain is beyond a value. */
 #include "damage.h"
 
 static const struct key keys[] = {{"value", KEY_NUMBER, 0, "1", 0, 100, .required = true,

@@ -46,8 +46,8 @@ static void edges(struct deck_node spacing, double edge[3])
         edge[0] = edge[1] = edge[2] = deck_number(spacing, "m", row.low, row.high);
 }
 
-/* What a file from elsewhere does not say and the deck's domain section does: that the particles are a
- * sheet, and its thickness. */
+/* What a file from elsewhere does not say and the deck's domain section does: that the particles
+ * are a sheet, and its thickness. */
 static void take_dimensions(struct domain *domain, const struct domain_facts *said)
 {
     struct attributes *facts = &domain->attributes;
@@ -83,8 +83,8 @@ static bool take_cells(struct domain *domain, const struct domain_facts *said)
     return true;
 }
 
-/* That a body from elsewhere repeats itself after its particles, or is the half of one, along the axes that the deck
- * names. */
+/* That a body from elsewhere repeats itself after its particles, or is the half of one, along the
+ * axes that the deck names. */
 static void take_axes(struct domain *domain, struct deck_node said, const char *key)
 {
     static const char *const axes[] = {"x", "y", "z", NULL};

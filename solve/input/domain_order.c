@@ -58,8 +58,8 @@ static struct cube cube_about(const struct domain *domain)
     return cube;
 }
 
-/* Number of a point's cell along the curve of Morton: the bits of its three coordinates in turn (G. M.
- * Morton, A computer oriented geodetic data base, IBM, 1966). */
+/* Number of a point's cell along the curve of Morton: the bits of its three coordinates in turn (G.
+ * M. Morton, A computer oriented geodetic data base, IBM, 1966). */
 static uint64_t curve_number(const struct cube *cube, const double x[3])
 {
     const uint64_t cells = UINT64_C(1) << CURVE_BITS;

@@ -8,9 +8,9 @@
 
 struct layer {
     const char *name;
-    double from, to; /* m along the axis */
-    double
-        node_slack; /* m by which nodes of a mesh, half an element beside particles, may lie outside */
+    double from, to;   /* m along the axis */
+    double node_slack; /* m by which nodes of a mesh, half an element beside particles, may lie
+                          outside */
 };
 
 /* Body along the axis of the test, from the faces of its outermost nodes. */
@@ -40,8 +40,8 @@ static void add_layer(struct domain *domain, int axis, struct layer layer)
     }
 }
 
-/* The layer of nodes next to a position; of two equally near the one farther from the middle, as hsgen has
- * it. */
+/* The layer of nodes next to a position; of two equally near the one farther from the middle, as
+ * hsgen has it. */
 static double nearest_layer(const struct domain *domain, const struct extent *e, double position,
                             double slack)
 {
@@ -77,9 +77,9 @@ static int by_place(const void *a, const void *b)
     return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
 }
 
-/* Section of scattered particles between two places: the slope of their summed volume along the axis, each counted to its
- * middle, by least squares.  It does not depend on how many layers happen to lie between, as the quotient of volume and
- * length does. */
+/* Section of scattered particles between two places: the slope of their summed volume along the
+ * axis, each counted to its middle, by least squares.  It does not depend on how many layers happen
+ * to lie between, as the quotient of volume and length does. */
 static double slope_of_volume(const struct domain *domain, int axis, double left, double right)
 {
     double(*all)[2] = memory_new((size_t)domain->n_nodes, sizeof *all), sum = 0;

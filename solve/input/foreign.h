@@ -1,4 +1,5 @@
-/* foreign.h - files of other programs that are no domain of particles, told by their first bytes. */
+/* foreign.h - files of other programs that are no domain of particles, told by their first bytes.
+ */
 #ifndef HS_FOREIGN_H
 #define HS_FOREIGN_H
 

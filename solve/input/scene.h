@@ -24,7 +24,8 @@ enum scene_type { COURSES(COURSE_NUMBER), SOLVER_TYPES };
 #define EQUILIBRIUM_METHODS(DO) DO(lbfgs), DO(newton), DO(relaxation)
 extern const char *const equilibrium_methods[]; /* ended by NULL */
 
-/* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s. */
+/* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s.
+ */
 struct scene_static {
     int method;                                     /* of equilibrium_methods */
     double first_step, largest_step, smallest_step; /* first: INFINITY where the yield says it */
@@ -37,7 +38,8 @@ struct scene_static {
     int64_t break_at_once;    /* bonds and nodes, the worst ones */
 };
 
-/* When a hybrid solver goes over to explicit steps, beside where no equilibrium is found; and back. */
+/* When a hybrid solver goes over to explicit steps, beside where no equilibrium is found; and back.
+ */
 struct scene_hybrid {
     struct deck_node events;
     bool at_damage, at_maximum; /* something has to break; the force on the grips falls */
@@ -170,14 +172,15 @@ void scene_read_output(struct scene *scene, struct deck_node output);
 extern const struct section section_solver, section_boundary, section_initial, section_macroscopic,
     section_output;
 
-/* Finds the nodes of every selection: the particles of the domain, or of what moves and loads the body the nodes, if
- * those are corners: all that the particles of a set or block have, or those that lie in the place.  nodes: positions
- * of the nodes, the domain itself where they are its particles.  Dies where there are none, and where a node is held,
- * or set, twice along one direction. */
+/* Finds the nodes of every selection: the particles of the domain, or of what moves and loads the
+ * body the nodes, if those are corners: all that the particles of a set or block have, or those
+ * that lie in the place.  nodes: positions of the nodes, the domain itself where they are its
+ * particles.  Dies where there are none, and where a node is held, or set, twice along one
+ * direction. */
 void scene_resolve(struct scene *scene, const struct domain *domain, const struct domain *nodes,
                    const struct lattice *lattice);
-/* Evaluates the expressions of all entries up to this time [s], at their nodes: dies where one is not
- * finite or out of range. */
+/* Evaluates the expressions of all entries up to this time [s], at their nodes: dies where one is
+ * not finite or out of range. */
 void scene_try(const struct scene *scene, const struct domain *nodes, double end_time);
 void scene_free(struct scene *scene);
 

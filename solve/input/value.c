@@ -13,8 +13,8 @@
 static const char *const variables[] = {"x", "y", "z", "t"};
 enum { VARIABLES = 4, TIME = 3 };
 
-/* Whether a text means to be a number with a unit: "10 m/s" and "10 mm" do, "10*t", "x" and "10/x" do
- * not.  What does must not be taken for an expression, whose faults would mislead. */
+/* Whether a text means to be a number with a unit: "10 m/s" and "10 mm" do, "10*t", "x" and "10/x"
+ * do not.  What does must not be taken for an expression, whose faults would mislead. */
 static bool looks_like_number(const char *text)
 {
     char *end;
@@ -55,7 +55,7 @@ static void read_scalar(struct value *value, int allowed)
                    missing & VALUE_IN_TIME ? "t" : "x, y, z");
 }
 
-/* --- {ramp: ..., to: ...} and {initial: ..., increment: ..., every: ...} ------------------------------- */
+/* --- {ramp: ..., to: ...} and {initial: ..., increment: ..., every: ...} ---------------------- */
 
 struct given {
     double ramp;
@@ -119,7 +119,7 @@ static void read_steps(struct value *value)
     value->every = value_every(given.every, true);
 }
 
-/* --- tables ------------------------------------------------------------------------------------ */
+/* --- tables ----------------------------------------------------------------------------------- */
 
 struct table_given {
     const char *file;

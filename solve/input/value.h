@@ -1,12 +1,14 @@
 /* value.h - a load, a motion or a field of the deck that may depend on time and place.
  *
- *   10 m/s                             a number with its unit
- *   "1e-6*t"                           an expression in x, y, z (reference position) and t, all in SI
- *   {ramp: 2 us, to: 10 m/s}           from 0 to a number, smoothly: 10 s^3 - 15 s^4 + 6 s^5, s = t/ramp
- *   [[0 s, 0 mm], [1 s, 2 mm]]         a table of time and value, linear between its rows, standing beyond them
- *   {table: FILE}                      the same, two numbers a line in SI
- *   {initial: 150 N, increment: 150 N, every: 250 steps}   raised after that many steps, or
- *                                 every: equilibrium       whenever the body has come to rest */
+ *   10 m/s                       a number with its unit
+ *   "1e-6*t"                     an expression in x, y, z (reference position) and t, all in SI
+ *   {ramp: 2 us, to: 10 m/s}     from 0 to a number, smoothly: 10 s^3 - 15 s^4 + 6 s^5, s = t/ramp
+ *   [[0 s, 0 mm], [1 s, 2 mm]]   a table of time and value, linear between its rows, standing
+ *                                beyond them
+ *   {table: FILE}                the same, two numbers a line in SI
+ *   {initial: 150 N, increment: 150 N, every: 250 steps}
+ *                                raised after that many steps, or
+ *   every: equilibrium           whenever the body has come to rest */
 #ifndef HS_VALUE_H
 #define HS_VALUE_H
 

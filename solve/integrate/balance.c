@@ -33,8 +33,8 @@ static void sum_kinetic(const struct integration *integration, const struct body
     }
 }
 
-/* Velocities half a step before and behind differ by dt a: the product of both is v^2 - (dt a/2)^2 (balance.1).  Of components that
- * are free, as the others do not follow their force. */
+/* Velocities half a step before and behind differ by dt a: the product of both is v^2 - (dt a/2)^2
+ * (balance.1).  Of components that are free, as the others do not follow their force. */
 static void sum_staggered(const struct integration *integration, const struct body *body,
                           const struct boundary *boundary, struct exact_sum *staggered)
 {
@@ -101,7 +101,8 @@ static void sum_held(const struct integration *integration, const struct body *b
     }
 }
 
-/* Kinetic energy that the loads would give to nodes at rest, if nothing else pulled, in so many steps. */
+/* Kinetic energy that the loads would give to nodes at rest, if nothing else pulled, in so many
+ * steps. */
 static void sum_loaded(const struct integration *integration, const struct body *body,
                        struct exact_sum *loaded)
 {
@@ -146,7 +147,8 @@ static double body_mass(const struct integration *integration, const struct body
     return body->volume * (double)body->n_nodes / integration->inverse_density[0];
 }
 
-/* m (v_right - v_left)^2/24: a bar stretched uniformly about its middle at the grips' full speed. */
+/* m (v_right - v_left)^2/24: a bar stretched uniformly about its middle at the grips' full speed.
+ */
 static double affine_energy(const struct integration *integration, const struct body *body,
                             const struct boundary *boundary)
 {
@@ -157,7 +159,8 @@ static double affine_energy(const struct integration *integration, const struct 
     return body_mass(integration, body) * speed * speed / 24;
 }
 
-/* Kinetic energy of a body stretched uniformly about its middle, by held sets that move at their speeds of now. */
+/* Kinetic energy of a body stretched uniformly about its middle, by held sets that move at their
+ * speeds of now. */
 static double set_energy(const struct integration *integration, const struct body *body,
                          const struct boundary *boundary)
 {
@@ -205,7 +208,8 @@ static void finish(struct integration *integration, const struct body *body,
     free(all);
 }
 
-/* Where there are grips they set the scale alone, as long as nothing else moves or loads the body. */
+/* Where there are grips they set the scale alone, as long as nothing else moves or loads the body.
+ */
 static void take_energies(struct integration *integration, const struct body *body,
                           const struct boundary *boundary, const double values[SUMS])
 {
@@ -232,7 +236,8 @@ void balance_start(struct integration *integration, const struct body *body,
     integration->balance.initial = energy_total(&integration->balance);
 }
 
-/* Work of the sets over a step (balance.2): mean force times way, and what their own mass has gained. */
+/* Work of the sets over a step (balance.2): mean force times way, and what their own mass has
+ * gained. */
 static void add_work_of_sets(struct boundary *boundary, double *work)
 {
     for (int b = 0; b < boundary->count; b++) {

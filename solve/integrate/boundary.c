@@ -127,8 +127,8 @@ void boundary_turn(struct boundary *boundary, double sense)
     if (boundary->macroscopic) macroscopic_turn(boundary->macroscopic, sense);
 }
 
-/* At a full step a prescribed displacement has its mean velocity over the half steps beside it, which
- * does not ask for times before the start. */
+/* At a full step a prescribed displacement has its mean velocity over the half steps beside it,
+ * which does not ask for times before the start. */
 static double velocity(const struct boundary_set *set, int64_t i, double time, double dt)
 {
     if (set->kind == SCENE_VELOCITY) return given(set, i, time);

@@ -18,8 +18,8 @@ static void find_position(const struct body *body, int64_t site, double at[3])
 
 enum { ANY_HELD = 12, ENDS };
 
-/* least[b], least[3 + b]: lowest position and highest, negative, of all nodes; behind them those of the free ones; and 0
- * where one is held. */
+/* least[b], least[3 + b]: lowest position and highest, negative, of all nodes; behind them those of
+ * the free ones; and 0 where one is held. */
 static void find_ends(const struct unknowns *unknowns, int a, double least[ENDS])
 {
     const struct strips *owned = &unknowns->body->owned;
@@ -41,7 +41,8 @@ static void find_ends(const struct unknowns *unknowns, int a, double least[ENDS]
     ranks_minimum(least, ENDS);
 }
 
-/* Free nodes between places count for those on either side, but for what lies where the body is held. */
+/* Free nodes between places count for those on either side, but for what lies where the body is
+ * held. */
 struct box box_new(const struct unknowns *unknowns, int a)
 {
     static const double slack = 1e-6; /* spacings, of places of a mesh */

@@ -1,7 +1,8 @@
-/* box.h - the box of places around the free components along one axis, which the preconditioner's waves fill.
+/* box.h - the box of places around the free components along one axis, which the preconditioner's
+ * waves fill.
  *
- * A place is a site of the lattice.  A scattered particle is put where the nearest site of a lattice of its mean
- * distance would be, a node of a mesh between the eight sites around it. */
+ * A place is a site of the lattice.  A scattered particle is put where the nearest site of a
+ * lattice of its mean distance would be, a node of a mesh between the eight sites around it. */
 #ifndef HS_BOX_H
 #define HS_BOX_H
 
@@ -20,8 +21,8 @@ struct box box_new(const struct unknowns *unknowns, int a);
 
 enum { BOX_PLACES = 8 };
 
-/* Places of the node at a site of the body in the box's own numbers, and the shares it has in them; how many: none where it lies
- * outside. */
+/* Places of the node at a site of the body in the box's own numbers, and the shares it has in them;
+ * how many: none where it lies outside. */
 int box_places(const struct box *box, const struct body *body, int64_t site,
                int places[BOX_PLACES][3], float shares[BOX_PLACES]);
 

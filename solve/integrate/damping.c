@@ -36,8 +36,8 @@ static void affine_velocity(const struct affine *affine, const struct body *body
                           : -affine->contraction * affine->rate * (x[a] - affine->centre[a]);
 }
 
-/* What a velocity beyond the affine one loses of itself in half a step: a share, then the speed that a force of
- * `force` [N/m^3] gives in that time, and no more than there is. */
+/* What a velocity beyond the affine one loses of itself in half a step: a share, then the speed
+ * that a force of `force` [N/m^3] gives in that time, and no more than there is. */
 static double damped(const struct integration *integration, double beyond, double keep,
                      double force, double inverse_density)
 {

@@ -22,7 +22,8 @@ HS_SIMD static void add(int count, float a, const float *restrict x, float *rest
     for (int i = 0; i < count; i++) d[i] += a * x[i];
 }
 
-/* Largest magnitude so far, and 0, or not a number where one is not finite; in lanes of their own. */
+/* Largest magnitude so far, and 0, or not a number where one is not finite; in lanes of their own.
+ */
 HS_SIMD static void find_largest(int count, const float *restrict d, float *restrict largest,
                                  float *restrict nothing)
 {
@@ -78,8 +79,8 @@ void direction_add(const struct unknowns *unknowns, double a, const float *d, do
     add_to(unknowns->length, a, d, y);
 }
 
-/* The sums of exact_sum.h: a node's three terms, added up in their order, count as one.  In two chains of additions
- * at a time, which hide the delay of one; exact sums do not mind the order. */
+/* The sums of exact_sum.h: a node's three terms, added up in their order, count as one.  In two
+ * chains of additions at a time, which hide the delay of one; exact sums do not mind the order. */
 HS_SIMD static void add_products(int count, int64_t stride, const float *restrict d,
                                  const double *restrict y, struct exact_sum *sum)
 {

@@ -1,5 +1,6 @@
-/* direction.h - vectors (unknowns.h) in single precision, for ways that need not be exact themselves; what is found with them
- * is: their products with vectors have the same bits on any number of ranks, too. */
+/* direction.h - vectors (unknowns.h) in single precision, for ways that need not be exact
+ * themselves; what is found with them is: their products with vectors have the same bits on any
+ * number of ranks, too. */
 #ifndef HS_DIRECTION_H
 #define HS_DIRECTION_H
 
@@ -7,7 +8,8 @@
 
 float *direction_new(const struct unknowns *unknowns);
 
-/* d = sum of a[k] x[k], k < count, and its largest magnitude; not a number where one is not.  Collective. */
+/* d = sum of a[k] x[k], k < count, and its largest magnitude; not a number where one is not.
+ * Collective. */
 double direction_combine(const struct unknowns *unknowns, int count, const double a[],
                          float *const x[], float *d);
 /* d *= a */

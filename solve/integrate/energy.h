@@ -1,12 +1,14 @@
 /* energy.h - where the work from outside has gone.
  *
- *   kinetic + staggered + stored + plastic + stabilisation + damping + fracture = the same at the start + external work
+ *   kinetic + staggered + stored + plastic + stabilisation + damping + fracture = the same at the
+ *       start + external work
  *
- * kinetic + staggered is 1/2 m v(n-1/2).v(n+1/2), which explicit steps keep where 1/2 m v(n)^2 swings (theory.md).
- * The work is that of prescribed motions and of loads.  The drift is the difference of both sides over the
- * larger of them, and, while both are still small, over a reference: what the loads and prescribed motions
- * themselves say about the energy that is to come (theory.md).  It measures the integrator, the law and
- * the output together: the left side is evaluated from the state, the right side from forces and motion. */
+ * kinetic + staggered is 1/2 m v(n-1/2).v(n+1/2), which explicit steps keep where 1/2 m v(n)^2
+ * swings (theory.md). The work is that of prescribed motions and of loads.  The drift is the
+ * difference of both sides over the larger of them, and, while both are still small, over a
+ * reference: what the loads and prescribed motions themselves say about the energy that is to come
+ * (theory.md).  It measures the integrator, the law and the output together: the left side is
+ * evaluated from the state, the right side from forces and motion. */
 #ifndef HS_ENERGY_H
 #define HS_ENERGY_H
 

@@ -35,8 +35,9 @@ static struct members held_nodes(const struct body *body, const struct boundary 
     return held;
 }
 
-/* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only softens; in a mesh that of its
- * stiffest element, others have it in the ratio of the squares of their edges. */
+/* (equilibrium.3): 4/dt^2 is the largest eigenvalue of the stiffness over rho, which flow only
+ * softens; in a mesh that of its stiffest element, others have it in the ratio of the squares of
+ * their edges. */
 static double *bound_new(const struct equilibrium *e, const struct materials *materials)
 {
     const struct unknowns *unknowns = &e->unknowns;
@@ -60,8 +61,8 @@ static double *bound_new(const struct equilibrium *e, const struct materials *ma
     return bound;
 }
 
-/* Against X_k of (macroscopic.3), of the elastic body of one material [N/m^4]: lambda d_ab d_cd + mu d_ac d_bd, of F
- * as of a strain, for what turns the body is no unknown. */
+/* Against X_k of (macroscopic.3), of the elastic body of one material [N/m^4]: lambda d_ab d_cd +
+ * mu d_ac d_bd, of F as of a strain, for what turns the body is no unknown. */
 static double mean_stiffness(const struct equilibrium *e, const struct material *material, int k,
                              int l)
 {
@@ -207,7 +208,8 @@ static double norm_of_loads(struct equilibrium *e)
     return sqrt(square);
 }
 
-/* g = - unbalanced() of the free components of a strip; its squares are added to a sum, a node's three as one term. */
+/* g = - unbalanced() of the free components of a strip; its squares are added to a sum, a node's
+ * three as one term. */
 HS_SIMD static void take_strip(int count, const double *const f[3], const double *const b[3],
                                const double *weight, const uint8_t *const mask[3],
                                double *const g[3], struct exact_sum *square)
@@ -272,9 +274,9 @@ static struct exact_sum take_unbalanced(const struct equilibrium *e, double boun
     return square;
 }
 
-/* g, its norm and that of the reactions.  The sum of squares is bounded by a guess from the last norm, which saves a pass and a
- * message, and found in two passes where that was too small, or leaves less than 40 bits: up to twice the guess it is
- * exact, so that all ranks see the same. */
+/* g, its norm and that of the reactions.  The sum of squares is bounded by a guess from the last
+ * norm, which saves a pass and a message, and found in two passes where that was too small, or
+ * leaves less than 40 bits: up to twice the guess it is exact, so that all ranks see the same. */
 static void measure(struct equilibrium *e, double *g)
 {
     const double guess = 0x1p20 * e->norm * e->norm;

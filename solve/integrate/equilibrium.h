@@ -1,17 +1,20 @@
-/* equilibrium.h - a body at rest under its loads and held components: the problem, and who solves it.
+/* equilibrium.h - a body at rest under its loads and held components: the problem, and who solves
+ * it.
  *
- *   g(u) = - (f(u) + b) V / mean V = 0 at the free components                          (equilibrium.1)
- *   residual = |g_free| / (|g_held|^2 + |b_free|^2)^1/2                                (equilibrium.2)
+ *   g(u) = - (f(u) + b) V / mean V = 0 at the free components                       (equilibrium.1)
+ *   residual = |g_free| / (|g_held|^2 + |b_free|^2)^1/2                             (equilibrium.2)
  *
  * Of a periodic body the mean stress counts among the held (macroscopic.h).
  *
- * What a falling body still carries is no measure of its forces: the denominator of (equilibrium.2) is at least a
- * hundredth of the largest one so far, and what a strain of 1e-7 throughout would cause.
+ * What a falling body still carries is no measure of its forces: the denominator of (equilibrium.2)
+ * is at least a hundredth of the largest one so far, and what a strain of 1e-7 throughout would
+ * cause.
  *
- *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho          (equilibrium.3)
+ *   bound = rho V/mean V/dt^2 * 1.2, dt the critical step of the body with its densities rho
+ *                                                                                   (equilibrium.3)
  *
- * f is the force of the material from its last accepted state: nothing is committed here, and damage does not
- * grow.  To add a method: one file, its name in the list of scene.h. */
+ * f is the force of the material from its last accepted state: nothing is committed here, and
+ * damage does not grow.  To add a method: one file, its name in the list of scene.h. */
 #ifndef HS_EQUILIBRIUM_H
 #define HS_EQUILIBRIUM_H
 
@@ -28,8 +31,9 @@ struct equilibrium_method {
     bool preconditions;        /* else it takes equilibrium->bound */
     const struct equilibrium_method *next; /* goes on where this one gives up; NULL: none */
     void *(*start)(const struct equilibrium *equilibrium);
-    /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance (true), or no
-     * more evaluations are left, or the motion goes astray.  The force is then that of x. */
+    /* From equilibrium->x, whose g and norm are known, until the residual is below the tolerance
+     * (true), or no more evaluations are left, or the motion goes astray.  The force is then that
+     * of x. */
     bool (*solve)(void *self, struct equilibrium *equilibrium);
     /* What the next solution takes over from the last one; NULL: nothing. */
     void (*visit)(void *self, struct checkpoint *checkpoint);
@@ -47,20 +51,20 @@ struct equilibrium {
     int64_t most_evaluations; /* of one method for one solution */
     struct unknowns unknowns;
     struct symbol symbol;
-    struct preconditioner *preconditioner; /* NULL: the method does not precondition */
-    double
-        mean_inverse[COMPONENTS]
-                    [COMPONENTS]; /* of the stiffness against the mean gradient's unknowns, m^4/N */
-    double *weights;              /* [n_nodes] V/mean V, where nodes' volumes differ; else NULL */
-    double *bound;                /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
-    struct members held;          /* nodes with held components */
-    double *x, *g;                /* m, N/m^3 */
-    double norm, reference;       /* of g; of (equilibrium.2) */
-    double largest;               /* reference at any equilibrium so far */
-    double loads;                 /* |b_free| */
-    int64_t evaluations;          /* of this solution so far */
-    int64_t last;                 /* evaluation at which a method gives up */
-    /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else NULL. */
+    struct preconditioner *preconditioner;       /* NULL: the method does not precondition */
+    double mean_inverse[COMPONENTS][COMPONENTS]; /* of the stiffness against the mean gradient's
+                                                    unknowns, m^4/N */
+    double *weights;        /* [n_nodes] V/mean V, where nodes' volumes differ; else NULL */
+    double *bound;          /* of the stiffness as a diagonal, N/m^4; NULL: not needed */
+    struct members held;    /* nodes with held components */
+    double *x, *g;          /* m, N/m^3 */
+    double norm, reference; /* of g; of (equilibrium.2) */
+    double largest;         /* reference at any equilibrium so far */
+    double loads;           /* |b_free| */
+    int64_t evaluations;    /* of this solution so far */
+    int64_t last;           /* evaluation at which a method gives up */
+    /* Where a solution may be cut off, as its start is kept elsewhere: what asks for that; else
+     * NULL. */
     const struct stop *stop;
     bool cut; /* it was, and what it leaves is nothing */
     /* Told of each evaluation, for those who wait; NULL: nobody. */
@@ -74,8 +78,8 @@ struct equilibrium *equilibrium_new(int method, struct integration *integration,
                                     struct deck_node solver, const struct materials *materials);
 void equilibrium_free(struct equilibrium *equilibrium);
 
-/* Held components and loads are as the body has them; the free ones start from equilibrium->x and end there, in
- * body->u, too.  True where the residual is below the tolerance.  Collective. */
+/* Held components and loads are as the body has them; the free ones start from equilibrium->x and
+ * end there, in body->u, too.  True where the residual is below the tolerance.  Collective. */
 bool equilibrium_solve(struct equilibrium *equilibrium);
 
 /* What the next solution takes over.  Collective. */
@@ -85,7 +89,8 @@ double equilibrium_residual(const struct equilibrium *equilibrium);
 
 /* For methods: g at x, and its norm; sets the reference.  Collective, both. */
 double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
-/* z = M^-1 g (transform.h), a direction (direction.h), and what (equilibrium.3) gives where particles share a site. */
+/* z = M^-1 g (transform.h), a direction (direction.h), and what (equilibrium.3) gives where
+ * particles share a site. */
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, float *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 

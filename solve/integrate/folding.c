@@ -79,8 +79,8 @@ static int parity(const struct view *view, const struct block *block, int row, i
     return even ? 1 : odd ? -1 : 0;
 }
 
-/* Splits a block into that of its even rows, with the columns up to the middle, and that of its odd rows, with those that
- * mirror them; false where it has no such symmetry. */
+/* Splits a block into that of its even rows, with the columns up to the middle, and that of its odd
+ * rows, with those that mirror them; false where it has no such symmetry. */
 static bool split(const struct view *view, const struct block *block, struct block halves[2],
                   int *first)
 {

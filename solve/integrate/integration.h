@@ -1,4 +1,5 @@
-/* integration.h - where a body is in time, and where the energy has gone: what all integrators share. */
+/* integration.h - where a body is in time, and where the energy has gone: what all integrators
+ * share. */
 #ifndef HS_INTEGRATION_H
 #define HS_INTEGRATION_H
 
@@ -6,8 +7,9 @@
 
 struct checkpoint;
 
-/* Starts from the displacements and velocities as set, those of the boundary taking their places; evaluates
- * the first force.  moving: false for equilibria, which have no velocities.  Collective. */
+/* Starts from the displacements and velocities as set, those of the boundary taking their places;
+ * evaluates the first force.  moving: false for equilibria, which have no velocities.  Collective.
+ */
 struct integration integration_new(bool moving, double dt, double damping,
                                    const struct materials *materials, struct body *body,
                                    struct boundary *boundary, struct model *model);
@@ -17,7 +19,8 @@ void integration_free(struct integration *integration);
 void integration_visit(struct integration *integration, struct body *body,
                        struct checkpoint *checkpoint);
 
-/* Between steps: raises the stepped loads that are due.  True where one has been raised.  Collective. */
+/* Between steps: raises the stepped loads that are due.  True where one has been raised.
+ * Collective. */
 bool integration_raise_loads(struct integration *integration, struct body *body,
                              struct boundary *boundary, bool equilibrium);
 

@@ -1,4 +1,5 @@
-/* integration_state.h - where a body is in time, and where the energy has gone: what all integrators share. */
+/* integration_state.h - where a body is in time, and where the energy has gone: what all
+ * integrators share. */
 #ifndef HS_INTEGRATION_STATE_H
 #define HS_INTEGRATION_STATE_H
 
@@ -7,7 +8,8 @@
 #include "energy.h"
 #include "model.h"
 
-/* What one rank may wish for all of them, who have to agree: it goes with the message that each step sends anyway. */
+/* What one rank may wish for all of them, who have to agree: it goes with the message that each
+ * step sends anyway. */
 enum wish { WISH_STOP, WISH_CHECKPOINT, WISHES };
 
 struct integration {

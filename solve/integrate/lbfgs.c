@@ -1,14 +1,15 @@
-/* lbfgs.c - equilibrium by the limited-memory BFGS method (Nocedal, Math. Comput. 35 (1980) 773), whose first
- * guess of the inverse stiffness is the preconditioner, scaled to what the last step has shown (Liu, Nocedal,
- * Math. Program. 45 (1989) 503).
+/* lbfgs.c - equilibrium by the limited-memory BFGS method (Nocedal, Math. Comput. 35 (1980) 773),
+ * whose first guess of the inverse stiffness is the preconditioner, scaled to what the last step
+ * has shown (Liu, Nocedal, Math. Program. 45 (1989) 503).
  *
  *   d = -H g by the two loops over the pairs s = x' - x, y = g' - g;  x' = x + t d
  *   H_0 = c M^-1,  c = s.y/(y.M^-1 y)
  *
- * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and all products that the
- * loops need are differences of s_i.g and z_i.g between iterations, found in one pass and one message; the slope g.d follows
- * from them.  s, z and w are directions in single precision (direction.h): M^-1 is no better, and s is what x moves by, to
- * the last bit.  The step t = 1 stands where the slope has fallen enough; else one secant step follows. */
+ * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and
+ * all products that the loops need are differences of s_i.g and z_i.g between iterations, found in
+ * one pass and one message; the slope g.d follows from them.  s, z and w are directions in single
+ * precision (direction.h): M^-1 is no better, and s is what x moves by, to the last bit.  The step
+ * t = 1 stands where the slope has fallen enough; else one secant step follows. */
 #include "checkpoint.h"
 #include "direction.h"
 #include "equilibrium.h"
@@ -124,7 +125,8 @@ static void precondition(struct lbfgs *self, struct equilibrium *e)
     equilibrium_precondition(e, e->g, self->w);
 }
 
-/* The pair of this number has s: finds z and all products.  slope and end: s.g before and behind it; norm: of g before. */
+/* The pair of this number has s: finds z and all products.  slope and end: s.g before and behind
+ * it; norm: of g before. */
 static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slope, double end,
                           double norm)
 {
@@ -163,8 +165,9 @@ static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slop
     self->wg = products[2 * k + 1];
 }
 
-/* x goes along s of the pair at hand, whose bound is known, until its slope has fallen enough; false where the force is not
- * finite.  far: its largest number; slope: at the start, and behind it.  What of s has been gone is returned. */
+/* x goes along s of the pair at hand, whose bound is known, until its slope has fallen enough;
+ * false where the force is not finite.  far: its largest number; slope: at the start, and behind
+ * it.  What of s has been gone is returned. */
 static double go(struct lbfgs *self, struct equilibrium *e, double far, double *slope)
 {
     const struct unknowns *unknowns = &e->unknowns;

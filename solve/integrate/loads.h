@@ -1,5 +1,5 @@
-/* loads.h - forces from outside on the body: densities, or totals spread evenly over the volume of a
- * selection.  Loads add up; body->b holds their sum. */
+/* loads.h - forces from outside on the body: densities, or totals spread evenly over the volume of
+ * a selection.  Loads add up; body->b holds their sum. */
 #ifndef HS_LOADS_H
 #define HS_LOADS_H
 

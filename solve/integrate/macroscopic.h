@@ -1,19 +1,22 @@
-/* macroscopic.h - a periodic body under a mean deformation gradient, of which each component is given, or the mean
- * stress that belongs to it.
+/* macroscopic.h - a periodic body under a mean deformation gradient, of which each component is
+ * given, or the mean stress that belongs to it.
  *
- *   u(X + L_b e_b) = u(X) + L_b H_b,  F = 1 + H                                           (macroscopic.1)
- *   P_ab = d(energy)/dH_ab/V = mean over the volume of the nominal stress                 (macroscopic.2)
- *   X_ab = L_b H_ab,  g_ab = (P_ab - given) V/L_b/V_node                                  (macroscopic.3)
+ *   u(X + L_b e_b) = u(X) + L_b H_b,  F = 1 + H                                     (macroscopic.1)
+ *   P_ab = d(energy)/dH_ab/V = mean over the volume of the nominal stress           (macroscopic.2)
+ *   X_ab = L_b H_ab,  g_ab = (P_ab - given) V/L_b/V_node                            (macroscopic.3)
  *
- * H: mean displacement gradient, L_b the period along axis b, V the volume of the body (Hill, J. Mech. Phys. Solids 11
- * (1963) 357: the mean stress does the work).  (macroscopic.3) are the unknowns whose stress is given, and what an
- * equilibrium makes 0: the displacement of one face against the other, and the force on it over the volume of a node.
+ * H: mean displacement gradient, L_b the period along axis b, V the volume of the body (Hill, J.
+ * Mech. Phys. Solids 11 (1963) 357: the mean stress does the work).  (macroscopic.3) are the
+ * unknowns whose stress is given, and what an equilibrium makes 0: the displacement of one face
+ * against the other, and the force on it over the volume of a node.
  *
- * In explicit steps unknown components have an inertia of their own, W d2H/dt2 = V (given - P), W_ab = M (L_b/pi)^2, M the
- * mass of the body (after Parrinello, Rahman, J. Appl. Phys. 52 (1981) 7182): they swing as the body's longest standing wave.
+ * In explicit steps unknown components have an inertia of their own, W d2H/dt2 = V (given - P),
+ * W_ab = M (L_b/pi)^2, M the mass of the body (after Parrinello, Rahman, J. Appl. Phys. 52 (1981)
+ * 7182): they swing as the body's longest standing wave.
  *
- * Turning the body changes nothing: components that no entry of the deck names have no stress on the diagonal and above
- * it, and below it, where that is a turn, they stay 0; so do those that turn an axis without period into one with. */
+ * Turning the body changes nothing: components that no entry of the deck names have no stress on
+ * the diagonal and above it, and below it, where that is a turn, they stay 0; so do those that turn
+ * an axis without period into one with. */
 #ifndef HS_MACROSCOPIC_H
 #define HS_MACROSCOPIC_H
 
@@ -48,8 +51,8 @@ struct macroscopic *macroscopic_new(const struct scene *scene, const struct body
 void macroscopic_weigh(struct macroscopic *macroscopic, const struct body *body,
                        const double inverse_density[]);
 
-/* body->mean_rate at the start: the given rates, and of diagonal components whose stress is given the contraction under
- * those along other axes. */
+/* body->mean_rate at the start: the given rates, and of diagonal components whose stress is given
+ * the contraction under those along other axes. */
 void macroscopic_start(const struct macroscopic *macroscopic, struct body *body,
                        double poissons_ratio, double dt);
 
@@ -62,24 +65,27 @@ void macroscopic_set_ways(struct macroscopic *macroscopic, const struct body *bo
 /* Given components of body->mean_gradient go these ways. */
 void macroscopic_move(const struct macroscopic *macroscopic, struct body *body);
 
-/* Of explicit steps: unknown components of body->mean_rate under the stress that is there, in a time [s], and of
- * body->mean_gradient under this rate. */
+/* Of explicit steps: unknown components of body->mean_rate under the stress that is there, in a
+ * time [s], and of body->mean_gradient under this rate. */
 void macroscopic_kick(const struct macroscopic *macroscopic, struct body *body, double time);
 void macroscopic_drift(const struct macroscopic *macroscopic, struct body *body, double time);
-/* Kinetic energy of unknown components, and what leapfrog keeps beyond it with steps of this length [J] (balance.1). */
+/* Kinetic energy of unknown components, and what leapfrog keeps beyond it with steps of this length
+ * [J] (balance.1). */
 double macroscopic_kinetic(const struct macroscopic *macroscopic, const struct body *body);
 double macroscopic_staggered(const struct macroscopic *macroscopic, const struct body *body,
                              double dt);
 
-/* Force on the faces across axis b, along a [N]: k = 3 a + b; and of given components the way of one face against the
- * other in this step [m]. */
+/* Force on the faces across axis b, along a [N]: k = 3 a + b; and of given components the way of
+ * one face against the other in this step [m]. */
 double macroscopic_force(const struct macroscopic *macroscopic, const struct body *body, int k);
 double macroscopic_way(const struct macroscopic *macroscopic, int k);
 
-/* What a norm of forces on nodes would be, if the mean stress were the reactions of two faces (equilibrium.2) [N/m^3]. */
+/* What a norm of forces on nodes would be, if the mean stress were the reactions of two faces
+ * (equilibrium.2) [N/m^3]. */
 double macroscopic_reactions(const struct macroscopic *macroscopic, const struct body *body);
 
-/* Work of the mean stress since the last call, of unknown components in motion (moving) that of the given stress [J]. */
+/* Work of the mean stress since the last call, of unknown components in motion (moving) that of the
+ * given stress [J]. */
 double macroscopic_take_work(struct macroscopic *macroscopic, const struct body *body, bool moving);
 
 /* Rate of F_xx that is given as a number, at full speed [1/s]; else 0. */

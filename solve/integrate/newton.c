@@ -1,10 +1,11 @@
-/* newton.c - equilibrium by Newton's method, whose linear systems are solved by preconditioned conjugate
- * gradients without a matrix (Knoll, Keyes, J. Comput. Phys. 193 (2004) 357).
+/* newton.c - equilibrium by Newton's method, whose linear systems are solved by preconditioned
+ * conjugate gradients without a matrix (Knoll, Keyes, J. Comput. Phys. 193 (2004) 357).
  *
- *   K p = [g(x + h p) - g(x)]/h;  |g + K d| <= eta |g|;  x' = x + t d                       (newton.1)
+ *   K p = [g(x + h p) - g(x)]/h;  |g + K d| <= eta |g|;  x' = x + t d                    (newton.1)
  *
- * K is the tangent with the flow of the step so far.  eta: Eisenstat, Walker, SIAM J. Sci. Comput. 17 (1996) 16.
- * Where a direction has no stiffness, d ends before it (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626). */
+ * K is the tangent with the flow of the step so far.  eta: Eisenstat, Walker, SIAM J. Sci. Comput.
+ * 17 (1996) 16. Where a direction has no stiffness, d ends before it (Steihaug, SIAM J. Numer.
+ * Anal. 20 (1983) 626). */
 #include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of more held components so many, evenly chosen: they hold the body as a whole, and S costs as many solutions. */
+/* Of more held components so many, evenly chosen: they hold the body as a whole, and S costs as
+ * many solutions. */
 enum { MOST_PINS = 256 };
 
 struct preconditioner {
@@ -20,7 +21,8 @@ struct preconditioner {
     double *held;   /* [length] r with the forces on pins; NULL: there are none */
 };
 
-/* A held component within the box: its place in the vector, and what tells it from all others on any rank. */
+/* A held component within the box: its place in the vector, and what tells it from all others on
+ * any rank. */
 struct pin {
     int64_t key, at;
 };

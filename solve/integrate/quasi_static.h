@@ -1,8 +1,8 @@
 /* quasi_static.h - load steps from one equilibrium to the next.
  *
- * Time is what the prescribed motions and loads depend on; nothing has inertia.  A step that is hard to solve
- * is halved and tried again, an easy one makes the next longer; none is accepted above the tolerance.  Their
- * lengths follow from the error that they leave, too (step_error.h). */
+ * Time is what the prescribed motions and loads depend on; nothing has inertia.  A step that is
+ * hard to solve is halved and tried again, an easy one makes the next longer; none is accepted
+ * above the tolerance.  Their lengths follow from the error that they leave, too (step_error.h). */
 #ifndef HS_QUASI_STATIC_H
 #define HS_QUASI_STATIC_H
 
@@ -23,14 +23,15 @@ struct quasi_static {
     int64_t refused;                          /* steps tried in vain */
 };
 
-/* integration->dt is the first step; accuracy: of the curve, 0 where steps need not care (step_error.h).  The body's velocities are the first guess; they become 0.  Collective. */
+/* integration->dt is the first step; accuracy: of the curve, 0 where steps need not care
+ * (step_error.h).  The body's velocities are the first guess; they become 0.  Collective. */
 struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
                                       double smallest, double accuracy);
 void quasi_static_free(struct quasi_static *quasi_static);
 
 /* One step of at most integration->dt, which becomes the length of the next; ends in a committed
- * equilibrium with the energies known.  False where none is found with the smallest step: then all is as it was
- * before.  Collective. */
+ * equilibrium with the energies known.  False where none is found with the smallest step: then all
+ * is as it was before.  Collective. */
 bool quasi_static_step(struct quasi_static *quasi_static);
 
 /* The held components go back from here on: so does the guess for the next step. */
@@ -39,16 +40,17 @@ void quasi_static_turn(struct quasi_static *quasi_static);
 /* The free components of the body's velocities become those of the last step. */
 void quasi_static_velocities(const struct quasi_static *quasi_static);
 
-/* The body comes to rest where it is held now: what it loses is returned, J; INFINITY where no equilibrium is
- * found.  Collective. */
+/* The body comes to rest where it is held now: what it loses is returned, J; INFINITY where no
+ * equilibrium is found.  Collective. */
 double quasi_static_settle(struct quasi_static *quasi_static);
 
 /* The rate of the last step, and what finds equilibria.  Collective. */
 void quasi_static_visit(struct quasi_static *quasi_static, struct checkpoint *checkpoint);
 
-/* Damage catches up with an accepted state while the held components stand still: nodes degrade, the worst `most`
- * of what has to break does so, the body comes to rest again, until nothing changes.  What it loses by
- * broken bonds counts as fracture, the rest is booked by the material.  False where no equilibrium is found. */
+/* Damage catches up with an accepted state while the held components stand still: nodes degrade,
+ * the worst `most` of what has to break does so, the body comes to rest again, until nothing
+ * changes.  What it loses by broken bonds counts as fracture, the rest is booked by the material.
+ * False where no equilibrium is found. */
 struct quasi_static_damage {
     double most;        /* bonds and nodes at once */
     int64_t rounds;     /* equilibria it took */

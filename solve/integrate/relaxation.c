@@ -1,13 +1,15 @@
-/* relaxation.c - equilibrium by adaptive dynamic relaxation: explicit steps of a motion with fictitious masses, damped
- * as its own frequency asks for.
+/* relaxation.c - equilibrium by adaptive dynamic relaxation: explicit steps of a motion with
+ * fictitious masses, damped as its own frequency asks for.
  *
- *   m x'' + c m x' = -g, steps of length 1:  v' = [(2 - c) v - 2 g/m]/(2 + c),  x' = x + v'   (relaxation.1)
- *   c = 2 [v.(g' - g)/(v.m v)]^1/2                                                            (relaxation.2)
+ *   m x'' + c m x' = -g, steps of length 1:  v' = [(2 - c) v - 2 g/m]/(2 + c),  x' = x + v'
+ *                                                                                    (relaxation.1)
+ *   c = 2 [v.(g' - g)/(v.m v)]^1/2                                                   (relaxation.2)
  *
- * Underwood, in Computational Methods for Transient Analysis (1983) 245; Kilic, Madenci, Theor. Appl. Fract. Mech.
- * 53 (2010) 194.  c damps the frequency of the motion that is left critically: its square is Rayleigh's quotient, here
- * of the velocity; of the displacement, as in those works, it takes more steps.  The masses make a step of length 1
- * stable (equilibrium.3); should the quotient still come near its bound, they grow. */
+ * Underwood, in Computational Methods for Transient Analysis (1983) 245; Kilic, Madenci, Theor.
+ * Appl. Fract. Mech. 53 (2010) 194.  c damps the frequency of the motion that is left critically:
+ * its square is Rayleigh's quotient, here of the velocity; of the displacement, as in those works,
+ * it takes more steps.  The masses make a step of length 1 stable (equilibrium.3); should the
+ * quotient still come near its bound, they grow. */
 #include "checkpoint.h"
 #include "equilibrium.h"
 #include "memory.h"

@@ -1,7 +1,8 @@
-/* slabs.h - boxes of numbers that all ranks share: in slabs of planes, in which two axes lie whole on a rank, or turned, in
- * columns across the planes.
+/* slabs.h - boxes of numbers that all ranks share: in slabs of planes, in which two axes lie whole
+ * on a rank, or turned, in columns across the planes.
  *
- * Along a row of a plane is x; across the planes is the longer one of y and z.  In both forms each rank has about as much as any other. */
+ * Along a row of a plane is x; across the planes is the longer one of y and z.  In both forms each
+ * rank has about as much as any other. */
 #ifndef HS_SLABS_H
 #define HS_SLABS_H
 

@@ -1,9 +1,10 @@
 /* stable_step.c - the critical time step by Lanczos' method (stable_step.h).
  *
- * A formula of wave speed and spacing knows nothing of formulation, influence, stabilisation, surface and damage, each of which
- * moves the limit.  Lanczos needs no matrix, only forces of small displacements, so whatever the force is made of is seen.
- * The force is that of frozen states: plastic flow and slip only soften.  No reorthogonalisation: what it
- * loses are copies of values found already, and the largest is found first. */
+ * A formula of wave speed and spacing knows nothing of formulation, influence, stabilisation,
+ * surface and damage, each of which moves the limit.  Lanczos needs no matrix, only forces of small
+ * displacements, so whatever the force is made of is seen. The force is that of frozen states:
+ * plastic flow and slip only soften.  No reorthogonalisation: what it loses are copies of values
+ * found already, and the largest is found first. */
 #include "stable_step.h"
 
 #include "material.h"
@@ -27,8 +28,8 @@ struct lanczos {
     struct model *model;
     struct body *body;
     const struct materials *materials;
-    struct vector rest,
-        force; /* displacement of the body as it is, and the force at it; NULL where they are zero */
+    struct vector rest, force; /* displacement of the body as it is, and the force at it; NULL where
+                                  they are zero */
     struct vector current, before;
 };
 
@@ -46,8 +47,8 @@ static struct vector vector_new(const struct body *body)
     return vector;
 }
 
-/* A copy of box fields, none of fields that are zero: a body is set up at rest, and has to have room for this beside all
- * else. */
+/* A copy of box fields, none of fields that are zero: a body is set up at rest, and has to have
+ * room for this beside all else. */
 static struct vector copy_new(const struct body *body, double *const fields[3])
 {
     const int64_t n = body->grid.n_sites;
@@ -126,8 +127,8 @@ static void start_vector(const struct lanczos *l)
         }
 }
 
-/* image_of(l) = -M^-1 df/du current, by differences from rest.  Their error is of the order of the displacement over the
- * spacing, 1e-7. */
+/* image_of(l) = -M^-1 df/du current, by differences from rest.  Their error is of the order of the
+ * displacement over the spacing, 1e-7. */
 static void apply(const struct lanczos *l, double amplitude)
 {
     struct body *body = l->body;

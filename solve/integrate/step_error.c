@@ -58,7 +58,8 @@ static double norm(int count, const double *a)
     return sqrt(product(count, a, a));
 }
 
-/* Share of a step's length at which its error, of the second order, takes its share of what is left. */
+/* Share of a step's length at which its error, of the second order, takes its share of what is
+ * left. */
 static double room(const struct step_error *e, double way, double force, double largest)
 {
     const double memory = MEMORY * force / e->steepest, left = memory > 0 ? exp(-way / memory) : 1;
@@ -66,7 +67,8 @@ static double room(const struct step_error *e, double way, double force, double 
     return e->local > 0 ? sqrt(fmax(allowed, 0) / e->local) : INFINITY;
 }
 
-/* What the forces did not do as in the step before; where the motion turns back, as in the stiffest one. */
+/* What the forces did not do as in the step before; where the motion turns back, as in the stiffest
+ * one. */
 static double missed(const struct step_error *e, const double *way)
 {
     const bool back = product(e->count, way, e->way) < 0;

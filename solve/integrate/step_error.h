@@ -1,15 +1,17 @@
 /* step_error.h - how far load steps have left the path, by the forces on the sets that move.
  *
- * Within a step the return to the yield surface knows the strain at its end alone, so that directions of flow that turn
- * are met late; the error of a step is of the second order in its length, the sum of the first.  What a step
- * did not do as the one before it, a predictor against the corrector, is its measure:
+ * Within a step the return to the yield surface knows the strain at its end alone, so that
+ * directions of flow that turn are met late; the error of a step is of the second order in its
+ * length, the sum of the first.  What a step did not do as the one before it, a predictor against
+ * the corrector, is its measure:
  *
- *   D = |F' - F - (w'.w/w.w) dF|,  local error = (D - r |F'|/5)/24                                     (step_error.1)
- *   e' = e exp(-|w'|/L) + local,  L = 6 |F|/max |dF|/|w|                                  (step_error.2)
+ *   D = |F' - F - (w'.w/w.w) dF|,  local error = (D - r |F'|/5)/24                   (step_error.1)
+ *   e' = e exp(-|w'|/L) + local,  L = 6 |F|/max |dF|/|w|                             (step_error.2)
  *
- * r: tolerance of the residual; F: reactions of the sets, dF and w: their change and the ways of the sets in the last
- * step, or, where the motion turns back, in the stiffest one.  Flow forgets where it came from in some elastic strains,
- * L.  The 24, the 6 and the 5 are measured, not derived (docs/errors.md, load steps). */
+ * r: tolerance of the residual; F: reactions of the sets, dF and w: their change and the ways of
+ * the sets in the last step, or, where the motion turns back, in the stiffest one.  Flow forgets
+ * where it came from in some elastic strains, L.  The 24, the 6 and the 5 are measured, not derived
+ * (docs/errors.md, load steps). */
 #ifndef HS_STEP_ERROR_H
 #define HS_STEP_ERROR_H
 
@@ -30,11 +32,13 @@ struct step_error {
 struct step_error step_error_new(double accuracy, const struct boundary *boundary);
 void step_error_free(struct step_error *error);
 
-/* The forces at the start of a step, where they are not those at the end of the last one.  Collective. */
+/* The forces at the start of a step, where they are not those at the end of the last one.
+ * Collective. */
 void step_error_start(struct step_error *error, const struct boundary *boundary,
                       const struct body *body);
-/* Measures the step that has come to rest to this tolerance of the residual, with the sets' ways; largest share of its
- * length that would have been allowed: below 1 it is too long; INFINITY where nothing is known.  Collective. */
+/* Measures the step that has come to rest to this tolerance of the residual, with the sets' ways;
+ * largest share of its length that would have been allowed: below 1 it is too long; INFINITY where
+ * nothing is known.  Collective. */
 double step_error_room(struct step_error *error, const struct boundary *boundary,
                        const struct body *body, double tolerance);
 /* The step counts; room for one after it of the same length, as above. */

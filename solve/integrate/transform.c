@@ -37,8 +37,8 @@ static void make_waves(struct transform *transform, const struct box *box, int a
     for (int b = 0; b < 3; b++) {
         const int axis = transform->slabs.axis[b], n = box->size[axis];
         const bool low = box->held[axis][0], high = box->held[axis][1];
-        /* Across the one layer of a plane there are no corners, and those of a mesh that is flatter than the lattice
-         * they are put on fall into one. */
+        /* Across the one layer of a plane there are no corners, and those of a mesh that is flatter
+         * than the lattice they are put on fall into one. */
         const bool corners =
             lattice->corner && axis < lattice->dimensions && (n > 1 || low || high);
         transform->waves[a][b] = box->periodic[axis]
@@ -111,9 +111,9 @@ static void invert_symmetric(const double m[SYMBOL_ENTRIES], double out[SYMBOL_E
     for (int e = 0; e < SYMBOL_ENTRIES; e++) out[e] = minors[e] / determinant;
 }
 
-/* Where (symbol.2) takes a wave of one component to one of another, its sign is that of what a product of sines with it
- * leaves: the waves of a component along its own axis are exchanged, so that those which answer to each other have the
- * same place. */
+/* Where (symbol.2) takes a wave of one component to one of another, its sign is that of what a
+ * product of sines with it leaves: the waves of a component along its own axis are exchanged, so
+ * that those which answer to each other have the same place. */
 static void find_coupled(struct transform *transform, const struct symbol *symbol)
 {
     const struct slab *slab = &transform->slabs.slab[0];

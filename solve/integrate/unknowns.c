@@ -153,8 +153,8 @@ double vector_largest(const struct unknowns *unknowns, const double *x)
     return least[0] < 0 ? NAN : -least[1];
 }
 
-/* The sums of exact_sum.h in two chains of additions at a time, which hide the delay of one; exact sums do not mind the
- * order. */
+/* The sums of exact_sum.h in two chains of additions at a time, which hide the delay of one; exact
+ * sums do not mind the order. */
 HS_SIMD static void extract(int count, const double *restrict x, const double *restrict y,
                             double high, double low, double *restrict sums)
 {

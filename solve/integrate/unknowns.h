@@ -1,8 +1,9 @@
 /* unknowns.h - the displacement components that an equilibrium leaves free, as vectors.
  *
- * A vector holds three numbers for each node that the rank owns, component by component in the order of
- * body->owned; held components are zero.  Behind them rank 0 has, of a periodic body, those of the mean displacement
- * gradient whose stress is given (macroscopic.3).  Products have the same bits on any number of ranks. */
+ * A vector holds three numbers for each node that the rank owns, component by component in the
+ * order of body->owned; held components are zero.  Behind them rank 0 has, of a periodic body,
+ * those of the mean displacement gradient whose stress is given (macroscopic.3).  Products have the
+ * same bits on any number of ranks. */
 #ifndef HS_UNKNOWNS_H
 #define HS_UNKNOWNS_H
 
@@ -27,8 +28,8 @@ void vector_take(const struct unknowns *unknowns, double *const fields[3], doubl
 /* The free components of the fields become those of the vector. */
 void vector_put(const struct unknowns *unknowns, const double *vector, double *const fields[3]);
 
-/* The mean gradient's part of vectors, on rank 0: that of body->mean_gradient, or of a rate; and back on all ranks.
- * The second is collective. */
+/* The mean gradient's part of vectors, on rank 0: that of body->mean_gradient, or of a rate; and
+ * back on all ranks. The second is collective. */
 void vector_take_mean(const struct unknowns *unknowns, const double mean_gradient[COMPONENTS],
                       double *vector);
 void vector_put_mean(const struct unknowns *unknowns, const double *vector,
@@ -44,7 +45,8 @@ double vector_largest(const struct unknowns *unknowns, const double *x);
 double vector_norm(const struct unknowns *unknowns, const double *x);
 /* x . y.  Collective. */
 double vector_product(const struct unknowns *unknowns, const double *x, const double *y);
-/* What the Euclidean norm is not beyond where no number is larger than this: enough for the bounds of products. */
+/* What the Euclidean norm is not beyond where no number is larger than this: enough for the bounds
+ * of products. */
 double vector_bound(const struct unknowns *unknowns, double largest);
 
 #endif

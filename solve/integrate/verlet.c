@@ -1,10 +1,12 @@
 /* verlet.c - one explicit step (verlet.h).
  *
- * Second order, one force a step, and symplectic: the error of the energy stays bounded instead of adding up, which makes the
- * balance of energies a check of the run.  Written with half kicks, since velocities are known at full steps then,
- * where energies, records and damping need them, and since a bond that breaks in the middle of a step gives its
- * first half the old force and its second half the new one.  Motion is prescribed at half steps, the positions
- * follow; so work is force times the way actually gone.  The largest way goes to damage.h, which passes over bonds by it. */
+ * Second order, one force a step, and symplectic: the error of the energy stays bounded instead of
+ * adding up, which makes the balance of energies a check of the run.  Written with half kicks,
+ * since velocities are known at full steps then, where energies, records and damping need them, and
+ * since a bond that breaks in the middle of a step gives its first half the old force and its
+ * second half the new one.  Motion is prescribed at half steps, the positions follow; so work is
+ * force times the way actually gone.  The largest way goes to damage.h, which passes over bonds by
+ * it. */
 #include "verlet.h"
 
 #include "balance.h"
@@ -84,10 +86,10 @@ static double half_step_power(const struct integration *integration, const struc
     return value;
 }
 
-/* Bonds break at the configuration that the force has just been found for; force and energies become those of
- * the bonds left.  The kick before had the old force, the kick to come has the new one: the bonds broke in
- * the middle of the step, and the energy of fracture is the difference of the energies there, dt v/2 back.
- * known: energy has been found with the force. */
+/* Bonds break at the configuration that the force has just been found for; force and energies
+ * become those of the bonds left.  The kick before had the old force, the kick to come has the new
+ * one: the bonds broke in the middle of the step, and the energy of fracture is the difference of
+ * the energies there, dt v/2 back. known: energy has been found with the force. */
 static void break_bonds(struct integration *integration, struct body *body, struct model *model,
                         bool record, bool known, struct force_energy *energy)
 {

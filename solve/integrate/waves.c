@@ -8,8 +8,8 @@
 
 enum { WIDTH = WAVES_WIDTH };
 
-/* Longest axis whose matrix is looked at, and multiplications a number beyond which FFTW is faster (measured: 0.011 ns each against
- * 4 ns). */
+/* Longest axis whose matrix is looked at, and multiplications a number beyond which FFTW is faster
+ * (measured: 0.011 ns each against 4 ns). */
 enum { SHORT = 2048, CHEAP = 400 };
 
 struct waves {
@@ -69,8 +69,8 @@ static void forget_matrices(struct waves *waves)
     }
 }
 
-/* FFTW's names by corners, and what is held below and above, to amplitudes and back.  Estimated plans are the same each
- * time, measured ones are not. */
+/* FFTW's names by corners, and what is held below and above, to amplitudes and back.  Estimated
+ * plans are the same each time, measured ones are not. */
 static void make_plans(struct waves *waves)
 {
     static const fftwf_r2r_kind kinds[2][2][2][2] = {
@@ -138,14 +138,16 @@ static void scale(float factor, float values[WIDTH])
     for (int i = 0; i < WIDTH; i++) values[i] *= factor;
 }
 
-/* Whether FFTW adds number k to what a transform back sums up once, not twice: waves without a partner. */
+/* Whether FFTW adds number k to what a transform back sums up once, not twice: waves without a
+ * partner. */
 static bool is_single(const struct waves *waves, int k)
 {
     const bool cosines = !waves->low && !waves->high, sines = waves->low && waves->high;
     return (cosines && k == 0) || (k == waves->n - 1 && (waves->corners ? cosines : sines));
 }
 
-/* The same by FFTW, which sums up twice what does not lie at an end of the axis or of the spectrum. */
+/* The same by FFTW, which sums up twice what does not lie at an end of the axis or of the spectrum.
+ */
 static void by_fftw(const struct waves *waves, bool back, float (*values)[WIDTH],
                     float (*out)[WIDTH])
 {

@@ -1,10 +1,13 @@
-/* waves.h - the waves of one axis of a box in which a stiffness is nearly diagonal, as an orthonormal transform.
+/* waves.h - the waves of one axis of a box in which a stiffness is nearly diagonal, as an
+ * orthonormal transform.
  *
- * Sines start where the body is held, cosines where it is free.  Between nodes that are particles an end lies half a
- * spacing beyond the outermost node; between corners a free end lies at the outermost one, which counts half, a held one a
- * spacing beyond.  A periodic axis has both, of whole periods about the middle: cosines of none to less than n/2 periods, then
- * sines down from n/2 to 1; exchanged, both of one number have each other's places.  The matrix of the waves is folded (folding.h), with the same bits on any processor; where too much of it would
- * be left FFTW transforms.  In single precision: it is for a preconditioner. */
+ * Sines start where the body is held, cosines where it is free.  Between nodes that are particles
+ * an end lies half a spacing beyond the outermost node; between corners a free end lies at the
+ * outermost one, which counts half, a held one a spacing beyond.  A periodic axis has both, of
+ * whole periods about the middle: cosines of none to less than n/2 periods, then sines down from
+ * n/2 to 1; exchanged, both of one number have each other's places.  The matrix of the waves is
+ * folded (folding.h), with the same bits on any processor; where too much of it would be left FFTW
+ * transforms.  In single precision: it is for a preconditioner. */
 #ifndef HS_WAVES_H
 #define HS_WAVES_H
 
@@ -25,8 +28,9 @@ void waves_free(struct waves *waves);
 double waves_number(const struct waves *waves, int k);
 bool waves_is_sine(const struct waves *waves, int k);
 
-/* WAVES_WIDTH lines at once, values[n][line], which are used up: from numbers at the nodes to amplitudes, out[n][line], or back; the
- * second is the transposed of the first.  Both are aligned to 64 bytes. */
+/* WAVES_WIDTH lines at once, values[n][line], which are used up: from numbers at the nodes to
+ * amplitudes, out[n][line], or back; the second is the transposed of the first.  Both are aligned
+ * to 64 bytes. */
 void waves_transform(const struct waves *waves, bool back, float (*values)[WAVES_WIDTH],
                      float (*out)[WAVES_WIDTH]);
 

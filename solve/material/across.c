@@ -1,10 +1,10 @@
 /* across.c - plane stress by the secant method on the logarithm of the stretch across.
  *
- *   tau(l) = F_zz P_zz = 0,  l = ln F_zz;  l -= tau/s,  s = d tau/d l                       (across.1)
+ *   tau(l) = F_zz P_zz = 0,  l = ln F_zz;  l -= tau/s,  s = d tau/d l                    (across.1)
  *
- * In logarithmic strain tau is linear in l while the point is elastic, s = kappa + 4 mu/3, and one step finds it; flow
- * leaves s between kappa and that, where a secant keeps it.  A Kirchhoff stress so small counts as none: rounding of
- * strains times moduli. */
+ * In logarithmic strain tau is linear in l while the point is elastic, s = kappa + 4 mu/3, and one
+ * step finds it; flow leaves s between kappa and that, where a secant keeps it.  A Kirchhoff stress
+ * so small counts as none: rounding of strains times moduli. */
 #include "across.h"
 
 #include <math.h>

@@ -1,7 +1,8 @@
-/* across.h - the stretch of a point across a sheet in plane stress: that at which its law's stress across is zero.
+/* across.h - the stretch of a point across a sheet in plane stress: that at which its law's stress
+ * across is zero.
  *
- * Whatever the law, each point is asked again and again, nothing being committed, until it is found.  A point's search
- * depends on nothing but the point: it has the same bits in any strip. */
+ * Whatever the law, each point is asked again and again, nothing being committed, until it is
+ * found.  A point's search depends on nothing but the point: it has the same bits in any strip. */
 #ifndef HS_ACROSS_H
 #define HS_ACROSS_H
 
@@ -18,8 +19,8 @@ struct across {
 /* From the stretches of the last commit; fills points->H. */
 void across_begin(struct across *across, const double *stretch, struct points *points);
 
-/* After an answer of the law to points->H: false where the stress across has vanished at all points, else points->H has
- * the next ones to try. */
+/* After an answer of the law to points->H: false where the stress across has vanished at all
+ * points, else points->H has the next ones to try. */
 bool across_improve(struct across *across, struct points *points);
 
 #endif

@@ -1,8 +1,9 @@
 /* degradation.c - stress and energies of degraded points (degradation.h).
  *
- * Wrapped around the answer of any law instead of written into one: laws go on with the sound material's stress and state.  What a
- * growing D releases is booked when a state is accepted, by the trapezoidal rule, so that energy, plastic work and the
- * work of the forces balance to second order of the step; forces that are only tried read the books alone. */
+ * Wrapped around the answer of any law instead of written into one: laws go on with the sound
+ * material's stress and state.  What a growing D releases is booked when a state is accepted, by
+ * the trapezoidal rule, so that energy, plastic work and the work of the forces balance to second
+ * order of the step; forces that are only tried read the books alone. */
 #include "degradation.h"
 
 #include "memory.h"
@@ -16,8 +17,8 @@ double *degradation_new(const struct strips *strips)
     return record;
 }
 
-/* (degradation.2) over a step.  The first loss is a small one, and nothing may depend on what was noted of sound
- * points. */
+/* (degradation.2) over a step.  The first loss is a small one, and nothing may depend on what was
+ * noted of sound points. */
 HS_SIMD static void book(int count, const double *restrict integrity,
                          const double *restrict dissipating, const double *restrict stored,
                          double *restrict last, double *restrict before, double *restrict withheld)

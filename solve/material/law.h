@@ -1,12 +1,15 @@
-/* law.h - the constitutive law of a point: what it reads, what it remembers, what stress it answers with.
+/* law.h - the constitutive law of a point: what it reads, what it remembers, what stress it answers
+ * with.
  *
- * A law declares itself: its keys in the deck, the states that it keeps at each point, and an update that moves a
- * strip of points on.  Who owns points (nodes, bonds of a stabilisation) keeps no law's state and knows no law by
- * name: points.h stores the states, and calls the law of each point.  A law may have no update: then a formulation
- * has a law of bonds of its own, which declares keys and states the same way (ordinary_plastic.c).
+ * A law declares itself: its keys in the deck, the states that it keeps at each point, and an
+ * update that moves a strip of points on.  Who owns points (nodes, bonds of a stabilisation) keeps
+ * no law's state and knows no law by name: points.h stores the states, and calls the law of each
+ * point.  A law may have no update: then a formulation has a law of bonds of its own, which
+ * declares keys and states the same way (ordinary_plastic.c).
  *
- * To add a law: one file after the pattern of laws/elastic.c, its name in the list of laws.h, its equations in
- * docs/theory.md.  Its keys are in the manual then, its states in fields and quantities. */
+ * To add a law: one file after the pattern of laws/elastic.c, its name in the list of laws.h, its
+ * equations in docs/theory.md.  Its keys are in the manual then, its states in fields and
+ * quantities. */
 #ifndef HS_LAW_H
 #define HS_LAW_H
 
@@ -77,15 +80,19 @@ struct law {
     void (*release)(void *parameters);
     /* How its yield stress varies within a phase; NULL: it has none (yield.h). */
     const struct yield *(*yield)(const void *parameters);
-    /* What update reads of the pairs of phases: pair k has the mean of the parameters first[k] and second[k], both NULL
-     * where it obeys another law.  Freed with free(); NULL: it needs nothing. */
+    /* What update reads of the pairs of phases: pair k has the mean of the parameters first[k] and
+     * second[k], both NULL where it obeys another law.  Freed with free(); NULL: it needs nothing.
+     */
     void *(*pairs)(int count, const void *const first[], const void *const second[]);
-    /* State of points as they begin, where that follows from more than struct state.initial, which is set; NULL. */
+    /* State of points as they begin, where that follows from more than struct state.initial, which
+     * is set; NULL. */
     void (*start)(const void *pairs, const struct points *points, double *state, int64_t stride);
-    /* state[k * stride + point], k counting the components of all states in their order.  NULL: a law of bonds. */
+    /* state[k * stride + point], k counting the components of all states in their order.  NULL: a
+     * law of bonds. */
     void (*update)(const void *pairs, struct points *points, double *state, int64_t stride,
                    struct step step);
-    int flow_stress; /* component of the state that is the current flow stress [Pa]; -1: it never flows */
+    int flow_stress; /* component of the state that is the current flow stress [Pa]; -1: it never
+                        flows */
 };
 
 /* Point i carries nothing: to be called before the update. */

@@ -23,8 +23,8 @@ struct law_in_use {
     int *component; /* of each state (laws.h): its component among the law's; -1: not one of them */
 };
 
-/* All materials of a run and what the kernels read of them.  A bond between phases a and b takes the
- * means of their moduli: pair = a * count + b. */
+/* All materials of a run and what the kernels read of them.  A bond between phases a and b takes
+ * the means of their moduli: pair = a * count + b. */
 struct materials {
     int count;
     enum plane plane;
@@ -41,7 +41,8 @@ void materials_free(struct materials *materials);
 /* What the update of a law reads; NULL: no phase obeys it, or it needs nothing. */
 const void *materials_pairs(const struct materials *materials, const struct law *law);
 
-/* K, or in a plane K_2: E/(2(1 - nu)) in plane stress, E/(2(1 + nu)(1 - 2 nu)) in plane strain [Pa]. */
+/* K, or in a plane K_2: E/(2(1 - nu)) in plane stress, E/(2(1 + nu)(1 - 2 nu)) in plane strain
+ * [Pa]. */
 double material_bulk_modulus(const struct material *material, enum plane plane);
 
 /* Of a node [kg/m^3]. */

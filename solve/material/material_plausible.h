@@ -4,8 +4,8 @@
 
 #include "material.h"
 
-/* Dies at the first material whose modulus, density, yield or hardening is far from any solid's, and says how to have it
- * all the same.  section: "materials", of which they have been read. */
+/* Dies at the first material whose modulus, density, yield or hardening is far from any solid's,
+ * and says how to have it all the same.  section: "materials", of which they have been read. */
 void material_check_plausible(const struct materials *materials, struct deck_node section);
 
 #endif

@@ -202,7 +202,8 @@ static void find_laws(struct materials *all)
     }
 }
 
-/* Parameters of the phases of each pair that obeys this law: of a phase of another law those of the pair's other end. */
+/* Parameters of the phases of each pair that obeys this law: of a phase of another law those of the
+ * pair's other end. */
 static void find_parameters(const struct materials *all, int law, const void **first,
                             const void **second)
 {

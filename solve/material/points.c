@@ -18,8 +18,8 @@ struct point_store {
     const struct materials *materials;
     int64_t offset;
     double **state; /* of each law */
-    /* [points / UNIT] by law: where its points of a strip begin in state, -1 where the strip has none; NULL: all points
-     * obey one law. */
+    /* [points / UNIT] by law: where its points of a strip begin in state, -1 where the strip has
+     * none; NULL: all points obey one law. */
     int64_t **place;
     double *records; /* of degradation, strip by strip; NULL: none degrades */
     double *stretch; /* across a sheet in plane stress, strip by strip (across.h); else NULL */

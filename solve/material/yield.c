@@ -89,8 +89,8 @@ static double uniform(uint64_t hash)
     return ((double)(hash >> 11) + 0.5) * 0x1p-53;
 }
 
-/* A number of the normal distribution cut at most_deviations, for a node: the inverse of its cumulated
- * distribution at the node's own random number. */
+/* A number of the normal distribution cut at most_deviations, for a node: the inverse of its
+ * cumulated distribution at the node's own random number. */
 static double normal(const struct yield *yield, const char *phase, uint64_t node)
 {
     const double least = gsl_cdf_ugaussian_P(-most_deviations);

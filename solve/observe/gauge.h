@@ -7,14 +7,15 @@
 
 struct gauge;
 
-/* From the node sets gauge_left and gauge_right, of a body that is periodic along x the whole of it; NULL where there is
- * neither, dies where one set is missing.  Collective. */
+/* From the node sets gauge_left and gauge_right, of a body that is periodic along x the whole of
+ * it; NULL where there is neither, dies where one set is missing.  Collective. */
 struct gauge *gauge_new(const struct body *body, const struct domain *domain, int n_phases);
 void gauge_free(struct gauge *gauge);
 
 double gauge_length(const struct gauge *gauge); /* m, between the planes */
 
-/* Mean displacement along the axis of the test of the left and of the right plane [m].  Collective. */
+/* Mean displacement along the axis of the test of the left and of the right plane [m].  Collective.
+ */
 struct gauge_planes {
     double left, right;
 };
@@ -38,7 +39,8 @@ struct gauge_section {
     double ratio, x;
 };
 
-/* means: gauge_means of the first phase, then of the next.  model_prepare goes before it.  Collective. */
+/* means: gauge_means of the first phase, then of the next.  model_prepare goes before it.
+ * Collective. */
 void gauge_measure(const struct gauge *gauge, struct model *model, const struct body *body,
                    double *means, struct gauge_section *section);
 

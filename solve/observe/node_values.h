@@ -1,7 +1,9 @@
-/* node_values.h - everything that is known of a node, as numbers: what fields and quantities are made of.
+/* node_values.h - everything that is known of a node, as numbers: what fields and quantities are
+ * made of.
  *
- * A value is one row of the table in node_values.c: its name, unit and source.  The deck's words, the
- * variables of a file for ParaView, their units in hspost and the table of docs/formats.md follow from it. */
+ * A value is one row of the table in node_values.c: its name, unit and source.  The deck's words,
+ * the variables of a file for ParaView, their units in hspost and the table of docs/formats.md
+ * follow from it. */
 #ifndef HS_NODE_VALUES_H
 #define HS_NODE_VALUES_H
 
@@ -24,9 +26,9 @@ struct node_value {
     bool density;     /* per volume: as a quantity it is that of the whole node, unit * m3 */
     bool label;       /* no quantity: it says which, not how much */
     const char *help; /* one line for the manual */
-    /* One of the three: the offset of box fields in struct body, one a component, NULL where all is 0; where a component is
-     * as a box field, in *buffer where it has to be made; or its values in a state of nodes, [state->count].  None: it is
-     * the state of that name of a law (laws.h). */
+    /* One of the three: the offset of box fields in struct body, one a component, NULL where all is
+     * 0; where a component is as a box field, in *buffer where it has to be made; or its values in
+     * a state of nodes, [state->count].  None: it is the state of that name of a law (laws.h). */
     size_t member;
     const double *(*field)(const struct body *body, const struct damage *damage, int component,
                            double *buffer);
@@ -56,8 +58,8 @@ char *node_component_variable(struct node_component which);
 struct node_values *node_values_new(const struct body *body, const struct damage *damage);
 void node_values_free(struct node_values *values);
 
-/* A component as a box field, good at owned nodes until the next call; model_prepare goes before it where the value
- * is observed. */
+/* A component as a box field, good at owned nodes until the next call; model_prepare goes before it
+ * where the value is observed. */
 const double *node_values_field(struct node_values *values, struct node_component which,
                                 struct model *model, const struct body *body);
 

@@ -18,7 +18,8 @@ struct progress progress_start(bool shown);
  * done: share of the run, 0 to 1; strain: NAN where there is no gauge. */
 void progress_update(struct progress *progress, double done, int64_t step, double strain,
                      double stress, double drift);
-/* Called while an equilibrium is searched: prints every half second on a terminal, every ten elsewhere. */
+/* Called while an equilibrium is searched: prints every half second on a terminal, every ten
+ * elsewhere. */
 void progress_search(struct progress *progress, int64_t step, int64_t evaluations, double residual,
                      double tolerance);
 /* Seconds since the start. */

@@ -1,4 +1,5 @@
-/* quantities.h - columns of the history that a deck asks for: a field over some nodes as one number. */
+/* quantities.h - columns of the history that a deck asks for: a field over some nodes as one
+ * number. */
 #ifndef HS_QUANTITIES_H
 #define HS_QUANTITIES_H
 
@@ -17,8 +18,9 @@ int quantities_count(const struct quantities *quantities);
 /* Whether any is of the nodes' states. */
 bool quantities_need_states(const struct quantities *quantities);
 
-/* Forces are those of nodes [N], not densities; a mean is weighted by volume.  values[quantities_count],
- * the same on all ranks.  model_prepare goes before it where they need states.  Collective. */
+/* Forces are those of nodes [N], not densities; a mean is weighted by volume.
+ * values[quantities_count], the same on all ranks.  model_prepare goes before it where they need
+ * states.  Collective. */
 void quantities_measure(struct quantities *quantities, struct model *model, struct body *body,
                         double *values);
 

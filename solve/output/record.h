@@ -1,7 +1,8 @@
 /* record.h - one record of a history, column by column.
  *
- * A column of every history is one row of the table in record.c, which says what it is called and what its value
- * is.  Those of phases are rows of gauge.c, those that a deck asks for are of node_values.c. */
+ * A column of every history is one row of the table in record.c, which says what it is called and
+ * what its value is.  Those of phases are rows of gauge.c, those that a deck asks for are of
+ * node_values.c. */
 #ifndef HS_RECORD_H
 #define HS_RECORD_H
 
@@ -38,7 +39,8 @@ struct record record_empty(void);
 /* The columns that need no more than there is, to be freed. */
 struct record_column *record_columns(const struct record *record, unsigned has, int *count);
 
-/* All columns that a run may write, for the manual: one row each, with its unit.  Lives as long as the program. */
+/* All columns that a run may write, for the manual: one row each, with its unit.  Lives as long as
+ * the program. */
 const struct section *record_section(void);
 
 /* Title of a column in the file, a new text: force_left_N; of a pure number the name alone. */

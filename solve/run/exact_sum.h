@@ -1,11 +1,11 @@
 /* exact_sum.h - sums over the whole body with the same bits for any number of ranks.
  *
- * Each term is cut to two fixed grids, multiples of ulp(high) and ulp(low); sums of such multiples are
- * exact in double precision as long as they stay below the extractor, so their order is free
- * (pre-rounding: Rump, Ogita, Oishi, SIAM J. Sci. Comput. 31 (2008) 189; Demmel & Nguyen, IEEE Trans.
- * Comput. 64 (2015) 2060).  With bound >= the sum of all |terms| over all ranks, what is lost of each
- * term is below 2^-74 bound, for up to 2^30 terms: what the first grid cuts off them, up to 2^-51 bound
- * each, must fit into 53 bits of the second. */
+ * Each term is cut to two fixed grids, multiples of ulp(high) and ulp(low); sums of such multiples
+ * are exact in double precision as long as they stay below the extractor, so their order is free
+ * (pre-rounding: Rump, Ogita, Oishi, SIAM J. Sci. Comput. 31 (2008) 189; Demmel & Nguyen, IEEE
+ * Trans. Comput. 64 (2015) 2060).  With bound >= the sum of all |terms| over all ranks, what is
+ * lost of each term is below 2^-74 bound, for up to 2^30 terms: what the first grid cuts off them,
+ * up to 2^-51 bound each, must fit into 53 bits of the second. */
 #ifndef HS_EXACT_SUM_H
 #define HS_EXACT_SUM_H
 

@@ -57,7 +57,8 @@ static void set_environment(void)
     setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0); /* leave the core to others while waiting */
 }
 
-/* mpirun would kill the ranks a second after these.  It passes SIGUSR1 on to them, who then end in order (stop.h). */
+/* mpirun would kill the ranks a second after these.  It passes SIGUSR1 on to them, who then end in
+ * order (stop.h). */
 static void leave_signals_to_parent(void)
 {
     sigset_t left;

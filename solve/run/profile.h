@@ -1,7 +1,7 @@
 /* profile.h - where the time of a run goes, and what it could leave out.
  *
- * A rank is in one part at a time: who enters another one puts the old one back when it leaves.  Without --profile there
- * is no profile (NULL), and nothing of this does anything. */
+ * A rank is in one part at a time: who enters another one puts the old one back when it leaves.
+ * Without --profile there is no profile (NULL), and nothing of this does anything. */
 #ifndef HS_PROFILE_H
 #define HS_PROFILE_H
 
@@ -48,8 +48,8 @@ enum profile_part profile_enter(struct profile *profile, enum profile_part part)
 /* Of so many pieces of work, those were done. */
 void profile_count(struct profile *profile, enum profile_work work, double done, double possible);
 
-/* The table on rank 0's standard error: seconds, as the mean and the most of all ranks; nodes: of the body.
- * evaluations: of the force.  Collective. */
+/* The table on rank 0's standard error: seconds, as the mean and the most of all ranks; nodes: of
+ * the body. evaluations: of the force.  Collective. */
 void profile_print(struct profile *profile, struct ranks ranks, double nodes, double evaluations);
 
 #endif

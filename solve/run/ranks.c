@@ -31,7 +31,8 @@ static void wait_for_first(void)
     sleep(20);
 }
 
-/* mpirun tells its processes; srun, too, but so it does to a shell that it started as a single task. */
+/* mpirun tells its processes; srun, too, but so it does to a shell that it started as a single
+ * task. */
 bool ranks_launched(void)
 {
     const char *tasks = getenv("SLURM_STEP_NUM_TASKS");

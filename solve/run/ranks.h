@@ -13,9 +13,9 @@ struct ranks {
 /* Whether a launcher (mpirun, srun) has started this process, with others or alone. */
 bool ranks_launched(void);
 
-/* Starts MPI where a launcher has started this process: alone there is nobody to speak with, and what MPI needs, a folder, a
- * daemon, ports, can fail.  Makes die() end all ranks with its code; a user's error, which all ranks meet, is told by
- * rank 0. */
+/* Starts MPI where a launcher has started this process: alone there is nobody to speak with, and
+ * what MPI needs, a folder, a daemon, ports, can fail.  Makes die() end all ranks with its code; a
+ * user's error, which all ranks meet, is told by rank 0. */
 struct ranks ranks_start(int *argc, char ***argv);
 void ranks_stop(void);
 
@@ -35,7 +35,8 @@ double ranks_clock(void); /* s */
 /* Seconds that this rank has computed. */
 double ranks_processor(void);
 
-/* Most memory that all ranks together have held so far [bytes], as the system counts it.  Collective. */
+/* Most memory that all ranks together have held so far [bytes], as the system counts it.
+ * Collective. */
 double ranks_memory(void);
 
 #endif

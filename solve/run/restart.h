@@ -1,4 +1,5 @@
-/* restart.h - what a checkpoint says of its run, ahead of the state: the domain and the deck it was given. */
+/* restart.h - what a checkpoint says of its run, ahead of the state: the domain and the deck it was
+ * given. */
 #ifndef HS_RESTART_H
 #define HS_RESTART_H
 
@@ -16,12 +17,13 @@ struct run_texts {
     int64_t domain_length;
 };
 
-/* Writes them, on rank 0 as they are, or reads them, each rank for itself; to be freed with run_texts_free. */
+/* Writes them, on rank 0 as they are, or reads them, each rank for itself; to be freed with
+ * run_texts_free. */
 void run_texts_visit(struct run_texts *texts, struct checkpoint_file *file);
 void run_texts_free(struct run_texts *texts);
 
-/* The arguments get the domain and deck of the checkpoint that they name; inputs[2] are to be closed at the end of the
- * program.  Dies (exit 2) where other ones were given. */
+/* The arguments get the domain and deck of the checkpoint that they name; inputs[2] are to be
+ * closed at the end of the program.  Dies (exit 2) where other ones were given. */
 void restart_unpack(struct arguments *arguments, struct spool inputs[2]);
 
 #endif

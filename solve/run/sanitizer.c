@@ -1,7 +1,8 @@
 /* sanitizer.c - what Open MPI keeps until the end is no leak of ours (builds with SANITIZE=1 only).
  *
- * It allocates at start and end without freeing, and unloads its plugins, so that their frames can no
- * longer be told by name: their unloading is put off, and tests/sanitizer.supp names the libraries. */
+ * It allocates at start and end without freeing, and unloads its plugins, so that their frames can
+ * no longer be told by name: their unloading is put off, and tests/sanitizer.supp names the
+ * libraries. */
 #include <mpi.h>
 
 #ifdef HS_SANITIZE

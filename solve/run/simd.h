@@ -1,8 +1,9 @@
 /* simd.h - one source, several vector widths.
  *
- * A function marked HS_SIMD is compiled for the baseline, AVX2 and AVX-512, and the loader picks one
- * by the processor.  Contraction is off (Makefile), so all of them give the same bits; HS_NARROW leaves the
- * baseline alone, to test that, and HS_NO_AVX512 takes the widest away, to time the others. */
+ * A function marked HS_SIMD is compiled for the baseline, AVX2 and AVX-512, and the loader picks
+ * one by the processor.  Contraction is off (Makefile), so all of them give the same bits;
+ * HS_NARROW leaves the baseline alone, to test that, and HS_NO_AVX512 takes the widest away, to
+ * time the others. */
 #ifndef HS_SIMD_H
 #define HS_SIMD_H
 
@@ -21,14 +22,15 @@
 #endif
 #define HS_INLINE static inline __attribute__((always_inline))
 
-/* Asks for numbers that will soon be read, beyond the nearest cache: rows of short arrays, one behind the other, are more than
- * a processor sees coming. */
+/* Asks for numbers that will soon be read, beyond the nearest cache: rows of short arrays, one
+ * behind the other, are more than a processor sees coming. */
 HS_INLINE void prefetch(const void *from, size_t bytes)
 {
     for (size_t i = 0; i < bytes; i += 64) __builtin_prefetch((const char *)from + i, 0, 2);
 }
 
-/* Strips of the lattice are cut at multiples of this many sites in x, whatever part a rank holds. */
+/* Strips of the lattice are cut at multiples of this many sites in x, whatever part a rank holds.
+ */
 enum { LANES = 64 };
 
 #endif

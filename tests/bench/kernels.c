@@ -1,11 +1,13 @@
-/* kernels - what a force evaluation and a step of each formulation cost, in CSV on standard output: model, instruction
- * set, nodes, ns per ordered bond and per node, node-steps per second, bytes of memory per node, the bound, its
- * share, and the whole step's cost over the force's.  No test: make bench.
+/* kernels - what a force evaluation and a step of each formulation cost, in CSV on standard output:
+ * model, instruction set, nodes, ns per ordered bond and per node, node-steps per second, bytes of
+ * memory per node, the bound, its share, and the whole step's cost over the force's.  No test: make
+ * bench.
  *
- * A body of NX x NY x NZ particles (default 200 x 40 x 8); a bond counts twice, once from either end.  Of ROUNDS alternating
- * rounds over all models the median.  Bounds, measured in the same run: a square root and a division, in cache, for each
- * pair and pass of bonds, or the bandwidth of a triad beyond the caches for e^p of bonds that yield; the updates
- * of the constitutive law, in cache: four a node of correspondence with mix, one or five a particle of corner. */
+ * A body of NX x NY x NZ particles (default 200 x 40 x 8); a bond counts twice, once from either
+ * end.  Of ROUNDS alternating rounds over all models the median.  Bounds, measured in the same run:
+ * a square root and a division, in cache, for each pair and pass of bonds, or the bandwidth of a
+ * triad beyond the caches for e^p of bonds that yield; the updates of the constitutive law, in
+ * cache: four a node of correspondence with mix, one or five a particle of corner. */
 #include "check.h"
 
 #include "balance.h"

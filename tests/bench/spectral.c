@@ -1,10 +1,13 @@
-/* spectral - a yardstick for load steps of periodic cells: what who homogenises voxels would take.  No test: make bench.
+/* spectral - a yardstick for load steps of periodic cells: what who homogenises voxels would take.
+ * No test: make bench.
  *
- *   spectral DOMAIN.g END STEP TOLERANCE   strain, stress [MPa] and evaluations of each step, then what it cost
+ *   spectral DOMAIN.g END STEP TOLERANCE
+ *     strain, stress [MPa] and evaluations of each step, then what it cost
  *
- * J2 with Voce's law in small strain on the voxels of a periodic domain of two phases (the laws of pipelines/study), in uniaxial tension
- * along x by the mean stress.  Compatible strains by the rotated scheme (Willot, C. R. Mecanique 343 (2015) 232), steps of Barzilai and
- * Borwein (Schneider, Int. J. Numer. Methods Engrg. 118 (2019) 482), double precision, FFTW. */
+ * J2 with Voce's law in small strain on the voxels of a periodic domain of two phases (the laws of
+ * pipelines/study), in uniaxial tension along x by the mean stress.  Compatible strains by the
+ * rotated scheme (Willot, C. R. Mecanique 343 (2015) 232), steps of Barzilai and Borwein
+ * (Schneider, Int. J. Numer. Methods Engrg. 118 (2019) 482), double precision, FFTW. */
 #include "domain.h"
 #include "exodus.h"
 #include "memory.h"
@@ -118,7 +121,8 @@ static void find_stress(struct cell *cell, bool commit)
     }
 }
 
-/* The compatible part of one wave of the stress, s: the strain of the displacement that is nearest to it. */
+/* The compatible part of one wave of the stress, s: the strain of the displacement that is nearest
+ * to it. */
 static void project_wave(const double complex q[3], double complex s[TENSOR])
 {
     const double square = creal(q[0] * conj(q[0]) + q[1] * conj(q[1]) + q[2] * conj(q[2]));

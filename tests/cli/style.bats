@@ -33,6 +33,17 @@ same_labels() {
     done
 }
 
+# wide FILE...: lines of more than 100 columns, comments among them.
+wide() { LC_ALL=C.UTF-8 awk 'length($0) > 100 { print FILENAME ":" FNR; found = 1 } END { exit !found }' "$@"; }
+
+@test "no line of C is wider than 100 columns" {
+    mapfile -t sources < <(find lib gen solve post tests -name '*.[ch]')
+    [ "${#sources[@]}" -gt 400 ]
+    run ! wide "${sources[@]}"
+    printf '/* %098d */\n' 0 >"$BATS_TEST_TMPDIR/planted.c"
+    wide "$BATS_TEST_TMPDIR/planted.c"
+}
+
 # includes DIRECTORY: names in its #include "..." lines.
 includes() { grep -rhoE '^#include "[^"]+"' --include='*.[ch]' "$1" | sed 's/.*"\(.*\)"/\1/; s:.*/::' | sort -u; }
 headers() { find "$@" -name '*.h' -printf '%f\n' | sort -u; }

@@ -1,5 +1,5 @@
-/* descent.c - equilibrium by preconditioned descent, x -= t M^-1 g, with the length t of Barzilai and Borwein, IMA J.
- * Numer. Anal. 8 (1988) 141. */
+/* descent.c - equilibrium by preconditioned descent, x -= t M^-1 g, with the length t of Barzilai
+ * and Borwein, IMA J. Numer. Anal. 8 (1988) 141. */
 #include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"

@@ -1,8 +1,10 @@
-/* maxwell.c - a Maxwell fluid in shear, elastic in volume: the deviator of the elastic strain fades.
+/* maxwell.c - a Maxwell fluid in shear, elastic in volume: the deviator of the elastic strain
+ * fades.
  *
  *   tau = 2 mu e + K tr 1,  de/dt = (strain rate)' - e/T;  in a step e = e_trial exp(-dt/T)
  *
- * With K and G = mu exp(-t/T) constant strain along a bar leaves the stress E exp(-t/T'), T' = T (1 + mu/(3 K)). */
+ * With K and G = mu exp(-t/T) constant strain along a bar leaves the stress E exp(-t/T'), T' = T (1
+ * + mu/(3 K)). */
 #include "logarithmic.h"
 #include "memory.h"
 

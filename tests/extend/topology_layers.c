@@ -1,4 +1,5 @@
-/* Layers of both phases across x, by turns: the coarse ones about the multiples of core_distance. */
+/* Layers of both phases across x, by turns: the coarse ones about the multiples of core_distance.
+ */
 #include "memory.h"
 #include "recipe.h"
 #include "topology.h"

@@ -1,11 +1,14 @@
 /* faults.c - a disk that fails, or a process that is killed, at the n-th call; to be preloaded.
  *
- *   HS_FAULT="CALL N WHAT"   at the N-th call of CALL (write, pwrite, fsync, rename, fallocate, ftruncate, mmap, or any of them):
- *                            an error number, with which it and, of what a full disk stops, all that follow fail; or kill, term:
- *                            the process sends itself that signal, then makes the call
- *   HS_FAULT_COUNT=FILE      at the end the number of calls is added to FILE as a line "PROGRAM CALL NUMBER"
+ *   HS_FAULT="CALL N WHAT"   at the N-th call of CALL (write, pwrite, fsync, rename, fallocate,
+ *                            ftruncate, mmap, or any of them): an error number, with which it and,
+ *                            of what a full disk stops, all that follow fail; or kill, term: the
+ *                            process sends itself that signal, then makes the call
+ *   HS_FAULT_COUNT=FILE      at the end the number of calls is added to FILE as a line
+ *                            "PROGRAM CALL NUMBER"
  *
- * Calls on sockets, pipes and standard error are none of the disk's, and mappings without a file none of its either. */
+ * Calls on sockets, pipes and standard error are none of the disk's, and mappings without a file
+ * none of its either. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>

@@ -1,4 +1,5 @@
-/* drive.c - the targets without a fuzzer: files as they are, then COUNT copies of them, changed here and there.
+/* drive.c - the targets without a fuzzer: files as they are, then COUNT copies of them, changed
+ * here and there.
  *
  *   HS_FUZZ=TARGET fuzz COUNT FILE...
  *

@@ -44,7 +44,7 @@ static void come_back(int code)
     longjmp(fuzz.back, 1);
 }
 
-/* --- the targets: each may die anywhere -------------------------------------------------------- */
+/* --- the targets: each may die anywhere ------------------------------------------------------- */
 
 static void read_deck(const char *text, size_t size)
 {
@@ -198,7 +198,7 @@ static const struct target {
     {"history", read_table},   {"frames", read_frames},         {"checkpoint", read_checkpoint},
     {"study", read_study},     {"values", read_values},         {"image", read_image}};
 
-/* --- as libFuzzer calls them -------------------------------------------------------------------- */
+/* --- as libFuzzer calls them ------------------------------------------------------------------ */
 
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {

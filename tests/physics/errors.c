@@ -1,12 +1,14 @@
-/* errors - measured errors of the elastic constants of every material, in CSV on standard output: deep inside a body,
- * and of a plate with free surfaces in tension.  No test: make errors, pipelines/errors.
+/* errors - measured errors of the elastic constants of every material, in CSV on standard output:
+ * deep inside a body, and of a plate with free surfaces in tension.  No test: make errors,
+ * pipelines/errors.
  *
- * bulk: the stress of a node with its full family under small uniform strains; uniaxial stress along a lattice axis.
- *   Of ordinary_plastic, stress at first yield and slope of hardening, too: with r the axial stress over von
- *   Mises' measure of the node, r sigma_y and, work being the same, r^2 H.
- * plate: 64 x 8 x 8 particles, 64 x 40 x 8 (plate40), or 64 x 8 in a plane; the three layers at each end are moved
- *   along x and are free across; equilibrium by conjugate gradients.  E: force over section and strain between
- *   the planes at a quarter and three quarters; nu: of the outermost particles of the middle layers. */
+ * bulk: the stress of a node with its full family under small uniform strains; uniaxial stress
+ * along a lattice axis. Of ordinary_plastic, stress at first yield and slope of hardening, too:
+ * with r the axial stress over von Mises' measure of the node, r sigma_y and, work being the same,
+ * r^2 H. plate: 64 x 8 x 8 particles, 64 x 40 x 8 (plate40), or 64 x 8 in a plane; the three layers
+ * at each end are moved along x and are free across; equilibrium by conjugate gradients.  E: force
+ * over section and strain between the planes at a quarter and three quarters; nu: of the outermost
+ * particles of the middle layers. */
 #include "check.h"
 
 #include "small_body.h"
@@ -40,7 +42,8 @@ static const char plastic[] = "{A: {model: ordinary_plastic, " ELASTIC
 static const char *const planes[] = {"space", "plane stress", "plane strain"};
 static const enum plane plane_of[] = {SPACE, PLANE_STRESS, PLANE_STRAIN};
 
-/* What Young's modulus and Poisson's ratio of a tension test are: those of the plane in plane strain. */
+/* What Young's modulus and Poisson's ratio of a tension test are: those of the plane in plane
+ * strain. */
 static void nominal(const struct kind *kind, int plane, double *E, double *nu)
 {
     const double ratio = kind->nu == 0.25 && plane_of[plane] == PLANE_STRESS ? 1.0 / 3 : kind->nu;
@@ -56,7 +59,8 @@ static void print_case(const char *what, const struct kind *kind, int plane, int
            horizon, partial ? "partial" : "whole", correction ? correction : "none");
 }
 
-/* Axial stress at first yield over sigma_y, of a node of the plastic material under uniaxial stress. */
+/* Axial stress at first yield over sigma_y, of a node of the plastic material under uniaxial
+ * stress. */
 static double yield_ratio(struct small_case wanted, double E, double nu)
 {
     struct small_body small;
@@ -119,7 +123,8 @@ static void bulk(int k, int plane, int influence, double horizon, bool partial)
     }
 }
 
-/* Mean of a component over a face of the middle layers, less that of the face opposite, over their distance. */
+/* Mean of a component over a face of the middle layers, less that of the face opposite, over their
+ * distance. */
 static double across(const struct small_static *problem, const int size[3], int axis)
 {
     const struct grid *grid = &problem->small->body.grid;

@@ -14,8 +14,8 @@ struct scene_body {
     struct integration integration;
 };
 
-/* sections: "boundary: [...], initial: [...]"; a body of phase A whose node sets are none.  Its address must
- * stay. */
+/* sections: "boundary: [...], initial: [...]"; a body of phase A whose node sets are none.  Its
+ * address must stay. */
 void scene_body_new(struct scene_body *it, const struct small_case *wanted, const char *sections,
                     double damping, double dt);
 void scene_body_free(struct scene_body *it);

@@ -24,9 +24,8 @@ struct small_case {
     bool partial;     /* volumes */
     bool scattered;   /* through the list of neighbours, though the particles lie on a lattice */
     bool mesh;        /* of corner: as hexahedra of a mesh, in the opposite order */
-    double
-        jitter; /* each moved by up to this many spacings along each axis: of scattered ones, and of the corners
-                       * of a mesh, which are then no boxes */
+    double jitter; /* each moved by up to this many spacings along each axis: of scattered ones, and
+                    * of the corners of a mesh, which are then no boxes */
     const struct domain *points;    /* scattered particles of space, in place of size and phase */
     const char *surface_correction; /* NULL: none */
     const char *breaking;           /* further sections, "damage: ..., cracks: ...", or NULL */
@@ -78,7 +77,8 @@ void small_body_plastic_range(struct small_body *small, double range[2]);
 /* stored + stabilisation energy of the last state, elastic [J] */
 double small_body_elastic_energy(struct small_body *small);
 
-/* stored + plastic + stabilisation energy with yield, nothing committed [J]: the incremental potential */
+/* stored + plastic + stabilisation energy with yield, nothing committed [J]: the incremental
+ * potential */
 double small_body_potential(struct small_body *small);
 
 /* Site in the middle of the box, and the nominal stress of a node, nothing committed [Pa]. */
@@ -95,7 +95,8 @@ struct boundary small_free_boundary(void);
 
 enum { SMALL_STATE = 16 }; /* numbers of a law at most */
 
-/* A material point of the first phase under uniaxial stress along x: the lateral strain is found, the state moves on. */
+/* A material point of the first phase under uniaxial stress along x: the lateral strain is found,
+ * the state moves on. */
 struct small_point {
     double state[SMALL_STATE];
     double H[9];

@@ -27,7 +27,8 @@ void small_static_free(struct small_static *problem)
     }
 }
 
-/* Stiffness times a field, over the density of volume: minus the force at a ten millionth of a spacing. */
+/* Stiffness times a field, over the density of volume: minus the force at a ten millionth of a
+ * spacing. */
 static void multiply(struct small_static *problem, double *const field[3], double *product[3])
 {
     struct small_body *small = problem->small;

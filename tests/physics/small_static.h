@@ -1,5 +1,6 @@
-/* small_static.h - equilibrium of a small body under dead loads, linear: by conjugate gradients on the force that
- * the body's own material gives for displacements so small that it is linear in them. */
+/* small_static.h - equilibrium of a small body under dead loads, linear: by conjugate gradients on
+ * the force that the body's own material gives for displacements so small that it is linear in
+ * them. */
 #ifndef HS_SMALL_STATIC_H
 #define HS_SMALL_STATIC_H
 
@@ -16,8 +17,8 @@ struct small_static {
 struct small_static small_static_new(struct small_body *small);
 void small_static_free(struct small_static *problem);
 
-/* Until the residual is below tolerance times the load, or that of the given u; fails the test where that takes
- * more than the given number of steps. */
+/* Until the residual is below tolerance times the load, or that of the given u; fails the test
+ * where that takes more than the given number of steps. */
 void small_static_solve(struct small_static *problem, double tolerance, int most_steps);
 
 #endif

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A block with a notch, a hole from side to side and a step: faces, edges and corners of both kinds. */
+/* A block with a notch, a hole from side to side and a step: faces, edges and corners of both
+ * kinds. */
 static uint8_t rugged(const int size[3], const int at[3])
 {
     bool notch = at[0] > 3 && at[0] < 7 && at[1] < 3;
@@ -24,8 +25,8 @@ static void check_gradient(struct small_body *small, const double H[9])
     small_body_force(small, false, true);
     for (int64_t site = 0; site < small->body.grid.n_sites; site++)
         for (int k = 0; k < 9 && small_body_has(small, site); k++)
-            /* u is rounded at 1e-16 of 14 spacings, and the shape tensor of a corner has a condition
-             * number of about ten */
+            /* u is rounded at 1e-16 of 14 spacings, and the shape tensor of a corner has a
+             * condition number of about ten */
             assert_near(small->body.H[k][site], H[k], 1e-13);
 }
 
@@ -138,8 +139,8 @@ static void test_forces_turn_with_a_body_that_has_flowed(void **state)
     check_forces_turn(small_mix, stretch, 0.0001);
 }
 
-/* The slip of capped bonds is kept in the reference configuration: their forces turn with the body below
- * their cap (here 4e-5 spacings at first yield) and beyond it. */
+/* The slip of capped bonds is kept in the reference configuration: their forces turn with the body
+ * below their cap (here 4e-5 spacings at first yield) and beyond it. */
 static void test_forces_of_capped_bonds_turn(void **state)
 {
     (void)state;
@@ -169,8 +170,9 @@ static void test_sheet_is_reported(void **state)
     small_body_free(&small);
 }
 
-/* A motion that alternates from node to node, which no gradient sees: inside, f = -sum_j 2 V c (2 u) over the four
- * nearest, c = 0.3 (lambda + 4 mu)/kappa_0; kappa_0 = 6 by hand of a layer at a horizon of 1.45, 10 of the body. */
+/* A motion that alternates from node to node, which no gradient sees: inside, f = -sum_j 2 V c (2
+ * u) over the four nearest, c = 0.3 (lambda + 4 mu)/kappa_0; kappa_0 = 6 by hand of a layer at a
+ * horizon of 1.45, 10 of the body. */
 static void check_alternating(enum plane plane, int layers, int axes, double kappa)
 {
     struct small_body small;

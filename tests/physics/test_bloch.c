@@ -1,4 +1,5 @@
-/* No zero-energy mode for any wave vector (Bloch), and a symmetric tangent, elastic and in plastic flow. */
+/* No zero-energy mode for any wave vector (Bloch), and a symmetric tangent, elastic and in plastic
+ * flow. */
 #include "check.h"
 
 #include "memory.h"
@@ -19,8 +20,8 @@ struct response {
 
 static const double step = 1e-6; /* of a site, in spacings: far within the branch being tested */
 
-/* Brings the body to the state whose tangent is wanted: at rest, or in plastic flow at 2 % of strain
- * and a little beyond (uncommitted), where every point and bond is loading. */
+/* Brings the body to the state whose tangent is wanted: at rest, or in plastic flow at 2 % of
+ * strain and a little beyond (uncommitted), where every point and bond is loading. */
 static void bring_to(struct small_body *small, bool flowing)
 {
     if (!flowing) return;
@@ -148,8 +149,8 @@ static struct spectrum spectrum_of(double horizon, int influence, const char *st
     return spectrum;
 }
 
-/* The figures were computed with another program, a Fourier analysis of the same energy, and rounded to
- * two or three digits: 3 %. */
+/* The figures were computed with another program, a Fourier analysis of the same energy, and
+ * rounded to two or three digits: 3 %. */
 static void test_mix(void **state)
 {
     (void)state;
@@ -166,9 +167,9 @@ static void test_mix(void **state)
 /* lambda/mu of Poisson's ratio 0.31 */
 static const double lame_ratio = 2 * 0.31 / (1 - 2 * 0.31);
 
-/* A lattice wave that changes sign from site to site has H = 0 everywhere.  At horizon 1 each of the
- * three bonds of a node has |z| = 2 |u|, and the energy 3 c |2u|^2 = K u^2/2 with
- * c = 0.3 (lambda + 4 mu)/2 gives K = 3.6 (lambda + 4 mu), the highest of all; (pi, 0, 0) a third of it.
+/* A lattice wave that changes sign from site to site has H = 0 everywhere.  At horizon 1 each of
+ * the three bonds of a node has |z| = 2 |u|, and the energy 3 c |2u|^2 = K u^2/2 with c = 0.3
+ * (lambda + 4 mu)/2 gives K = 3.6 (lambda + 4 mu), the highest of all; (pi, 0, 0) a third of it.
  * Exact but for the differences: 1e-6. */
 static void test_capped(void **state)
 {
@@ -201,8 +202,8 @@ static void test_steep(void **state)
         }
 }
 
-/* The test sees a zero-energy mode where there nearly is one: with a hundredth of the bonds the least
- * eigenvalue falls in proportion to their share, and the body without any would have none. */
+/* The test sees a zero-energy mode where there nearly is one: with a hundredth of the bonds the
+ * least eigenvalue falls in proportion to their share, and the body without any would have none. */
 static void test_least_mode_is_held_by_the_bonds_alone(void **state)
 {
     (void)state;

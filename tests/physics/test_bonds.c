@@ -1,5 +1,5 @@
-/* The bonds of a body: how many, and that a list of neighbours of scattered particles gives what the lattice
- * gives. */
+/* The bonds of a body: how many, and that a list of neighbours of scattered particles gives what
+ * the lattice gives. */
 #include "check.h"
 
 #include "random.h"
@@ -54,7 +54,8 @@ static void test_number(void **state)
     }
 }
 
-/* Force and stress of every particle by both paths; the particles of a full box come in the same order. */
+/* Force and stress of every particle by both paths; the particles of a full box come in the same
+ * order. */
 static void compare_paths(struct small_case wanted, double tolerance)
 {
     struct small_body small[2];
@@ -120,7 +121,8 @@ static void test_list_gives_the_force_of_the_lattice(void **state)
         (struct small_case){{12, 9, 1}, 3.015, .materials = spring, .plane = PLANE_STRESS}, 1e-13);
 }
 
-/* The same of state-based materials, in plastic flow; a shape tensor's inverse costs another digit. */
+/* The same of state-based materials, in plastic flow; a shape tensor's inverse costs another digit.
+ */
 static void test_list_gives_the_force_of_any_material(void **state)
 {
     (void)state;
@@ -174,8 +176,9 @@ static void test_scattered_forces_balance(void **state)
     small_body_free(&small);
 }
 
-/* A strip whose bonds have weights of their own goes through other loops; as long as they are those of the offset, it
- * gives the same bits.  With a part of the strips so, as on ranks that know different ones to be cut. */
+/* A strip whose bonds have weights of their own goes through other loops; as long as they are those
+ * of the offset, it gives the same bits.  With a part of the strips so, as on ranks that know
+ * different ones to be cut. */
 static void test_own_weights_change_no_bit(void **state)
 {
     (void)state;
@@ -216,7 +219,8 @@ static void test_own_weights_change_no_bit(void **state)
         }
 }
 
-/* What bonds hold by themselves, w_ij V_i V_j, adds up to what the body stores, also between phases: sums in another order. */
+/* What bonds hold by themselves, w_ij V_i V_j, adds up to what the body stores, also between
+ * phases: sums in another order. */
 static void test_energies_of_bonds(void **state)
 {
     (void)state;
@@ -263,8 +267,9 @@ static void stretched_energy(const int size[3], const int at[3], double sums[3])
             }
 }
 
-/* (surface.2) of each bond of a box, anew; the full family is that of the lattice, of a list the continuum's, pi delta^4/5: the mean
- * of n_a^4 over directions is 1/5.  Simpson's rule of the family's moments is exact for powers. */
+/* (surface.2) of each bond of a box, anew; the full family is that of the lattice, of a list the
+ * continuum's, pi delta^4/5: the mean of n_a^4 over directions is 1/5.  Simpson's rule of the
+ * family's moments is exact for powers. */
 static void test_surface_correction_of_each_bond(void **state)
 {
     (void)state;

@@ -66,8 +66,8 @@ static double rising(double time)
     return value_rise(time / 0.3e-6) * 1e13;
 }
 
-/* Steps of the scheme keep the energy of a force, whatever its course, to round-off: some 1e-16 a step, and what the sums
- * cut off: of the energies that a ramp begins with 1e-8. */
+/* Steps of the scheme keep the energy of a force, whatever its course, to round-off: some 1e-16 a
+ * step, and what the sums cut off: of the energies that a ramp begins with 1e-8. */
 static void test_free_fall(void **state)
 {
     (void)state;
@@ -108,10 +108,10 @@ static double layer(const struct scene_body *it, int x)
     return sum / count;
 }
 
-/* A bar held along x at its left and pulled at its right comes to rest stretched by F/(E A).  One layer
- * carries either end force, which disturbs the strain there and decays within the width; the middle third is
- * 8 layers off.  Strains of 1e-5 make the law linear within 1e-5; damping leaves exp(-0.5 c t) = 1e-7 of the
- * waves, of which the fundamental needs some 20 periods. */
+/* A bar held along x at its left and pulled at its right comes to rest stretched by F/(E A).  One
+ * layer carries either end force, which disturbs the strain there and decays within the width; the
+ * middle third is 8 layers off.  Strains of 1e-5 make the law linear within 1e-5; damping leaves
+ * exp(-0.5 c t) = 1e-7 of the waves, of which the fundamental needs some 20 periods. */
 static void test_bar_under_a_force(void **state)
 {
     (void)state;
@@ -169,8 +169,8 @@ static void test_steps(void **state)
     scene_body_free(&it);
 }
 
-/* The same motion asked for as a velocity and as a displacement: differences are roundings, 1e-16 of the
- * displacement each step, over a few hundred steps, not amplified in an elastic body. */
+/* The same motion asked for as a velocity and as a displacement: differences are roundings, 1e-16
+ * of the displacement each step, over a few hundred steps, not amplified in an elastic body. */
 static void test_displacement_is_velocity(void **state)
 {
     (void)state;
@@ -222,8 +222,8 @@ static void test_displacement_is_kept(void **state)
     scene_body_free(&it);
 }
 
-/* A free bar that starts stretched holds the energy of that strain, (lambda + 2 mu)/2 eps^2 V, exact for
- * the linear law and to some eps for this one; and swings with it. */
+/* A free bar that starts stretched holds the energy of that strain, (lambda + 2 mu)/2 eps^2 V,
+ * exact for the linear law and to some eps for this one; and swings with it. */
 static void test_initial_displacement(void **state)
 {
     (void)state;
@@ -242,8 +242,8 @@ static void test_initial_displacement(void **state)
     scene_body_free(&it);
 }
 
-/* Largest imbalance of a run of a fifth of a microsecond over the largest energy; drift: by the program's
- * own measure. */
+/* Largest imbalance of a run of a fifth of a microsecond over the largest energy; drift: by the
+ * program's own measure. */
 static double imbalance_of(const char *sections, double step, double *drift)
 {
     struct scene_body it;
@@ -261,9 +261,10 @@ static double imbalance_of(const char *sections, double step, double *drift)
     return most / energy;
 }
 
-/* Whatever drives the body, the balance closes but for what the steps miss, (omega dt)^2: the drift stays below
- * the 1 % that stop a run, from the first step, and the imbalance falls to a quarter at half the step.  A stretched
- * body that is let go strikes all its modes at once: only the order is checked there.  An error of work of first order would leave half. */
+/* Whatever drives the body, the balance closes but for what the steps miss, (omega dt)^2: the drift
+ * stays below the 1 % that stop a run, from the first step, and the imbalance falls to a quarter at
+ * half the step.  A stretched body that is let go strikes all its modes at once: only the order is
+ * checked there.  An error of work of first order would leave half. */
 static void test_energy_of_each_kind(void **state)
 {
     (void)state;
@@ -290,7 +291,8 @@ static void test_energy_of_each_kind(void **state)
     }
 }
 
-/* Velocities count in the middle of a step: one that grows evenly is integrated exactly, to rounding of the sums. */
+/* Velocities count in the middle of a step: one that grows evenly is integrated exactly, to
+ * rounding of the sums. */
 static void test_even_growth_of_a_velocity(void **state)
 {
     (void)state;
@@ -313,8 +315,8 @@ static void test_even_growth_of_a_velocity(void **state)
     scene_body_free(&it);
 }
 
-/* At the start the body contracts with nu times the rate; what the grips hold does not, and beside them it grows over half
- * of the width, a spacing here. */
+/* At the start the body contracts with nu times the rate; what the grips hold does not, and beside
+ * them it grows over half of the width, a spacing here. */
 static void test_affine_start(void **state)
 {
     (void)state;
@@ -339,8 +341,8 @@ static void test_affine_start(void **state)
     scene_body_free(&it);
 }
 
-/* A force on some particles of unequal volume: its density is F over their volume, not over their number, and each of them moves as
- * F/(rho sum V) asks, since none is near another. */
+/* A force on some particles of unequal volume: its density is F over their volume, not over their
+ * number, and each of them moves as F/(rho sum V) asks, since none is near another. */
 static void test_force_on_unequal_particles(void **state)
 {
     (void)state;

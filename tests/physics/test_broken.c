@@ -45,8 +45,8 @@ static void tear(struct small_body *small, double share)
     broken_shapes(&small->body, true);
 }
 
-/* An affine motion gives its exact gradient in whatever family is left, as long as it spans space; the others
- * have none.  Displacements of up to 0.5 spacings, differences of 1e-16 of them. */
+/* An affine motion gives its exact gradient in whatever family is left, as long as it spans space;
+ * the others have none.  Displacements of up to 0.5 spacings, differences of 1e-16 of them. */
 static void test_gradient_of_torn_families(void **state)
 {
     (void)state;
@@ -115,8 +115,9 @@ static void test_forces_of_torn_bodies_cancel(void **state)
     }
 }
 
-/* The force is minus the derivative of the energy, with whatever bonds are left: central differences along a
- * random direction, (1e-6 spacings)^2 off by curvature, 1e-16 of the energy by rounding over 1e-6. */
+/* The force is minus the derivative of the energy, with whatever bonds are left: central
+ * differences along a random direction, (1e-6 spacings)^2 off by curvature, 1e-16 of the energy by
+ * rounding over 1e-6. */
 static void check_derivative(const char *law, int horizon)
 {
     struct small_body small;
@@ -161,8 +162,8 @@ static void test_force_of_torn_bodies_derives_from_energy(void **state)
     }
 }
 
-/* A record of broken bonds in which none is broken changes no bit, and neither do broken bonds far away:
- * nodes two horizons from the tear keep their forces. */
+/* A record of broken bonds in which none is broken changes no bit, and neither do broken bonds far
+ * away: nodes two horizons from the tear keep their forces. */
 static void test_far_nodes_keep_their_bits(void **state)
 {
     (void)state;
@@ -283,13 +284,15 @@ static void test_cracks_cut_what_they_cross(void **state)
         /* two columns by three: its rim on nodes counts */
         {"{rectangle: [[2.5 spacings, 1 spacings, 0], [0, 1 spacings, 0], [0, 0, 2 spacings]]}", 1,
          6, false},
-        /* on a layer of nodes, which belongs to one side: again 20, of horizon 2 sixty more diagonal ones */
+        /* on a layer of nodes, which belongs to one side: again 20, of horizon 2 sixty more
+           diagonal ones */
         {"{rectangle: [[3 spacings, -1, -1], [0, 2, 0], [0, 0, 2]]}", 1, 20, false},
         /* both ways of the normal */
         {"{rectangle: [[3 spacings, -1, -1], [0, 0, 2], [0, 2, 0]]}", 1, 20, false},
         /* horizon 1.5: along x 20, (1, +-1, 0) 2 x 16, (1, 0, +-1) 2 x 15 */
         {"{rectangle: [[2.5 spacings, -1, -1], [0, 2, 0], [0, 0, 2]]}", 1.5, 82, false},
-        /* a disc about the middle of a bond, of less than a spacing, and of one: four neighbours more */
+        /* a disc about the middle of a bond, of less than a spacing, and of one: four neighbours
+           more */
         {"{disc: {centre: [2.5 spacings, 2 spacings, 1 spacings], normal: [2, 0, 0], radius: 0.9 "
          "spacings}}",
          1, 1, false},
@@ -300,7 +303,8 @@ static void test_cracks_cut_what_they_cross(void **state)
         {"{disc: {centre: [2.5 spacings, 2 spacings, 9 spacings], normal: [1, 0, 0], radius: 1 "
          "spacings}}",
          1, 0, false},
-        /* one layer of 6 x 5: a line across, whatever its edge along z; a disc as a line of 3 bonds */
+        /* one layer of 6 x 5: a line across, whatever its edge along z; a disc as a line of 3 bonds
+         */
         {"{rectangle: [[2.5 spacings, 0.5 spacings, 7], [0, 2 spacings, 0], [0, 0, 1]]}", 1, 2,
          true},
         {"{disc: {centre: [2.5 spacings, 2 spacings, 5], normal: [1, 0, 0], radius: 1.2 spacings}}",
@@ -333,7 +337,8 @@ static void test_cracks_cut_what_they_cross(void **state)
     }
 }
 
-/* Nodes on the plane belong to the side that the normal points to, the first edge times the second. */
+/* Nodes on the plane belong to the side that the normal points to, the first edge times the second.
+ */
 static void test_nodes_on_a_crack_belong_to_the_side_of_its_normal(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
-/* Bond springs of `capped` beyond their cap, turned, and in nodes that degrade: on the motion that alternates from node to node, of
- * which inner nodes have no gradient, so that the springs are all there is. */
+/* Bond springs of `capped` beyond their cap, turned, and in nodes that degrade: on the motion that
+ * alternates from node to node, of which inner nodes have no gradient, so that the springs are all
+ * there is. */
 #include "check.h"
 
 #include "integrity.h"
@@ -47,8 +48,9 @@ static bool is_inner(const struct small_body *small, int64_t site)
     return true;
 }
 
-/* Inner nodes are three layers from the surface: with neighbours that have no gradient, and no stress of springs, either.
- * Of all six bonds of such a node |z| = 2 amplitude; beyond z_c the force grows by 0.02/1.02 of the elastic one. */
+/* Inner nodes are three layers from the surface: with neighbours that have no gradient, and no
+ * stress of springs, either. Of all six bonds of such a node |z| = 2 amplitude; beyond z_c the
+ * force grows by 0.02/1.02 of the elastic one. */
 static void test_force_beyond_the_cap(void **state)
 {
     (void)state;
@@ -72,7 +74,8 @@ static void test_force_beyond_the_cap(void **state)
     small_body_free(&small);
 }
 
-/* A slip that came about in a turned body is the same slip: forces turn with the body, and back again. */
+/* A slip that came about in a turned body is the same slip: forces turn with the body, and back
+ * again. */
 static void test_slip_turns(void **state)
 {
     (void)state;
@@ -93,7 +96,8 @@ static void test_slip_turns(void **state)
         for (int64_t site = 0; site < upright.body.grid.n_sites; site++) {
             if (!is_inner(&upright, site)) continue;
             double *const *f = upright.body.f, *const *g = turned.body.f;
-            /* differences of displacements as large as the body: 1e-16 * 8 spacings over the amplitude of 3.6e-4 of one */
+            /* differences of displacements as large as the body: 1e-16 * 8 spacings over the
+             * amplitude of 3.6e-4 of one */
             assert_near(g[0][site], back ? f[0][site] : -f[1][site], 1e-10 * most);
             assert_near(g[1][site], back ? f[1][site] : f[0][site], 1e-10 * most);
         }
@@ -116,8 +120,8 @@ static double energy_of(struct small_body *small)
     return values[0] + values[1] + values[2];
 }
 
-/* Where nothing moves, what nodes that degrade store no more has been dissipated: the sum stays, to rounding.  Below the cap and
- * below yield, so that nothing else dissipates. */
+/* Where nothing moves, what nodes that degrade store no more has been dissipated: the sum stays, to
+ * rounding.  Below the cap and below yield, so that nothing else dissipates. */
 static void test_degrading_turns_stored_energy_into_dissipated(void **state)
 {
     (void)state;

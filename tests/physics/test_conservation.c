@@ -78,8 +78,8 @@ static void test_forces_and_moments_cancel(void **state)
     for (int horizon = 1; horizon <= 3; horizon++) check_forces(small_mix, horizon, 0.005);
 }
 
-/* Beyond the cap, 4e-5 spacings at first yield, and below it: slip is kept in the reference configuration
- * and turns with the body, so that moments balance in both. */
+/* Beyond the cap, 4e-5 spacings at first yield, and below it: slip is kept in the reference
+ * configuration and turns with the body, so that moments balance in both. */
 static void test_forces_of_capped_bonds_cancel(void **state)
 {
     (void)state;
@@ -131,9 +131,9 @@ static struct flight fly(const char *stabilisation, double speed, double dt, int
     return flight;
 }
 
-/* The steps keep kinetic + staggered + stored energy of linear forces to rounding, and lose of others the third difference
- * of the energy, (omega dt)^2 times the strain of 1e-5.  Without the staggered part 2e-4 of it would swing.
- * 1 microsecond: some 25 passages of a wave. */
+/* The steps keep kinetic + staggered + stored energy of linear forces to rounding, and lose of
+ * others the third difference of the energy, (omega dt)^2 times the strain of 1e-5.  Without the
+ * staggered part 2e-4 of it would swing. 1 microsecond: some 25 passages of a wave. */
 static void check_elastic(const char *law)
 {
     const struct flight flight = fly(law, 0.1, 1e-9, 1000);
@@ -141,9 +141,9 @@ static void check_elastic(const char *law)
     assert_true(flight.plastic == 0);
 }
 
-/* Where bonds and nodes begin and cease to flow the force has a kink, and its trapezium an error of second order: at a
- * quarter of the stable step 1e-3, and a quarter of that at half the step; one of first order, such as a wrong plastic
- * work, would leave half. */
+/* Where bonds and nodes begin and cease to flow the force has a kink, and its trapezium an error of
+ * second order: at a quarter of the stable step 1e-3, and a quarter of that at half the step; one
+ * of first order, such as a wrong plastic work, would leave half. */
 static void check_energy(const char *law, double speed, double low, double high)
 {
     struct flight coarse = fly(law, speed, 1e-9, 1000), fine = fly(law, speed, 0.5e-9, 2000);

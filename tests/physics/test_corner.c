@@ -29,9 +29,10 @@ static double force_on(const struct body *body, int a, int64_t site)
     return body->f[a][site] * body->volumes[site];
 }
 
-/* A uniform uniaxial stress to 20 % of strain, in cubes and in boxes: the corners inside and on faces along the load are at rest, and each
- * particle with nothing before it along the load pulls at its four corners there with a quarter of P dy dz.  Exact but
- * for rounding: 1e-11 of the largest force. */
+/* A uniform uniaxial stress to 20 % of strain, in cubes and in boxes: the corners inside and on
+ * faces along the load are at rest, and each particle with nothing before it along the load pulls
+ * at its four corners there with a quarter of P dy dz.  Exact but for rounding: 1e-11 of the
+ * largest force. */
 static void test_uniaxial_stress_in_a_staircase(void **state)
 {
     (void)state;
@@ -129,8 +130,9 @@ static void test_momentum(void **state)
     }
 }
 
-/* The force is the derivative of the energy, by central differences in one direction at random: their error is the
- * second derivative's, 1e-7 of the force at a step of 1e-4 spacings, against rounding of 1e-16 over it. */
+/* The force is the derivative of the energy, by central differences in one direction at random:
+ * their error is the second derivative's, 1e-7 of the force at a step of 1e-4 spacings, against
+ * rounding of 1e-16 over it. */
 static void test_force_is_the_gradient(void **state)
 {
     (void)state;
@@ -195,8 +197,9 @@ static void test_objectivity(void **state)
     }
 }
 
-/* A uniform gradient of 20 %, with flow, in a mesh of hexahedra that are no boxes and have warped faces: each particle has
- * that gradient, nodes inside are at rest and the others in balance.  Rounding: 1e-13, and 1e-11 of the largest force. */
+/* A uniform gradient of 20 %, with flow, in a mesh of hexahedra that are no boxes and have warped
+ * faces: each particle has that gradient, nodes inside are at rest and the others in balance.
+ * Rounding: 1e-13, and 1e-11 of the largest force. */
 static void test_patch_of_a_mesh(void **state)
 {
     const double H[9] = {0.2, 0.05, -0.02, 0.03, -0.08, 0.04, 0.01, -0.06, -0.05};
@@ -236,7 +239,8 @@ static void test_patch_of_a_mesh(void **state)
     }
 }
 
-/* Cubes as a mesh are the lattice: the same forces in a state that has flowed, to rounding, 1e-12 of the largest. */
+/* Cubes as a mesh are the lattice: the same forces in a state that has flowed, to rounding, 1e-12
+ * of the largest. */
 static void test_cubes_as_a_mesh(void **state)
 {
     (void)state;
@@ -284,9 +288,9 @@ static void test_cubes_as_a_mesh(void **state)
     }
 }
 
-/* A sheet in plane stress under equal stretches of both axes to 20 %, flowing: the stress across vanishes, that in the
- * plane is the one of the law at the stretch across which bisection of that law's answer gives; 1e-10 of it, 1e-12 of the
- * moduli being taken for no stress. */
+/* A sheet in plane stress under equal stretches of both axes to 20 %, flowing: the stress across
+ * vanishes, that in the plane is the one of the law at the stretch across which bisection of that
+ * law's answer gives; 1e-10 of it, 1e-12 of the moduli being taken for no stress. */
 static void test_sheet_in_plane_stress(void **state)
 {
     (void)state;
@@ -334,9 +338,10 @@ static uint8_t layers(const int size[3], const int at[3])
     return (uint8_t)(at[0] % 2);
 }
 
-/* Layers of one particle, stiffnesses 1:10, in series under uniaxial strain: with strains as 10:1 each corner between
- * them is at rest. The difference is that of the finite strains: exact for the stress that each layer's law gives, so
- * the strain of the stiff layers is found for it by bisection; rounding 1e-11. */
+/* Layers of one particle, stiffnesses 1:10, in series under uniaxial strain: with strains as 10:1
+ * each corner between them is at rest. The difference is that of the finite strains: exact for the
+ * stress that each layer's law gives, so the strain of the stiff layers is found for it by
+ * bisection; rounding 1e-11. */
 static void test_layers_in_series(void **state)
 {
     (void)state;
@@ -374,8 +379,9 @@ static void test_layers_in_series(void **state)
     small_body_free(&small);
 }
 
-/* One cell whose corners move by s_x s_y h along x alone: F stays 1, nothing but the residual acts, and its force and
- * work are those of a linear spring with a linear hardening slider, (flowing.1) to (flowing.3). */
+/* One cell whose corners move by s_x s_y h along x alone: F stays 1, nothing but the residual acts,
+ * and its force and work are those of a linear spring with a linear hardening slider, (flowing.1)
+ * to (flowing.3). */
 static void test_flow_of_the_residual(void **state)
 {
     (void)state;
@@ -409,7 +415,8 @@ static void test_flow_of_the_residual(void **state)
         exact_sum_finish(
             (const struct exact_sum[]){energy.stored, energy.plastic, energy.stabilisation}, 3,
             values);
-        /* e = w F^-1 h: beside what s_x s_y gets, A = - t e, of which a corner gets a quarter over dx. */
+        /* e = w F^-1 h: beside what s_x s_y gets, A = - t e, of which a corner gets a quarter over
+         * dx. */
         const double stress = 0.5 * mu * (e - plastic),
                      corner = stress * volume * (w / 8 + e / (4 * spacing));
         const int64_t first = grid_site(&body->grid, (const int[]){0, 0, 0});

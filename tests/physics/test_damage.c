@@ -34,8 +34,8 @@ static bool pull(struct small_body *small, double stretch)
     return true;
 }
 
-/* The stretch of a bond along x is exact to its last bits, so a millionth of a millionth on either side
- * decides.  Once broken it carries no force, pulled or pushed. */
+/* The stretch of a bond along x is exact to its last bits, so a millionth of a millionth on either
+ * side decides.  Once broken it carries no force, pulled or pushed. */
 static void test_two_particles(void **state)
 {
     (void)state;
@@ -61,8 +61,9 @@ static void test_two_particles(void **state)
     small_body_free(&small);
 }
 
-/* Energy per area [J/m^2] of the bonds through a plane in the middle of a bulk body, all stretched by s, or
- * all holding the energy density w where that is not 0: of one column of nodes, whose bonds cross it. */
+/* Energy per area [J/m^2] of the bonds through a plane in the middle of a bulk body, all stretched
+ * by s, or all holding the energy density w where that is not 0: of one column of nodes, whose
+ * bonds cross it. */
 static double plane_energy(const struct small_body *small, double s, double w)
 {
     const struct lattice *lattice = &small->lattice;
@@ -93,8 +94,8 @@ struct surface {
     enum plane plane;
 };
 
-/* Relative errors of the energies that the bonds of a lattice hold at the critical stretch, and at the
- * critical energy density, against the fracture energy asked for. */
+/* Relative errors of the energies that the bonds of a lattice hold at the critical stretch, and at
+ * the critical energy density, against the fracture energy asked for. */
 static void surface_errors(const struct surface *wanted, double errors[2])
 {
     const int reach = (int)wanted->horizon, width = 2 * reach + 1;
@@ -117,8 +118,9 @@ static void surface_errors(const struct surface *wanted, double errors[2])
     small_body_free(&small);
 }
 
-/* A lattice sum stands for the integral of (opening.1) or (opening.3).  Its error falls with the horizon, not
- * monotonously, since shells of neighbours enter one by one: below 15 % at three spacings, 4 % at six. */
+/* A lattice sum stands for the integral of (opening.1) or (opening.3).  Its error falls with the
+ * horizon, not monotonously, since shells of neighbours enter one by one: below 15 % at three
+ * spacings, 4 % at six. */
 static void test_fracture_energy_is_that_of_the_bonds_cut(void **state)
 {
     (void)state;
@@ -147,7 +149,8 @@ static void test_known_critical_stretches(void **state)
                               .edge = {SMALL_SPACING, SMALL_SPACING, SMALL_SPACING}};
     const double delta = 3 * SMALL_SPACING;
     struct material m = {.youngs_modulus = E, .poissons_ratio = 0.25, .bulk_modulus = E / 1.5};
-    /* The moments are integrals by Simpson's rule, exact to round-off for powers up to the third. */
+    /* The moments are integrals by Simpson's rule, exact to round-off for powers up to the third.
+     */
     assert_relative(opening_bond_based(&m, SPACE, &family, &lattice),
                     9.0 / 5 * m.bulk_modulus * delta, 1e-10);
     assert_relative(opening_bond_based(&m, PLANE_STRAIN, &family, &lattice),
@@ -155,8 +158,9 @@ static void test_known_critical_stretches(void **state)
     m.poissons_ratio = 1.0 / 3;
     assert_relative(opening_bond_based(&m, PLANE_STRESS, &family, &lattice),
                     9 * E * delta / (4 * pi), 1e-10);
-    /* mu = 3 K/5 in space: an ordinary material is then bond-based, with mu M5/M4 for w = 1 in place of
-     * (3/5) K M4/M3: another energy for the same stretch only by the influence function. */
+    /* mu = 3 K/5 in space: an ordinary material is then bond-based, with mu M5/M4 for w = 1 in
+     * place of (3/5) K M4/M3: another energy for the same stretch only by the influence function.
+     */
     m.shear_modulus = 0.6 * m.bulk_modulus;
     assert_relative(opening_ordinary(&m, SPACE, &family, &lattice),
                     3.75 * m.shear_modulus * 5.0 / 6 * delta, 1e-10);
@@ -170,8 +174,8 @@ static void test_known_critical_stretches(void **state)
     family_free((struct family *)&family);
 }
 
-/* sum over x > 0 of r^power x, over the sum of all r^power, of the points of a fine grid in a ball or a disc of radius 1: bonds
- * across a plane, over the whole family. */
+/* sum over x > 0 of r^power x, over the sum of all r^power, of the points of a fine grid in a ball
+ * or a disc of radius 1: bonds across a plane, over the whole family. */
 static double share_across(int power, enum plane plane)
 {
     enum { R = 60 };
@@ -187,9 +191,10 @@ static double share_across(int power, enum plane plane)
     return across / all;
 }
 
-/* Of ordinary materials of any Poisson's ratio, by such sums: springs b w e^2/2 at either end with b = 15 mu/m, in a plane 8 mu/m, and k
- * theta^2/2 of the dilatation that the bonds cut make, theta = n sum w |xi| e V/m, at its mean over the layer on either
- * side.  w = 1, w = 1/r, and the latter with 1/r in theta, too.  The grid is good to 1e-3. */
+/* Of ordinary materials of any Poisson's ratio, by such sums: springs b w e^2/2 at either end with
+ * b = 15 mu/m, in a plane 8 mu/m, and k theta^2/2 of the dilatation that the bonds cut make, theta
+ * = n sum w |xi| e V/m, at its mean over the layer on either side.  w = 1, w = 1/r, and the latter
+ * with 1/r in theta, too.  The grid is good to 1e-3. */
 static void test_openings_are_sums_over_the_bonds_cut(void **state)
 {
     (void)state;
@@ -269,8 +274,9 @@ static void test_rules_of_pairs(void **state)
     }
 }
 
-/* A crack along an interface opens bonds that the springs of both phases make in series: the energy at one stretch is the
- * harmonic mean of theirs, and 1/s^2 of a fracture energy, which is that over it, too. */
+/* A crack along an interface opens bonds that the springs of both phases make in series: the energy
+ * at one stretch is the harmonic mean of theirs, and 1/s^2 of a fracture energy, which is that over
+ * it, too. */
 static void test_fracture_energy_of_an_interface(void **state)
 {
     (void)state;
@@ -288,7 +294,8 @@ static void test_fracture_energy_of_an_interface(void **state)
     small_body_free(&small);
 }
 
-/* The bond across the interface obeys its own value, whichever phase is named first; those of pairs not named never break. */
+/* The bond across the interface obeys its own value, whichever phase is named first; those of pairs
+ * not named never break. */
 static void test_bonds_obey_their_pair(void **state)
 {
     (void)state;
@@ -310,8 +317,9 @@ static void test_bonds_obey_their_pair(void **state)
     }
 }
 
-/* Of a bond alone, w = c s^2 |xi|/2 with c = 18 K/(4 pi M |dx|^4), M = 1/4 at a horizon of one spacing and K = E/1.5 at Poisson's
- * ratio 1/4: s = 0.02 holds the value.  Pushed together it holds as much and stays whole. */
+/* Of a bond alone, w = c s^2 |xi|/2 with c = 18 K/(4 pi M |dx|^4), M = 1/4 at a horizon of one
+ * spacing and K = E/1.5 at Poisson's ratio 1/4: s = 0.02 holds the value.  Pushed together it holds
+ * as much and stays whole. */
 static void test_bonds_hold_an_energy_only_pulled(void **state)
 {
     (void)state;
@@ -429,8 +437,9 @@ static struct flight fly(const struct bar *bar, double dt, int steps, bool test_
 #define SPENT   "damage: [{phase: A, law: plastic_strain, value: 0.02}]"
 #define DUCTILE "damage: [{phase: A, law: ductile, onset: 0.005, full: 0.02}]"
 
-/* The error of velocity Verlet, (omega dt)^2, and nothing of first order in dt from the breaking: a quarter at
- * half the step, for which less than 0.4 leaves room for bonds that then break elsewhere. */
+/* The error of velocity Verlet, (omega dt)^2, and nothing of first order in dt from the breaking: a
+ * quarter at half the step, for which less than 0.4 leaves room for bonds that then break
+ * elsewhere. */
 static void test_energy_balance_through_fracture(void **state)
 {
     (void)state;
@@ -474,8 +483,9 @@ static uint8_t third_is_soft(const int size[3], const int at[3])
     return 3 * at[0] < size[0] ? 0 : 1;
 }
 
-/* All nodes are beyond the limits of their phases, the soft ones by more in plastic strain (0.0048 of 0.0042, 0.0033 of 0.0028:
- * (q_trial - yield)/(3 mu + modulus) with q_trial = 1.2 GPa), the others by more of their limit: they are the worst. */
+/* All nodes are beyond the limits of their phases, the soft ones by more in plastic strain (0.0048
+ * of 0.0042, 0.0033 of 0.0028: (q_trial - yield)/(3 mu + modulus) with q_trial = 1.2 GPa), the
+ * others by more of their limit: they are the worst. */
 static void test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits(void **state)
 {
     (void)state;
@@ -506,8 +516,8 @@ static void test_the_worst_nodes_are_most_beyond_in_shares_of_their_limits(void 
     small_body_free(&small);
 }
 
-/* Stretched by 5 % along x and by 4.2 % along y, bonds along x are beyond the stretch of 2 % by the most; those along a
- * diagonal, 1.41 times as long, by the most of a length: 2.6 % of it. */
+/* Stretched by 5 % along x and by 4.2 % along y, bonds along x are beyond the stretch of 2 % by the
+ * most; those along a diagonal, 1.41 times as long, by the most of a length: 2.6 % of it. */
 static void test_the_worst_bonds_are_most_beyond_in_stretch(void **state)
 {
     (void)state;
@@ -531,7 +541,8 @@ static void test_the_worst_bonds_are_most_beyond_in_stretch(void **state)
     small_body_free(&small);
 }
 
-/* One soft node flows more than its limit: all bonds of its family break, those that its neighbours begin, too, and no others. */
+/* One soft node flows more than its limit: all bonds of its family break, those that its neighbours
+ * begin, too, and no others. */
 static void test_a_removed_node_takes_all_its_bonds(void **state)
 {
     (void)state;
@@ -551,7 +562,8 @@ static void test_a_removed_node_takes_all_its_bonds(void **state)
                         "1 GPa}, flaw: {centre: [75 um, 75 um, 75 um], radius: 8 um, reduction: "
                         "0.9}}}",
                     .breaking = "damage: [{phase: A, law: plastic_strain, value: 0.0035}]"});
-            /* q_trial = 3 mu 0.005 = 1.2 GPa: p = 0.0034 where the yield stress is 400 MPa, 0.0048 where it is 40 MPa. */
+            /* q_trial = 3 mu 0.005 = 1.2 GPa: p = 0.0034 where the yield stress is 400 MPa, 0.0048
+             * where it is 40 MPa. */
             small_body_deform(&small, (const double[9]){0.005, 0, 0, 0, -0.0025, 0, 0, 0, -0.0025});
             small_body_force(&small, true, false);
             assert_true(damage_find(small.damage));
@@ -576,7 +588,8 @@ static void test_a_removed_node_takes_all_its_bonds(void **state)
         }
 }
 
-/* Bonds between two phases hold G between them: those in series at the harmonic mean of what either phase's would take. */
+/* Bonds between two phases hold G between them: those in series at the harmonic mean of what either
+ * phase's would take. */
 static void test_fracture_energy_of_a_pair(void **state)
 {
     (void)state;

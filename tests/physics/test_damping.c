@@ -77,8 +77,8 @@ static struct pull pull(const char *stabilisation, double damping, double dt)
     return pull;
 }
 
-/* What is left is the error of the work's trapezia, of second order where nodes begin to flow; what damping takes is
- * known exactly, so that the drift does not grow with it. */
+/* What is left is the error of the work's trapezia, of second order where nodes begin to flow; what
+ * damping takes is known exactly, so that the drift does not grow with it. */
 static void check_pull(const char *stabilisation, double c_dt)
 {
     const double dt = 2e-9;
@@ -100,8 +100,8 @@ static void test_energy_of_a_damped_pull(void **state)
 static const struct small_case free_bar = {
     .size = {12, 4, 4}, .horizon = 1, .stabilisation = small_mix, .materials = small_elastic};
 
-/* A body that flies as a whole, and turns not, decays as exp(-c t); two halves of a step are the whole of it, to rounding.  Of
- * local damping nothing comes, as no force acts. */
+/* A body that flies as a whole, and turns not, decays as exp(-c t); two halves of a step are the
+ * whole of it, to rounding.  Of local damping nothing comes, as no force acts. */
 static void test_flight_decays(void **state)
 {
     (void)state;
@@ -121,7 +121,8 @@ static void test_flight_decays(void **state)
     scene_body_free(&it);
 }
 
-/* Uniform stretching between grips, which contracts by half as in plastic flow, is no motion that damping knows. */
+/* Uniform stretching between grips, which contracts by half as in plastic flow, is no motion that
+ * damping knows. */
 static void test_affine_motion_is_left_alone(void **state)
 {
     (void)state;
@@ -152,7 +153,8 @@ static void test_affine_motion_is_left_alone(void **state)
     scene_body_free(&it);
 }
 
-/* The reference of the drift is m (v_right - v_left)^2/24 of a bar that is stretched uniformly about its middle. */
+/* The reference of the drift is m (v_right - v_left)^2/24 of a bar that is stretched uniformly
+ * about its middle. */
 static void test_reference_of_the_drift(void **state)
 {
     (void)state;

@@ -22,7 +22,8 @@ static double yield_stress(double p)
     return 182.1e6 + 513.0e6 * (1 - exp(-5.320 * p));
 }
 
-/* Plastic strain of a bar of the logarithmic strain e under uniaxial stress: e = p + sigma_y(p)/E. */
+/* Plastic strain of a bar of the logarithmic strain e under uniaxial stress: e = p + sigma_y(p)/E.
+ */
 static double plastic_strain(double e)
 {
     double low = 0, high = e;
@@ -56,7 +57,8 @@ static void stretch(struct small_body *small, double strain)
     small_body_deform(small, (double[9]){strain, 0, 0, 0, lateral, 0, 0, 0, lateral});
 }
 
-/* Energies of a force [J], and the nominal stress of the middle node, share of the bonds included [Pa]. */
+/* Energies of a force [J], and the nominal stress of the middle node, share of the bonds included
+ * [Pa]. */
 struct answer {
     double held, axial;
 };
@@ -99,8 +101,8 @@ static const struct {
     double horizon;
 } cases[] = {{small_mix, 1}, {small_mix, 2}, {small_capped, 2}};
 
-/* Uniform tension against 1 - D(p) times the sound material's stress, both by formulas; the tables of the law are good
- * to 1e-9.  At full all nodes go at once and nothing is left. */
+/* Uniform tension against 1 - D(p) times the sound material's stress, both by formulas; the tables
+ * of the law are good to 1e-9.  At full all nodes go at once and nothing is left. */
 static void test_uniform_tension(void **state)
 {
     (void)state;
@@ -133,8 +135,8 @@ static void test_uniform_tension(void **state)
     }
 }
 
-/* Forces of states that are tried and not accepted, as an equilibrium's search needs them, leave no trace in what is held or
- * dissipated: to the last bit that of a body that was never there. */
+/* Forces of states that are tried and not accepted, as an equilibrium's search needs them, leave no
+ * trace in what is held or dissipated: to the last bit that of a body that was never there. */
 static void test_states_that_are_tried_leave_no_trace(void **state)
 {
     (void)state;
@@ -160,8 +162,8 @@ static void test_states_that_are_tried_leave_no_trace(void **state)
     }
 }
 
-/* Energies held and dissipated since damage began, against the work of the formulas' stress by the trapezoidal rule,
- * damage being that of the state before: relative. */
+/* Energies held and dissipated since damage began, against the work of the formulas' stress by the
+ * trapezoidal rule, damage being that of the state before: relative. */
 static double energy_error(const char *stabilisation, double horizon, int steps)
 {
     struct small_body small;
@@ -201,8 +203,9 @@ static double *copy(const struct small_body *small, const double *field)
     return memcpy(memory_new(n, sizeof(double)), field, n * sizeof(double));
 }
 
-/* Energies held and dissipated since damage began against the work of the inner forces by the trapezoidal rule, the nodes
- * moving by a noise, so that the springs, which never slip, hold a good part of the energy: relative. */
+/* Energies held and dissipated since damage began against the work of the inner forces by the
+ * trapezoidal rule, the nodes moving by a noise, so that the springs, which never slip, hold a good
+ * part of the energy: relative. */
 static double energy_error_of_springs(int steps)
 {
     struct small_body small;
@@ -239,8 +242,9 @@ static double energy_error_of_springs(int steps)
     return (held - before) / work - 1;
 }
 
-/* What a spring releases is booked at the end of the step, by which the error is of first order: half at half the step.  Twice
- * the release would be off by a quarter of the work, whatever the step. */
+/* What a spring releases is booked at the end of the step, by which the error is of first order:
+ * half at half the step.  Twice the release would be off by a quarter of the work, whatever the
+ * step. */
 static void test_energy_of_springs(void **state)
 {
     (void)state;
@@ -250,9 +254,9 @@ static void test_energy_of_springs(void **state)
     assert_near(fine, 0, 0.55 * fabs(coarse));
 }
 
-/* The error of the trapezoidal rule is a quarter at half the step.  A lag of one step in the damage of what is
- * dissipated would make an error of some 1/(steps of the damage), 0.6 and 0.3 %; the energy that damage sets free is
- * 1.7 % of the work. */
+/* The error of the trapezoidal rule is a quarter at half the step.  A lag of one step in the damage
+ * of what is dissipated would make an error of some 1/(steps of the damage), 0.6 and 0.3 %; the
+ * energy that damage sets free is 1.7 % of the work. */
 static void test_energy_of_uniform_tension(void **state)
 {
     (void)state;
@@ -299,8 +303,8 @@ static uint8_t two_halves(const int size[3], const int at[3])
     return at[0] >= size[0] / 2;
 }
 
-/* Force between two particles of either phase whose integrities are 0.8 and 0.2, over that of sound ones.  Alone they
- * have no deformation gradient: it is that of the bond. */
+/* Force between two particles of either phase whose integrities are 0.8 and 0.2, over that of sound
+ * ones.  Alone they have no deformation gradient: it is that of the bond. */
 static double bond_share(const char *stabilisation, const char *rule)
 {
     struct small_body small;
@@ -386,8 +390,8 @@ static struct damage_rules read_rules(struct small_body *small, const char *mate
     return damage_rules_read(deck_get(deck_root(small->deck), "damage"), &see);
 }
 
-/* What a band of one spacing lengthens by between onset and the end, e^p being its stretch, is what one of the length would
- * between onset and full. */
+/* What a band of one spacing lengthens by between onset and the end, e^p being its stretch, is what
+ * one of the length would between onset and full. */
 static void test_length_scales_the_interval(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Bodies at rest: the symbol, the waves that invert it, and what the methods find, against independent answers. */
+/* Bodies at rest: the symbol, the waves that invert it, and what the methods find, against
+ * independent answers. */
 #include "check.h"
 
 #include "direction.h"
@@ -42,9 +43,9 @@ static const double waves[][3] = {{0.3, 0, 0}, {0, 1.7, 0}, {0.4, 2.1, 0},  {3.1
                                   {1, 2, 0.7}, {3, 3, 3},   {0.1, 0.2, 2.9}};
 enum { WAVES = sizeof waves / sizeof *waves };
 
-/* Springs along all bonds of the family: M_a = sum c V (xi_a^2/|xi|^3) (1 - cos k.xi), c = 18 K/(pi delta^4), in plane
- * stress 9 E/(pi h delta^3), E = 3/2 K.  The node is moved by 1e-7 of a spacing, where
- * a force has 1e-9 of its round-off. */
+/* Springs along all bonds of the family: M_a = sum c V (xi_a^2/|xi|^3) (1 - cos k.xi), c = 18 K/(pi
+ * delta^4), in plane stress 9 E/(pi h delta^3), E = 3/2 K.  The node is moved by 1e-7 of a spacing,
+ * where a force has 1e-9 of its round-off. */
 static void check_springs(double horizon, enum plane plane)
 {
     const struct small_case wanted = {
@@ -82,8 +83,8 @@ static void test_symbol_of_springs(void **state)
     check_springs(2.015, PLANE_STRESS);
 }
 
-/* Long waves know the moduli alone: (lambda + 2 mu) k^2 along the axis of the motion, mu k^2 across it.  k = 0.02 a spacing:
- * the lattice's own terms are a few k^2 beside 1. */
+/* Long waves know the moduli alone: (lambda + 2 mu) k^2 along the axis of the motion, mu k^2 across
+ * it.  k = 0.02 a spacing: the lattice's own terms are a few k^2 beside 1. */
 static void check_long_waves(const struct small_case *wanted, double tolerance)
 {
     struct symbol symbol = symbol_of(wanted);
@@ -148,7 +149,8 @@ static void rest_free(struct rest *rest)
     scene_body_free(&rest->it);
 }
 
-/* One component's wave along x, of the given frequency, over the free layers first .. first + n - 1. */
+/* One component's wave along x, of the given frequency, over the free layers first .. first + n
+ * - 1. */
 static double wave(const struct rest *rest, int64_t site, int first, int n, bool sine, double k)
 {
     int at[3];
@@ -181,8 +183,8 @@ static void check_wave(const char *boundary, int a, int first, int n, bool sine,
                 if (round == 0)
                     r[a * e->unknowns.n_nodes + node] = value;
                 else
-                    /* In single precision, 6e-8: what rounding of r leaves in softer waves is as much larger as they are
-                     * softer, some ten times here. */
+                    /* In single precision, 6e-8: what rounding of r leaves in softer waves is as
+                     * much larger as they are softer, some ten times here. */
                     assert_near(z[a * e->unknowns.n_nodes + node], value / stiffness,
                                 1e-6 / stiffness);
             }
@@ -210,8 +212,9 @@ static void test_waves(void **state)
 #define LOADS                                                                                      \
     "{where: \"1\", direction: x, body_force: 3e8}, {where: \"1\", direction: y, body_force: 1e8}"
 
-/* All methods against conjugate gradients on the linear stiffness: a cantilever that hangs askew.  Its strains and rotations are 1e-6 to
- * 1e-5, and its residual 1e-8, which times the stiffness' condition of some hundreds is less than that. */
+/* All methods against conjugate gradients on the linear stiffness: a cantilever that hangs askew.
+ * Its strains and rotations are 1e-6 to 1e-5, and its residual 1e-8, which times the stiffness'
+ * condition of some hundreds is less than that. */
 static void check_elastic(const struct small_case *wanted)
 {
     const char *sections =
@@ -289,7 +292,8 @@ static uint8_t dogbone(const int size[3], const int at[3])
     return head || (at[1] > 0 && at[1] < size[1] - 1) ? 0 : ABSENT;
 }
 
-/* Bodies that fill no box, and particles of which some share a site of the lattice of their mean distance. */
+/* Bodies that fill no box, and particles of which some share a site of the lattice of their mean
+ * distance. */
 static void test_methods_where_no_lattice_is_full(void **state)
 {
     (void)state;
@@ -309,8 +313,8 @@ static void test_methods_where_no_lattice_is_full(void **state)
     check_elastic(&scattered);
 }
 
-/* (equilibrium.1) and (equilibrium.2) of particles of unequal volume, one of which is held, the others loaded: each number anew from the
- * body's own forces and loads. */
+/* (equilibrium.1) and (equilibrium.2) of particles of unequal volume, one of which is held, the
+ * others loaded: each number anew from the body's own forces and loads. */
 static void test_residual_of_unequal_particles(void **state)
 {
     (void)state;
@@ -357,7 +361,8 @@ static void test_residual_of_unequal_particles(void **state)
     attributes_free(&points.attributes);
 }
 
-/* A force that is not committed leaves the state as it was: the same displacement has the same force again, to the last bit. */
+/* A force that is not committed leaves the state as it was: the same displacement has the same
+ * force again, to the last bit. */
 static void check_untouched(const struct small_case *wanted)
 {
     struct small_body small;

@@ -1,4 +1,5 @@
-/* Bonds through two phases: layers across the load have one stress, layers along it are a known bit too soft. */
+/* Bonds through two phases: layers across the load have one stress, layers along it are a known bit
+ * too soft. */
 #include "check.h"
 
 #include "interface.h"
@@ -16,8 +17,9 @@ struct kind {
     double stress; /* relative error of the stress of any node */
 };
 
-/* Where there is no force of the dilatation (bond-based, and ordinary with k = 0, as at nu = 1/4 in space), all nodes have
- * the stress; with it, those near an interface miss it, since their families lie partly in the other phase. */
+/* Where there is no force of the dilatation (bond-based, and ordinary with k = 0, as at nu = 1/4 in
+ * space), all nodes have the stress; with it, those near an interface miss it, since their families
+ * lie partly in the other phase. */
 static const struct kind kinds[] = {
     {"bond-based", PHASES("bond_based", ""), "constant", SPACE, 1e-5},
     {"bond-based, plane stress", PHASES("bond_based", ""), "inverse", PLANE_STRESS, 1e-5},
@@ -109,8 +111,8 @@ static double alone(const struct kind *kind)
     return mean;
 }
 
-/* Strains of 1e-7 and ten times that, so that phase B is under the stress of phase A: so is every node, and all forces
- * inside vanish.  1e-5: more than the strain itself. */
+/* Strains of 1e-7 and ten times that, so that phase B is under the stress of phase A: so is every
+ * node, and all forces inside vanish.  1e-5: more than the strain itself. */
 static void test_layers_across_the_load_have_one_stress(void **state)
 {
     (void)state;
@@ -133,8 +135,9 @@ static void test_layers_across_the_load_have_one_stress(void **state)
     }
 }
 
-/* Mean stress of layers of four under one strain along them, over that of the mean of the moduli: the mean of the
- * moduli gives it, bonds in series do not.  The sum of (interface.1) over a family in a plane, w = 1, is -9.7 %. */
+/* Mean stress of layers of four under one strain along them, over that of the mean of the moduli:
+ * the mean of the moduli gives it, bonds in series do not.  The sum of (interface.1) over a family
+ * in a plane, w = 1, is -9.7 %. */
 static void test_layers_along_the_load(void **state)
 {
     (void)state;

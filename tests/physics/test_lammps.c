@@ -1,5 +1,6 @@
-/* The forces of bond-based and ordinary materials are those of LAMMPS' pair styles peri/pmb and peri/lps: always
- * against tests/lammps/formula.awk, which says what LAMMPS computes, and where it is installed against itself. */
+/* The forces of bond-based and ordinary materials are those of LAMMPS' pair styles peri/pmb and
+ * peri/lps: always against tests/lammps/formula.awk, which says what LAMMPS computes, and where it
+ * is installed against itself. */
 #include "check.h"
 
 #include "memory.h"
@@ -25,7 +26,8 @@ struct particles {
     double x[3][COUNT], volume[COUNT], u[3][COUNT];
 };
 
-/* Of a lattice; scattered: each moved by up to a fifth of the spacing, and its volume up to a tenth off. */
+/* Of a lattice; scattered: each moved by up to a fifth of the spacing, and its volume up to a tenth
+ * off. */
 static void make_particles(struct particles *p, bool scattered)
 {
     struct random_stream *stream = random_new(11, "particles");
@@ -121,8 +123,9 @@ static char *lammps_command(const char *path, int style, bool partial)
                         HORIZON * SMALL_SPACING, SMALL_SPACING * (partial ? 1 : 1e-6), MODULI);
 }
 
-/* Extensions of a hundredth of a bond are taken from positions of five spacings, which are rounded to 1e-16 of
- * themselves: some 1e-13 of a bond's force.  Returns 77 where the other program is not there. */
+/* Extensions of a hundredth of a bond are taken from positions of five spacings, which are rounded
+ * to 1e-16 of themselves: some 1e-13 of a bond's force.  Returns 77 where the other program is not
+ * there. */
 static int compare(char *(*command_of)(const char *, int, bool))
 {
     const char *directory = getenv("TMPDIR");

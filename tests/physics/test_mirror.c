@@ -1,5 +1,6 @@
-/* A body and its mirror image: forces are mirror images, too, whatever the phases, flaws and plastic states of both ends of a
- * bond.  What belongs to two nodes must not be that of the one with the lower number. */
+/* A body and its mirror image: forces are mirror images, too, whatever the phases, flaws and
+ * plastic states of both ends of a bond.  What belongs to two nodes must not be that of the one
+ * with the lower number. */
 #include "check.h"
 
 #include "small_body.h"
@@ -40,8 +41,8 @@ static void deform(struct small_body *small, int sign, double amount)
     }
 }
 
-/* Flows twice, then looks at forces and energies; sums in another order are 1e-14 of their largest terms, which stiff springs and
- * the roots of flow raise. */
+/* Flows twice, then looks at forces and energies; sums in another order are 1e-14 of their largest
+ * terms, which stiff springs and the roots of flow raise. */
 static void compare(struct small_case wanted, const char *first, const char *second)
 {
     struct small_body one, other;

@@ -1,5 +1,5 @@
-/* Materials whose forces act along the bonds, bond-based and ordinary: conservation, energy, and the moduli of a
- * node deep inside a body against direct sums over its family, written out here. */
+/* Materials whose forces act along the bonds, bond-based and ordinary: conservation, energy, and
+ * the moduli of a node deep inside a body against direct sums over its family, written out here. */
 #include "check.h"
 
 #include "dies.h"
@@ -81,7 +81,8 @@ static void flatten(struct small_body *small)
         for (int64_t i = 0; i < small->body.grid.n_sites; i++) small->body.u[2][i] = 0;
 }
 
-/* A large strain with noise of half a per cent of the spacing, twice, so that plastic bonds have a past. */
+/* A large strain with noise of half a per cent of the spacing, twice, so that plastic bonds have a
+ * past. */
 static void load(struct small_body *small)
 {
     for (int step = 0; step < 2; step++) {
@@ -127,8 +128,8 @@ static void test_forces_and_moments_cancel(void **state)
     }
 }
 
-/* A turn by 40 degrees, in space about an axis askew: what is left of a force is the rounding of u, 1e-16 of
- * the body's size, as a strain of some 1e-15, over the spacing. */
+/* A turn by 40 degrees, in space about an axis askew: what is left of a force is the rounding of u,
+ * 1e-16 of the body's size, as a strain of some 1e-15, over the spacing. */
 static void test_rotation_makes_no_force(void **state)
 {
     (void)state;
@@ -153,9 +154,9 @@ static void test_rotation_makes_no_force(void **state)
     }
 }
 
-/* Central difference of the energy along a random motion against -f.b V: its error is h^2 of the step's second
- * order, and the rounding of the energy, 1e-16, over h: with h = 1e-6 spacings against strains of a per
- * cent both are below 1e-8 of the sum of |f||b|. */
+/* Central difference of the energy along a random motion against -f.b V: its error is h^2 of the
+ * step's second order, and the rounding of the energy, 1e-16, over h: with h = 1e-6 spacings
+ * against strains of a per cent both are below 1e-8 of the sum of |f||b|. */
 static double gradient_error(struct small_body *small)
 {
     const double h = 1e-6;
@@ -214,8 +215,9 @@ static void test_force_is_gradient_of_energy(void **state)
     }
 }
 
-/* Bars of particles that fly at each other, cases Compression_2x1x1 and 3x1x1 of Peridigm's verification:
- * there with a spacing of 2 m and of 1 m, here of 25 um, the times and displacements being so much less. */
+/* Bars of particles that fly at each other, cases Compression_2x1x1 and 3x1x1 of Peridigm's
+ * verification: there with a spacing of 2 m and of 1 m, here of 25 um, the times and displacements
+ * being so much less. */
 static void fly_together(int nodes, double spacing, double displacement, double velocity)
 {
     struct small_body small;
@@ -250,8 +252,8 @@ static void test_two_and_three_particles(void **state)
     fly_together(3, 1, 4.560540381290e-5, 0.731208192625);
 }
 
-/* A finite change of volume: every bond, at surfaces and corners, has e = strain |xi|, and the mean stress of
- * each node is K theta to round-off: 100 terms. */
+/* A finite change of volume: every bond, at surfaces and corners, has e = strain |xi|, and the mean
+ * stress of each node is K theta to round-off: 100 terms. */
 static void test_bulk_modulus_is_exact(void **state)
 {
     (void)state;
@@ -285,8 +287,8 @@ static void test_bulk_modulus_is_exact(void **state)
         }
 }
 
-/* C11, C12, C44 of the node in the middle: small strains, so that what is of second order is 1e-7 of it, and
- * rounding 1e-9. */
+/* C11, C12, C44 of the node in the middle: small strains, so that what is of second order is 1e-7
+ * of it, and rounding 1e-9. */
 struct stiffness {
     double c11, c12, c44;
 };
@@ -324,7 +326,8 @@ static struct stiffness stiffness_of(const char *materials, double horizon, cons
     return c;
 }
 
-/* Sums over a full family, in spacings: w r^2, w r^power n_x^4, w r^power n_x^2 n_y^2; w r^(power - 2). */
+/* Sums over a full family, in spacings: w r^2, w r^power n_x^4, w r^power n_x^2 n_y^2; w r^(power -
+ * 2). */
 struct moments {
     double m, quartic, mixed, count;
 };
@@ -390,8 +393,9 @@ static void test_ordinary_moduli_are_the_sums(void **state)
     }
 }
 
-/* Of many spacings a horizon the sums become integrals, and the moduli those of the material: in the plane
- * lambda + 2 mu, or E/(1 - nu^2).  At eight spacings the sums of the linear function are 0.4 % off. */
+/* Of many spacings a horizon the sums become integrals, and the moduli those of the material: in
+ * the plane lambda + 2 mu, or E/(1 - nu^2).  At eight spacings the sums of the linear function are
+ * 0.4 % off. */
 static void test_plane_moduli_are_those_of_the_material(void **state)
 {
     (void)state;
@@ -407,8 +411,8 @@ static void test_plane_moduli_are_those_of_the_material(void **state)
     assert_relative(stress.c44, mu, 5e-3);
 }
 
-/* A sheet in plane stress, stretched by e along x and -nu e along y, grows thinner by nu e, and its true stress is
- * the nominal one over the section that this leaves: P_xx/(1 - nu e)^2. */
+/* A sheet in plane stress, stretched by e along x and -nu e along y, grows thinner by nu e, and its
+ * true stress is the nominal one over the section that this leaves: P_xx/(1 - nu e)^2. */
 static void test_sheets_grow_thinner(void **state)
 {
     (void)state;
@@ -438,8 +442,9 @@ static void test_sheets_grow_thinner(void **state)
     small_body_free(&small);
 }
 
-/* Young's modulus along a lattice axis over its nominal value, at nu = 0.3: sums of an independent program over
- * the same families, to the last digit given; partial volumes of the nodes within the horizon alone. */
+/* Young's modulus along a lattice axis over its nominal value, at nu = 0.3: sums of an independent
+ * program over the same families, to the last digit given; partial volumes of the nodes within the
+ * horizon alone. */
 static void test_youngs_modulus_on_the_lattice(void **state)
 {
     (void)state;
@@ -467,8 +472,8 @@ static void test_youngs_modulus_on_the_lattice(void **state)
     }
 }
 
-/* c of the continuum, with the lattice's sums: C11 = (c/2) sum w r n_x^4 V, C12 = C44 = (c/2) sum w r n_x^2
- * n_y^2 V.  With w = 1 the micromoduli are those of the literature. */
+/* c of the continuum, with the lattice's sums: C11 = (c/2) sum w r n_x^4 V, C12 = C44 = (c/2) sum w
+ * r n_x^2 n_y^2 V.  With w = 1 the micromoduli are those of the literature. */
 static void test_bond_based_moduli_are_the_sums(void **state)
 {
     (void)state;
@@ -495,8 +500,8 @@ static void test_bond_based_moduli_are_the_sums(void **state)
     assert_relative(strain.c12, 0.4 * E, 0.02);
 }
 
-/* Errors of the energy of a uniform strain with the micromodulus of the continuum, w = 1, as an independent program has
- * summed them up, to the last digit given. */
+/* Errors of the energy of a uniform strain with the micromodulus of the continuum, w = 1, as an
+ * independent program has summed them up, to the last digit given. */
 static void test_bond_based_energy_of_uniform_strain(void **state)
 {
     (void)state;
@@ -511,8 +516,8 @@ static void test_bond_based_energy_of_uniform_strain(void **state)
     assert_near(c.c11 / (K + 4 * mu / 3), 1.001, 6e-4);
 }
 
-/* The a, b, d form: the sums of its own constants; and, the horizon growing, the linear solid with the inverse
- * function: bulk and shear modulus come nearer to the material's. */
+/* The a, b, d form: the sums of its own constants; and, the horizon growing, the linear solid with
+ * the inverse function: bulk and shear modulus come nearer to the material's. */
 static void test_madenci_oterkus_moduli(void **state)
 {
     (void)state;
@@ -578,13 +583,15 @@ static void test_madenci_oterkus_and_linear_solid_part_in_short_waves(void **sta
                  long_b = wave_force(b, horizon, 30 * horizon),
                  short_a = wave_force(a, horizon, 2 * horizon),
                  short_b = wave_force(b, horizon, 2 * horizon);
-    /* The lattice's sums of w, which the constants of the continuum meet, are 4 % off at ten spacings. */
+    /* The lattice's sums of w, which the constants of the continuum meet, are 4 % off at ten
+     * spacings. */
     assert_relative(long_a, 200e9 + 4.0 / 3 * 20e9, 0.05);
     assert_relative(long_b, 200e9 + 4.0 / 3 * 20e9, 0.01);
     assert_true(fabs(short_a / long_a - short_b / long_b) > 0.15 * short_b / long_b);
 }
 
-/* Energy of a bar of 40 x 8 x 8 nodes under uniform uniaxial stress, over that of as much of its inside. */
+/* Energy of a bar of 40 x 8 x 8 nodes under uniform uniaxial stress, over that of as much of its
+ * inside. */
 static double energy_ratio(const char *materials, const char *influence, const char *correction)
 {
     struct small_body small;
@@ -607,10 +614,11 @@ static double energy_ratio(const char *materials, const char *influence, const c
     return energy / inside;
 }
 
-/* The surfaces take a fifth of the stiffness of a bond-based bar 8 nodes wide, and of one with constants a, b, d.
- * The volume method, blind to the direction of the missing bonds, which are those across the load, gives back too
- * much; the energy method leaves less than half of the error.  An ordinary bar is too stiff under a strain that does
- * not give way at its surfaces, less so with the energy method. */
+/* The surfaces take a fifth of the stiffness of a bond-based bar 8 nodes wide, and of one with
+ * constants a, b, d. The volume method, blind to the direction of the missing bonds, which are
+ * those across the load, gives back too much; the energy method leaves less than half of the error.
+ * An ordinary bar is too stiff under a strain that does not give way at its surfaces, less so with
+ * the energy method. */
 static void test_surface_corrections(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Plasticity of the linear peridynamic solid: the yield of a node deep inside a body in uniform strain, hardening,
- * energy, and what finite strain does to it. */
+/* Plasticity of the linear peridynamic solid: the yield of a node deep inside a body in uniform
+ * strain, hardening, energy, and what finite strain does to it. */
 #include "check.h"
 
 #include "memory.h"
@@ -28,8 +28,8 @@ static void body_of(struct small_body *small, const char *materials, const char 
                    {7, 7, 7}, 3.015, family_influence(influence), NULL, materials, .n_phases = 1});
 }
 
-/* q of a pure shear: sqrt(3 mu (15 mu/m) sum w e^2) with e = 2 gamma x y/r, over a family of three spacings, all of
- * whose bonds weigh one; of a continuum 2 sqrt(3) mu gamma. */
+/* q of a pure shear: sqrt(3 mu (15 mu/m) sum w e^2) with e = 2 gamma x y/r, over a family of three
+ * spacings, all of whose bonds weigh one; of a continuum 2 sqrt(3) mu gamma. */
 static double shear_stress(double gamma)
 {
     double m = 0, square = 0;
@@ -44,8 +44,8 @@ static double shear_stress(double gamma)
     return sqrt(45 * mu * mu / m * square);
 }
 
-/* Pure shear, of amplitudes so small that what is of second order does not count, 1e-5 of them; in units of the
- * yield strain. */
+/* Pure shear, of amplitudes so small that what is of second order does not count, 1e-5 of them; in
+ * units of the yield strain. */
 static void shear(struct small_body *small, double gamma)
 {
     small_body_deform(small, (const double[]){0, gamma, 0, gamma, 0, 0, 0, 0, 0});
@@ -86,8 +86,9 @@ static void test_yields_at_the_yield_stress(void **state)
     small_body_free(&small);
 }
 
-/* Proportional shear to five times the yield strain in one step and in twenty: 3 mu (p_all - p) = Y + H p with 3 mu
- * p_all = q of the strain.  What finite strain adds is of the order of the strain itself, 5e-3 at most. */
+/* Proportional shear to five times the yield strain in one step and in twenty: 3 mu (p_all - p) = Y
+ * + H p with 3 mu p_all = q of the strain.  What finite strain adds is of the order of the strain
+ * itself, 5e-3 at most. */
 static void check_hardening(const char *materials, double modulus, int steps)
 {
     struct small_body small;
@@ -121,8 +122,8 @@ static void test_hardening_and_perfect_plasticity(void **state)
     }
 }
 
-/* What bonds hold after a step of flow is what the same state, found again, says: only rounding is between
- * them. */
+/* What bonds hold after a step of flow is what the same state, found again, says: only rounding is
+ * between them. */
 static void test_energy_of_bonds_after_flow(void **state)
 {
     (void)state;
@@ -148,9 +149,10 @@ static void test_energy_of_bonds_after_flow(void **state)
     small_body_free(&small);
 }
 
-/* A node that has flowed, unloaded, then loses its most stretched bonds: what is left of its family has flowed,
- * but holds nothing, so that no pressure comes of it.  What finite strain leaves is of the order of 4 gamma, the
- * stress of a dilatation by flow would be a tenth of (K - 5 mu/3) gamma or more. */
+/* A node that has flowed, unloaded, then loses its most stretched bonds: what is left of its family
+ * has flowed, but holds nothing, so that no pressure comes of it.  What finite strain leaves is of
+ * the order of 4 gamma, the stress of a dilatation by flow would be a tenth of (K - 5 mu/3) gamma
+ * or more. */
 static void test_lost_bonds_of_what_has_flowed(void **state)
 {
     (void)state;
@@ -185,8 +187,9 @@ static void test_lost_bonds_of_what_has_flowed(void **state)
     free(breaking);
 }
 
-/* Flow has no change of volume: after shear and stretch into plastic flow, a hydrostatic strain added to it
- * changes the mean stress of the node by 3 K times it, as in the elastic body: to second order of the strains. */
+/* Flow has no change of volume: after shear and stretch into plastic flow, a hydrostatic strain
+ * added to it changes the mean stress of the node by 3 K times it, as in the elastic body: to
+ * second order of the strains. */
 static void test_flow_keeps_the_volume(void **state)
 {
     (void)state;
@@ -214,8 +217,9 @@ static uint8_t rugged(const int size[3], const int at[3])
     return notch || step ? ABSENT : (uint8_t)((at[0] / 3 + at[1] / 2 + at[2]) % 2);
 }
 
-/* A body of two phases with surfaces, strained unevenly into flow and held: each node returns in one step, so that
- * forces and plastic strain stay what they are, but for rounding of the trial norm, 1e-15 of it a step. */
+/* A body of two phases with surfaces, strained unevenly into flow and held: each node returns in
+ * one step, so that forces and plastic strain stay what they are, but for rounding of the trial
+ * norm, 1e-15 of it a step. */
 static void test_held_body_settles(void **state)
 {
     (void)state;
@@ -296,8 +300,9 @@ static struct flight fly(double dt, int steps)
     return flight;
 }
 
-/* A body of two phases, struck so that much of its energy goes into plastic flow: the energy that velocity Verlet
- * keeps differs from this one by (omega dt)^2, and so does what is left at half the step. */
+/* A body of two phases, struck so that much of its energy goes into plastic flow: the energy that
+ * velocity Verlet keeps differs from this one by (omega dt)^2, and so does what is left at half the
+ * step. */
 static void test_energy_of_plastic_vibration(void **state)
 {
     (void)state;
@@ -307,7 +312,8 @@ static void test_energy_of_plastic_vibration(void **state)
     assert_true(fine.plastic > 0.2 && fine.plastic < 0.9);
 }
 
-/* The node in the middle under uniaxial stress along x: lateral strain by bisection, then committed. */
+/* The node in the middle under uniaxial stress along x: lateral strain by bisection, then
+ * committed. */
 static double pull(struct small_body *small, double strain, double *lateral)
 {
     const int64_t middle = small_body_middle(small);
@@ -322,8 +328,9 @@ static double pull(struct small_body *small, double strain, double *lateral)
     return P[0];
 }
 
-/* Limits of the model, which its documentation states: bonds measure an engineering strain, so that a pull of 16 %
- * loses volume and hardens by geometry where the exact stress, of J2 plasticity in logarithmic strain, falls. */
+/* Limits of the model, which its documentation states: bonds measure an engineering strain, so that
+ * a pull of 16 % loses volume and hardens by geometry where the exact stress, of J2 plasticity in
+ * logarithmic strain, falls. */
 static void test_limits_at_finite_strain(void **state)
 {
     (void)state;
@@ -387,8 +394,8 @@ static void shear_blocks(struct small_body *small, double left, double right)
     }
 }
 
-/* What is left out of the work before anything yields changes no bit: the forces on a block are the same whether or not
- * another one has yielded long before. */
+/* What is left out of the work before anything yields changes no bit: the forces on a block are the
+ * same whether or not another one has yielded long before. */
 static void test_nothing_is_lost_before_yield(void **state)
 {
     (void)state;

@@ -1,9 +1,10 @@
-/* Verification cases of other peridynamics codes, each against the exact answer, or where there is none against a
- * figure recomputed in tests/lammps/peers.awk.  All here have the spacing of small bodies: lengths and times are
- * theirs times one factor, force densities over it.
+/* Verification cases of other peridynamics codes, each against the exact answer, or where there is
+ * none against a figure recomputed in tests/lammps/peers.awk.  All here have the spacing of small
+ * bodies: lengths and times are theirs times one factor, force densities over it.
  *
- * Not here: J2 points, test_j2.c; soft flaw, test_yield.c; final state of the colliding particles and moduli of
- * the lattice, test_ordinary.c; decomposition, ranks.bats; waves of correspondence, test_wave.c. */
+ * Not here: J2 points, test_j2.c; soft flaw, test_yield.c; final state of the colliding particles
+ * and moduli of the lattice, test_ordinary.c; decomposition, ranks.bats; waves of correspondence,
+ * test_wave.c. */
 #include "check.h"
 
 #include "small_body.h"
@@ -26,9 +27,9 @@ static int64_t site_at(const struct small_body *small, int x, int y, int z)
 #define PERIDIGM                                                                                   \
     "{A: {model: ordinary, density: 7800, bulk_modulus: 130 GPa, shear_modulus: 78 GPa}}"
 
-/* Peridigm, Compression_2x1x1 and _3x1x1: particles that fly at each other at 1 m/s, 2 m and 1 m apart.  Peridigm is
- * right: peers.awk finds its figures from the textbook.  Half a unit of their last digit, or the rounding of
- * extensions of 1e-5 from positions of 1 m: 1e-11. */
+/* Peridigm, Compression_2x1x1 and _3x1x1: particles that fly at each other at 1 m/s, 2 m and 1 m
+ * apart.  Peridigm is right: peers.awk finds its figures from the textbook.  Half a unit of their
+ * last digit, or the rounding of extensions of 1e-5 from positions of 1 m: 1e-11. */
 static void fly_together(int nodes, double spacing, double volume, const double *force,
                          double energy)
 {
@@ -44,7 +45,8 @@ static void fly_together(int nodes, double spacing, double volume, const double 
         verlet_step(&integration, &small.body, &nothing, small.model, true, false);
         if (force)
             assert_relative(small.body.f[0][site_at(&small, 0, 0, 0)] * scale, force[n], 1e-9);
-        /* first step: dilatation -3e-5, so that the mean stress is K times it, 3e-5 K and no more */
+        /* first step: dilatation -3e-5, so that the mean stress is K times it, 3e-5 K and no more
+         */
         if (n == 0 && force) {
             double P[9];
             small_body_stress(&small, site_at(&small, 0, 0, 0), P);
@@ -82,10 +84,11 @@ static void look(struct small_body *small, int64_t site, double *p, double *mise
     }
 }
 
-/* Peridigm, IsotropicHardeningPlasticFullyPrescribedTension_NoFlaw and ElasticPlasticCorrespondence...: a bar of 4 x
- * 24 x 4 particles in uniaxial strain.  Without rotation the rate form is the logarithmic strain, and the answer
- * exact, in nine and ten digits here.  Peridigm's own files have 7 and 10 % less plastic strain and are wrong.
- * Its stresses, whose rate form knows no volume, are Kirchhoff stresses. */
+/* Peridigm, IsotropicHardeningPlasticFullyPrescribedTension_NoFlaw and
+ * ElasticPlasticCorrespondence...: a bar of 4 x 24 x 4 particles in uniaxial strain.  Without
+ * rotation the rate form is the logarithmic strain, and the answer exact, in nine and ten digits
+ * here.  Peridigm's own files have 7 and 10 % less plastic strain and are wrong. Its stresses,
+ * whose rate form knows no volume, are Kirchhoff stresses. */
 static void check_uniaxial(const char *law, const char *materials, const double F[4],
                            const double p[4], const double mises[4], double axial)
 {
@@ -129,9 +132,9 @@ static void test_uniaxial_strain(void **state)
     }
 }
 
-/* Peridigm, ElasticBondBased3D: the same bar, K = 200 GPa, drawn by 0.1 %; force on the upper half.  Peridigm is
- * right, in 13 digits.  Local elasticity has (9/5) K 0.001 m^2 = 360 MN: 30 % are missing at the surfaces of a
- * section of 4 x 4. */
+/* Peridigm, ElasticBondBased3D: the same bar, K = 200 GPa, drawn by 0.1 %; force on the upper half.
+ * Peridigm is right, in 13 digits.  Local elasticity has (9/5) K 0.001 m^2 = 360 MN: 30 % are
+ * missing at the surfaces of a section of 4 x 4. */
 static void test_bar_of_springs(void **state)
 {
     (void)state;
@@ -169,9 +172,10 @@ static double middle_energy(struct small_body *small)
     return sum;
 }
 
-/* Peridynamics.jl, test_strain_energy_density.jl: a cube of 12^3, horizon 3.015 spacings, stretched by 1.1 or sheared
- * by 0.1.  Bond-based: the error of the lattice, for which Peridynamics.jl gives bands of 1 % and peers.awk the
- * figures; ordinary and correspondence: none, at surfaces neither. */
+/* Peridynamics.jl, test_strain_energy_density.jl: a cube of 12^3, horizon 3.015 spacings, stretched
+ * by 1.1 or sheared by 0.1.  Bond-based: the error of the lattice, for which Peridynamics.jl gives
+ * bands of 1 % and peers.awk the figures; ordinary and correspondence: none, at surfaces neither.
+ */
 static void test_energy_of_affine_motions(void **state)
 {
     (void)state;
@@ -215,8 +219,9 @@ static void test_energy_of_affine_motions(void **state)
     small_body_free(&small);
 }
 
-/* Peridynamics.jl, test_analytic_solutions.jl: a bar of 1 x 0.1 x 0.1, 200 GPa, one end held along it, 2 MN on the
- * last layer: 1e-3 of elongation.  Error of the elongation between the outermost layers. */
+/* Peridynamics.jl, test_analytic_solutions.jl: a bar of 1 x 0.1 x 0.1, 200 GPa, one end held along
+ * it, 2 MN on the last layer: 1e-3 of elongation.  Error of the elongation between the outermost
+ * layers. */
 static double elongation_error(const char *materials, const char *stabilisation,
                                const char *correction, const char *influence, double horizon,
                                int across)
@@ -254,13 +259,15 @@ static const char springs[] = "{A: {model: bond_based, " AXIAL "}}",
                   cauchy[] =
                       "{A: {model: correspondence_elastic, " AXIAL ", poissons_ratio: 0.25}}";
 
-/* Bond-based with energy correction: Peridynamics.jl has errors of 13 % with 3 particles across and 8.6 % with 4, its
- * factors being those from the continuum's energy to that of the node.  Ours are those from a full family's: they
- * leave the lattice its 3.6 % of uniaxial stiffness at this horizon, and within a hundredth that is the
- * difference.  The bar is stiff here, soft by more than half without correction.
+/* Bond-based with energy correction: Peridynamics.jl has errors of 13 % with 3 particles across
+ * and 8.6 % with 4, its factors being those from the continuum's energy to that of the node.  Ours
+ * are those from a full family's: they leave the lattice its 3.6 % of uniaxial stiffness at this
+ * horizon, and within a hundredth that is the difference.  The bar is stiff here, soft by more than
+ * half without correction.
  *
- * Correspondence: uniform stress needs loads on all layers within two horizons of an end, so that the last layer
- * alone gives a constant number of spacings, half of one: 1/n of the elongation.  Ordinary: the surfaces. */
+ * Correspondence: uniform stress needs loads on all layers within two horizons of an end, so that
+ * the last layer alone gives a constant number of spacings, half of one: 1/n of the elongation.
+ * Ordinary: the surfaces. */
 static void test_elongation_of_a_bar(void **state)
 {
     (void)state;
@@ -344,9 +351,9 @@ static double speed_error(const char *materials, const char *stabilisation, cons
     return (place[1] - place[0]) / way;
 }
 
-/* Peridynamics.jl asks for the speed of a wave in a bar within 25 % at 4 particles across, and for less with more of
- * them, down to 5 %.  Ours at 4 and 6 across; what is left of the elastic ones is half of the error of the bar's
- * modulus, as docs/errors.md has it. */
+/* Peridynamics.jl asks for the speed of a wave in a bar within 25 % at 4 particles across, and for
+ * less with more of them, down to 5 %.  Ours at 4 and 6 across; what is left of the elastic ones is
+ * half of the error of the bar's modulus, as docs/errors.md has it. */
 static void test_wave_in_a_bar(void **state)
 {
     (void)state;
@@ -371,10 +378,11 @@ static void test_wave_in_a_bar(void **state)
     }
 }
 
-/* Resistance of a chequerboard of displacements A, f over E A/delta^2.  Peridynamics.jl asks for half, in a measure
- * that may differ from this by a factor of two.  Bonds with forces of their own have many times that.  What
- * correspondence has is its stabilisation's alone: of mix, at a horizon of one, 8/3 of the share, so that
- * more than half of it takes a share of a fifth; at three nine times as much. */
+/* Resistance of a chequerboard of displacements A, f over E A/delta^2.  Peridynamics.jl asks for
+ * half, in a measure that may differ from this by a factor of two.  Bonds with forces of their own
+ * have many times that.  What correspondence has is its stabilisation's alone: of mix, at a horizon
+ * of one, 8/3 of the share, so that more than half of it takes a share of a fifth; at three nine
+ * times as much. */
 static void test_chequerboard(void **state)
 {
     (void)state;
@@ -435,10 +443,11 @@ static double twist_rate(const struct small_body *small, bool set, double rate)
     return sum / norm;
 }
 
-/* A free square bar of 48 x 8 x 8 that twists by 0.2 to both sides: Peridynamics.jl asks for the frequency within
- * 30 % and the amplitude after a period within 5 %.  Saint-Venant: sqrt(G J/(rho I))/(2 L), J = 0.1406 a^4, I =
- * a^4/6.  Correspondence: 2 % less at a horizon of one spacing and 6 % at two, since a family cut off by the
- * surface finds the shear strain of a place inside, not that of the surface. */
+/* A free square bar of 48 x 8 x 8 that twists by 0.2 to both sides: Peridynamics.jl asks for the
+ * frequency within 30 % and the amplitude after a period within 5 %.  Saint-Venant: sqrt(G J/(rho
+ * I))/(2 L), J = 0.1406 a^4, I = a^4/6.  Correspondence: 2 % less at a horizon of one spacing and 6
+ * % at two, since a family cut off by the surface finds the shear strain of a place inside, not
+ * that of the surface. */
 static void test_torsion(void **state)
 {
     (void)state;

@@ -32,7 +32,8 @@ static void body_of(struct small_body *small, const struct trial *trial, int x, 
                                                .n_phases = 1});
 }
 
-/* Largest total energy over the steps, in units of that at the start: all modes struck at random. */
+/* Largest total energy over the steps, in units of that at the start: all modes struck at random.
+ */
 static double growth(const struct trial *trial, double share, int steps)
 {
     struct small_body small;
@@ -59,8 +60,8 @@ static double growth(const struct trial *trial, double share, int steps)
     return largest;
 }
 
-/* (omega dt/2)^2 <= 0.99^2 leaves each mode's energy within 1/(1 - 0.99^2) = 50 of what it was given;
- * ten times as much as all modes got together is never reached by any. */
+/* (omega dt/2)^2 <= 0.99^2 leaves each mode's energy within 1/(1 - 0.99^2) = 50 of what it was
+ * given; ten times as much as all modes got together is never reached by any. */
 static void test_bounded_below(void **state)
 {
     (void)state;
@@ -68,8 +69,8 @@ static void test_bounded_below(void **state)
         assert_true(growth(&trials[t], 0.99, 1200 / trials[t].horizon) < 10);
 }
 
-/* A mode at 1.02 of its limit grows by exp(2 arcosh 1.02) = 1.5 a step: by 1e6 in 150 steps from a few
- * hundredths of a per cent of the energy. */
+/* A mode at 1.02 of its limit grows by exp(2 arcosh 1.02) = 1.5 a step: by 1e6 in 150 steps from a
+ * few hundredths of a per cent of the energy. */
 static void test_grows_above(void **state)
 {
     (void)state;
@@ -107,7 +108,8 @@ static void test_of_a_stretched_body(void **state)
     small_body_free(&small);
 }
 
-/* Rayleigh's quotient of M^-1 K after many steps of power iteration: below the largest eigenvalue, however many. */
+/* Rayleigh's quotient of M^-1 K after many steps of power iteration: below the largest eigenvalue,
+ * however many. */
 static double rayleigh(struct small_body *small, int steps)
 {
     const size_t sites = (size_t)small->body.grid.n_sites;
@@ -144,8 +146,9 @@ static double rayleigh(struct small_body *small, int steps)
     return quotient;
 }
 
-/* A quotient is never above the largest eigenvalue, and 1500 steps bring it above what 30 of Lanczos' see.  Ritz's value and the norm
- * of its residual bound an eigenvalue, if not the largest: 3e-4 of the step are left in the worst of these; without the residual 5e-3. */
+/* A quotient is never above the largest eigenvalue, and 1500 steps bring it above what 30 of
+ * Lanczos' see.  Ritz's value and the norm of its residual bound an eigenvalue, if not the largest:
+ * 3e-4 of the step are left in the worst of these; without the residual 5e-3. */
 static void test_step_is_below_that_of_the_largest_eigenvalue(void **state)
 {
     (void)state;
@@ -158,8 +161,9 @@ static void test_step_is_below_that_of_the_largest_eigenvalue(void **state)
     }
 }
 
-/* Two particles of unlike density and a spring k: omega^2 = k/V (1/rho_1 + 1/rho_2), and 2/omega, less the bound of what
- * Lanczos' method may still be off by, which for two nodes is round-off of differences of forces, 1e-7. */
+/* Two particles of unlike density and a spring k: omega^2 = k/V (1/rho_1 + 1/rho_2), and 2/omega,
+ * less the bound of what Lanczos' method may still be off by, which for two nodes is round-off of
+ * differences of forces, 1e-7. */
 static void test_two_particles_of_unlike_density(void **state)
 {
     (void)state;
@@ -185,8 +189,8 @@ static void test_two_particles_of_unlike_density(void **state)
     attributes_free(&points.attributes);
 }
 
-/* The force stays what it was, to the last bit: that of a step with flow, which an elastic answer from the state after it
- * has but for rounding. */
+/* The force stays what it was, to the last bit: that of a step with flow, which an elastic answer
+ * from the state after it has but for rounding. */
 static void test_the_body_stays_as_it_is(void **state)
 {
     (void)state;

@@ -105,8 +105,8 @@ static void test_elastic_tangent(void **state)
         }
 }
 
-/* Every point loads: a step of 0.1 % beyond a state that has flowed by 2 %; the perturbations of 1e-6
- * turn none of them back. */
+/* Every point loads: a step of 0.1 % beyond a state that has flowed by 2 %; the perturbations of
+ * 1e-6 turn none of them back. */
 static void test_tangent_in_plastic_flow(void **state)
 {
     (void)state;

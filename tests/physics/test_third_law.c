@@ -1,5 +1,5 @@
-/* Every material, in space and in a plane, on a lattice and scattered, whole, cracked and torn: the body exerts no
- * force and no moment on itself. */
+/* Every material, in space and in a plane, on a lattice and scattered, whole, cracked and torn: the
+ * body exerts no force and no moment on itself. */
 #include "check.h"
 
 #include "broken.h"
@@ -68,8 +68,8 @@ static void shake(struct small_body *small, long seed)
     small_body_force(small, true, false);
 }
 
-/* Each bond gives equal and opposite forces; their sum is rounding, 1e-16 of some 120 terms a node, in
- * correspondence of products of stress and inverse shape. */
+/* Each bond gives equal and opposite forces; their sum is rounding, 1e-16 of some 120 terms a node,
+ * in correspondence of products of stress and inverse shape. */
 static void check_balance(const struct small_body *small)
 {
     double force[3] = {0}, moment[3] = {0}, all = 0, all_moments = 0;

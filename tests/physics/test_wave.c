@@ -59,10 +59,10 @@ static double speed_error(const char *stabilisation, double horizon, int width)
     return speed / exact - 1;
 }
 
-/* A lattice wave of wave number k is slower by (k spacing)^2 c: gradients over two spacings (and more
- * at a wider horizon), and the bar's lateral inertia.  So the error falls as the square of the pulse's
- * width: to a quarter, within a tenth of that for the next order; at 12 spacings it is below 0.5 % at
- * horizon 1 and 1 % at 2. */
+/* A lattice wave of wave number k is slower by (k spacing)^2 c: gradients over two spacings (and
+ * more at a wider horizon), and the bar's lateral inertia.  So the error falls as the square of the
+ * pulse's width: to a quarter, within a tenth of that for the next order; at 12 spacings it is
+ * below 0.5 % at horizon 1 and 1 % at 2. */
 static void test_speed(void **state)
 {
     (void)state;

@@ -33,10 +33,10 @@ static void look(struct small_body *small, int64_t site, double *p, double *mise
     }
 }
 
-/* Fully prescribed uniaxial strain with a soft flaw, a verification case of Peridigm (its bar of 1 x 6 x 1 and
- * radius 0.751, in spacings of a quarter): with nu = 0, 2 mu = E and, sigma_y reduced but not its slope,
- *   p = (E ln F - sigma_y)/(3 E/2 + H),  q = sigma_y + H p
- * at every node.  (j2.3) is exact for strains along one axis; what is left is round-off of the tables. */
+/* Fully prescribed uniaxial strain with a soft flaw, a verification case of Peridigm (its bar of 1
+ * x 6 x 1 and radius 0.751, in spacings of a quarter): with nu = 0, 2 mu = E and, sigma_y reduced
+ * but not its slope, p = (E ln F - sigma_y)/(3 E/2 + H),  q = sigma_y + H p at every node.  (j2.3)
+ * is exact for strains along one axis; what is left is round-off of the tables. */
 static void test_flaw_in_uniaxial_strain(void **state)
 {
     (void)state;
@@ -72,8 +72,8 @@ static void test_flaw_in_uniaxial_strain(void **state)
     }
 }
 
-/* Mean and deviation of 384 nodes: 1/sqrt(384) = 5 % of a deviation, three times that; of the share within
- * one deviation, sqrt(0.684 0.316/384) = 2.4 %. */
+/* Mean and deviation of 384 nodes: 1/sqrt(384) = 5 % of a deviation, three times that; of the share
+ * within one deviation, sqrt(0.684 0.316/384) = 2.4 %. */
 static void test_scatter(void **state)
 {
     (void)state;
@@ -122,8 +122,8 @@ static void bend(struct small_body *small, double amount)
     }
 }
 
-/* Half of the yield stress everywhere by a flaw, and by the law: the same body.  Both tables of a flow curve are good to 1e-9 of
- * it, and the flaw's edge is 1e-14 lower. */
+/* Half of the yield stress everywhere by a flaw, and by the law: the same body.  Both tables of a
+ * flow curve are good to 1e-9 of it, and the flaw's edge is 1e-14 lower. */
 static void compare_weak(struct small_case wanted, const char *weak, const char *flawed)
 {
     struct small_body small[2];

@@ -91,9 +91,9 @@ static void write_cloud(void)
     assert_int_equal(fclose(out), 0);
 }
 
-/* The sets hold what lies within their lengths; the section is the volume between the gauge planes over
- * their distance: of half of 1000 nodes, a number with a deviation of 3.2 %, whose volumes scatter by 29 %,
- * 1.3 % in the mean.  0.1 is three deviations of it all. */
+/* The sets hold what lies within their lengths; the section is the volume between the gauge planes
+ * over their distance: of half of 1000 nodes, a number with a deviation of 3.2 %, whose volumes
+ * scatter by 29 %, 1.3 % in the mean.  0.1 is three deviations of it all. */
 static void scattered_points_are_taken(void **state)
 {
     (void)state;

@@ -25,8 +25,8 @@ static void multiply(double A[3][3], double B[3][3], double AB[3][3])
         }
 }
 
-/* F = Q diag(l) R, P = Q diag(t/l) R with t = 2 mu (ln l - mean) + K sum ln l.  The series promises 1e-10 of the strain;
- * P of one axis is divided by its stretch, five times as large at a fifth. */
+/* F = Q diag(l) R, P = Q diag(t/l) R with t = 2 mu (ln l - mean) + K sum ln l.  The series promises
+ * 1e-10 of the strain; P of one axis is divided by its stretch, five times as large at a fifth. */
 static void check_stretches(const double stretch[3])
 {
     double turn[3][3], tilt[3][3], Q[3][3], R[3][3], sum = 0, energy;

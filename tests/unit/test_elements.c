@@ -96,8 +96,9 @@ static void add_triangle(const double *a, const double *b, const double *c, doub
     for (int d = 0; d < 3; d++) sums[1 + d] += volume * (a[d] + b[d] + c[d]) / 4;
 }
 
-/* A bilinear face bounds the mean of the two volumes that its diagonals' pairs of triangles bound: along a line across it
- * the two tetrahedra between the pairs lie on either side of it, as large as each other. */
+/* A bilinear face bounds the mean of the two volumes that its diagonals' pairs of triangles bound:
+ * along a line across it the two tetrahedra between the pairs lie on either side of it, as large as
+ * each other. */
 static double volume_of(const struct solid *solid)
 {
     double sums[4] = {0};
@@ -117,7 +118,8 @@ static double volume_of(const struct solid *solid)
     return sums[0];
 }
 
-/* The moment of a bilinear face by midpoints of n x n parts, each of which is nearly plane: error 1/n^2. */
+/* The moment of a bilinear face by midpoints of n x n parts, each of which is nearly plane: error
+ * 1/n^2. */
 static void moments_of(const struct solid *solid, int n, double sums[4])
 {
     for (int f = 0; f < solid->n_faces; f++) {
@@ -152,8 +154,8 @@ static struct domain read_domain(const char *name)
     return domain;
 }
 
-/* Closed form of the tetrahedron; by the theorem of Gauss of all, where cancellation of terms some 30 times as large
- * costs digits. */
+/* Closed form of the tetrahedron; by the theorem of Gauss of all, where cancellation of terms some
+ * 30 times as large costs digits. */
 static void volumes_and_centroids_are_exact(void **state)
 {
     enum { PARTS = 200 };
@@ -204,8 +206,8 @@ static void sets_of_nodes_and_sides(void **state)
     domain_free(&domain);
 }
 
-/* Any byte of a netCDF-4 file may be wrong, where libraries crash: the reader ends with its own exit code, or takes the
- * file. */
+/* Any byte of a netCDF-4 file may be wrong, where libraries crash: the reader ends with its own
+ * exit code, or takes the file. */
 static void damaged_files_do_no_harm(void **state)
 {
     enum { STRIDE = 331 };

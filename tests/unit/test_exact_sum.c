@@ -105,9 +105,10 @@ static void test_equal_terms(void **state)
     free(terms);
 }
 
-/* What a body of 2^26 equal nodes would do at worst: of each term the first grid, 2^-51 for a bound in
- * [1/2, 1), passes on just under half of its width, always of one sign, with bits to far below the second
- * grid, 2^-75.  A second grid that is finer by 2^-6 would hold no more than 2^24 of them. */
+/* What a body of 2^26 equal nodes would do at worst: of each term the first grid, 2^-51 for a bound
+ * in [1/2, 1), passes on just under half of its width, always of one sign, with bits to far below
+ * the second grid, 2^-75.  A second grid that is finer by 2^-6 would hold no more than 2^24 of
+ * them. */
 static void test_many_terms_with_the_worst_remainder(void **state)
 {
     (void)state;

@@ -52,8 +52,8 @@ static void test_steep_weights(void **state)
     family_free(&family);
 }
 
-/* Deep inside: K isotropic by cubic symmetry, sum of xi zero.  K_11 counted by hand: 2 at horizon 1;
- * at 2: 2 + 2 * 4 on the axis, 8 of (1, 1, 0) and 8 of (1, 1, 1). */
+/* Deep inside: K isotropic by cubic symmetry, sum of xi zero.  K_11 counted by hand: 2 at horizon
+ * 1; at 2: 2 + 2 * 4 on the axis, 8 of (1, 1, 0) and 8 of (1, 1, 1). */
 static void test_inside(void **state)
 {
     (void)state;
@@ -126,7 +126,8 @@ static void test_no_gradient(void **state)
     }
 }
 
-/* In a plane the family is judged, and measured, by its part there: whole, and nearly a line, in any units. */
+/* In a plane the family is judged, and measured, by its part there: whole, and nearly a line, in
+ * any units. */
 static void test_plane(void **state)
 {
     (void)state;

@@ -135,8 +135,8 @@ static void exact_fractions_miss_by_half_a_node_at_most(void **state)
 }
 
 /* Whole spheres on commensurate lattices, counted by hand: 2 centres on cell corners of 8 nodes an
- * edge; squared distances (in half spacings) 3, 11, 19, 27, 35, 43 hold 8, 24, 24, 32, 48, 24 nodes:
- * 2 x 136 = 272 or 2 x 160 = 320 of 512 are coarse. */
+ * edge; squared distances (in half spacings) 3, 11, 19, 27, 35, 43 hold 8, 24, 24, 32, 48, 24
+ * nodes: 2 x 136 = 272 or 2 x 160 = 320 of 512 are coarse. */
 static void geometric_fractions_keep_whole_shells(void **state)
 {
     (void)state;
@@ -177,8 +177,8 @@ static void ties_are_split_by_the_seed(void **state)
     assert_in_range(different, 394 - 70, 394 + 70);
 }
 
-/* Nodes of different volumes: the fraction is of the volume, within half of the largest node's; without ties the
- * coarse ones are those of the lowest scores. */
+/* Nodes of different volumes: the fraction is of the volume, within half of the largest node's;
+ * without ties the coarse ones are those of the lowest scores. */
 static void fractions_are_of_the_volume(void **state)
 {
     (void)state;

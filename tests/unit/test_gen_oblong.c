@@ -52,7 +52,7 @@ static void discard(struct made *made)
     free(made);
 }
 
-/* --- the body ----------------------------------------------------------------------------------- */
+/* --- the body --------------------------------------------------------------------------------- */
 
 static void plates_are_filled_by_their_cells(void **state)
 {
@@ -117,9 +117,10 @@ static void what_does_not_fit_is_told(void **state)
     assert_dies(EXIT_USER, "the thickness 1 m is not the third spacing, 3 m", try_deck, thick);
 }
 
-/* --- lengths on the lattice --------------------------------------------------------------------- */
+/* --- lengths on the lattice ------------------------------------------------------------------- */
 
-/* Layers between two nodes are as thick as they are, along each axis; cubes have distance less one. */
+/* Layers between two nodes are as thick as they are, along each axis; cubes have distance less one.
+ */
 static void films_are_lengths(void **state)
 {
     (void)state;
@@ -133,7 +134,8 @@ static void films_are_lengths(void **state)
     assert_true(steps_film(&step) == 2);
 }
 
-/* In films of n layers of cells between two cores, the local thickness is that of the layers everywhere. */
+/* In films of n layers of cells between two cores, the local thickness is that of the layers
+ * everywhere. */
 static void shells_are_lengths(void **state)
 {
     enum { LAYERS = 3 };
@@ -163,10 +165,11 @@ static void shells_are_lengths(void **state)
     }
 }
 
-/* --- structures --------------------------------------------------------------------------------- */
+/* --- structures ------------------------------------------------------------------------------- */
 
-/* Cells of fcc, 0.25 mm apart, leave a shell of (1 - cbrt(0.6)) core distances whatever the lattice: within half an
- * edge along x.  The film on nodes is not thinner than the shell by more than the longest edge. */
+/* Cells of fcc, 0.25 mm apart, leave a shell of (1 - cbrt(0.6)) core distances whatever the
+ * lattice: within half an edge along x.  The film on nodes is not thinner than the shell by more
+ * than the longest edge. */
 static void harmonic_structures_keep_their_shell(void **state)
 {
     static const char *const spacings[] = {
@@ -190,7 +193,8 @@ static void harmonic_structures_keep_their_shell(void **state)
     }
 }
 
-/* One layer of long cells between two cores is a shell by default; asked for as a length it is measured. */
+/* One layer of long cells between two cores is a shell by default; asked for as a length it is
+ * measured. */
 static void the_least_shell_is_a_layer_or_a_length(void **state)
 {
     (void)state;
@@ -210,8 +214,8 @@ static void the_least_shell_is_a_layer_or_a_length(void **state)
     free(length);
 }
 
-/* Turned by a right angle, with the edges exchanged, a body is the same one: node for node its phases, and the
- * structure is judged alike. */
+/* Turned by a right angle, with the edges exchanged, a body is the same one: node for node its
+ * phases, and the structure is judged alike. */
 static void structures_turn_with_the_body(void **state)
 {
     (void)state;
@@ -251,7 +255,8 @@ static void structures_turn_with_the_body(void **state)
     free(standing);
 }
 
-/* A share p drawn n = 2e5 times has the standard deviation sqrt(p (1 - p) / n) < 0.0008; four of them. */
+/* A share p drawn n = 2e5 times has the standard deviation sqrt(p (1 - p) / n) < 0.0008; four of
+ * them. */
 static void direction_shares_are_those_of_the_cells(void **state)
 {
     enum { DRAWN = 200000 };
@@ -293,10 +298,11 @@ static void direction_shares_are_those_of_the_cells(void **state)
     }
 }
 
-/* A sphere and, in a sheet, a disc, of 15 of the longest edges in radius: their surface and circumference have all
- * directions, for which the weights are made.  The whole interface lies inside, so that its crossings are all
- * found, but a box of n nodes along an axis has n - 1 pairs: that much too many a pair.  Chords below an edge are
- * lost, and nodes decide by their centres: 0.5 % is allowed (0.04 and 0.06 % measured). */
+/* A sphere and, in a sheet, a disc, of 15 of the longest edges in radius: their surface and
+ * circumference have all directions, for which the weights are made.  The whole interface lies
+ * inside, so that its crossings are all found, but a box of n nodes along an axis has n - 1 pairs:
+ * that much too many a pair.  Chords below an edge are lost, and nodes decide by their centres: 0.5
+ * % is allowed (0.04 and 0.06 % measured). */
 static void round_interfaces_have_their_area(void **state)
 {
     (void)state;
@@ -313,7 +319,8 @@ static void round_interfaces_have_their_area(void **state)
             const double square = at[0] * at[0] + at[1] * at[1] + at[2] * at[2];
             made->structure.phase[node] = (uint8_t)(square < 15 * 15 ? PHASE_CG : PHASE_UFG);
         }
-        /* In the plane: half of the angles between a direction and the next ones, over the half turn. */
+        /* In the plane: half of the angles between a direction and the next ones, over the half
+         * turn. */
         const double plane[] = {atan(2) / M_PI, 0.5 - atan(2) / M_PI, 0, 0.25, 0.25};
         for (int o = 0; o < NEIGHBOURS_26; o++) {
             double pairs = 1; /* of those that an endless lattice would have */
@@ -330,9 +337,10 @@ static void round_interfaces_have_their_area(void **state)
     }
 }
 
-/* A straight interface across x or y of a sheet: per length, the directions find their cosines to its normal.  With a
- * cell half as long along x the diagonals lie at atan 2, the sectors of x, y and each diagonal are atan 2, pi/2 - atan 2
- * and pi/4 of the half turn: pi/2 (0.352 + 0.5/sqrt 5) = 0.905 and pi/2 (0.148 + 1/sqrt 5) = 0.934 of the length. */
+/* A straight interface across x or y of a sheet: per length, the directions find their cosines to
+ * its normal.  With a cell half as long along x the diagonals lie at atan 2, the sectors of x, y
+ * and each diagonal are atan 2, pi/2 - atan 2 and pi/4 of the half turn: pi/2 (0.352 + 0.5/sqrt 5)
+ * = 0.905 and pi/2 (0.148 + 1/sqrt 5) = 0.934 of the length. */
 static void straight_interfaces_weigh_directions_by_their_sectors(void **state)
 {
     (void)state;

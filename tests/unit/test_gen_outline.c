@@ -1,4 +1,5 @@
-/* Bodies that cells fill in part: round, notched, holed, waisted and turned ones, their volumes, nodes and sets. */
+/* Bodies that cells fill in part: round, notched, holed, waisted and turned ones, their volumes,
+ * nodes and sets. */
 #include "dies.h"
 
 #include "assemble.h"
@@ -11,7 +12,7 @@
 
 #include <stdlib.h>
 
-/* --- a circle and a polygon --------------------------------------------------------------------- */
+/* --- a circle and a polygon ------------------------------------------------------------------- */
 
 /* Segments, sectors and whole figures that everybody knows. */
 static void discs_cut_polygons_by_their_formulas(void **state)
@@ -51,7 +52,7 @@ static void polygons_are_cut_by_lines(void **state)
     assert_near(polygon_area(&part), 0, 0);
 }
 
-/* --- bodies ------------------------------------------------------------------------------------- */
+/* --- bodies ----------------------------------------------------------------------------------- */
 
 static struct deck *parse(const char *keys)
 {
@@ -61,7 +62,8 @@ static struct deck *parse(const char *keys)
     return deck;
 }
 
-/* Of half a pocket of a round body, volume over pi: integral of (b + r - sqrt(r^2 - x^2))^2 over the arc, 0 to a. */
+/* Of half a pocket of a round body, volume over pi: integral of (b + r - sqrt(r^2 - x^2))^2 over
+ * the arc, 0 to a. */
 static double round_arc(double b, double r, double a)
 {
     const double under = 0.5 * (a * sqrt(r * r - a * a) + r * r * asin(a / r));
@@ -79,7 +81,8 @@ struct body {
     double volume;
 };
 
-/* Exact volumes; arcs rise by 1.85 (heads), 0.7 (shallow notch), and the deep notches have walls. */
+/* Exact volumes; arcs rise by 1.85 (heads), 0.7 (shallow notch), and the deep notches have walls.
+ */
 static struct body body_of(int i)
 {
     const double heads = sqrt(1.85 * (2 * 3 - 1.85)), shallow = sqrt(0.7 * (2 * 1.1 - 0.7));
@@ -165,8 +168,9 @@ static void cut_cells_sum_to_the_body(void **state)
         }
 }
 
-/* Each cell by points: those of a grid of 24 x 24 x 24 in a random cell that are inside.  A surface passes through
- * 24^2 to 2 x 24^2 columns of points, which are off by half a point at random and by one at most. */
+/* Each cell by points: those of a grid of 24 x 24 x 24 in a random cell that are inside.  A surface
+ * passes through 24^2 to 2 x 24^2 columns of points, which are off by half a point at random and by
+ * one at most. */
 static void cells_own_what_is_inside_them(void **state)
 {
     enum { POINTS = 24, CELLS = 60 };
@@ -201,7 +205,8 @@ static void cells_own_what_is_inside_them(void **state)
     random_free(stream);
 }
 
-/* Volume over the cell's of the cells without a node up to two steps away: parts may be handed on. */
+/* Volume over the cell's of the cells without a node up to two steps away: parts may be handed on.
+ */
 static double empty_nearby(const struct filled *filled, const int64_t at[3])
 {
     double sum = 0;
@@ -216,8 +221,8 @@ static double empty_nearby(const struct filled *filled, const int64_t at[3])
     return sum / specimen_node_volume(&filled->specimen);
 }
 
-/* A node owns what its cell holds, at least a twentieth, and what it was given, which cells nearby without a node
- * hold. */
+/* A node owns what its cell holds, at least a twentieth, and what it was given, which cells nearby
+ * without a node hold. */
 static void small_parts_go_to_a_neighbour(void **state)
 {
     (void)state;
@@ -245,7 +250,8 @@ static void small_parts_go_to_a_neighbour(void **state)
     assert_true(given > 100);
 }
 
-/* A node and its image in the middle own the same; where nothing is turned or aside, images in the planes, too. */
+/* A node and its image in the middle own the same; where nothing is turned or aside, images in the
+ * planes, too. */
 static void volumes_are_symmetric(void **state)
 {
     (void)state;
@@ -270,7 +276,8 @@ static void volumes_are_symmetric(void **state)
         }
 }
 
-/* Whole cells: those whose centres are inside, each with its volume; the staircase is within two per cent. */
+/* Whole cells: those whose centres are inside, each with its volume; the staircase is within two
+ * per cent. */
 static void whole_cells_have_their_centres_inside(void **state)
 {
     (void)state;
@@ -283,7 +290,7 @@ static void whole_cells_have_their_centres_inside(void **state)
     }
 }
 
-/* --- domains ------------------------------------------------------------------------------------ */
+/* --- domains ---------------------------------------------------------------------------------- */
 
 static struct domain domain_of(const char *keys)
 {
@@ -315,8 +322,8 @@ static void blocks_are_not_cut(void **state)
     domain_free(&rod);
 }
 
-/* Grips and gauge planes lie across the body, not across the lattice: their nodes are where its axis says, and a set
- * is the image of the other in the middle. */
+/* Grips and gauge planes lie across the body, not across the lattice: their nodes are where its
+ * axis says, and a set is the image of the other in the middle. */
 static void sets_follow_the_body(void **state)
 {
     (void)state;
@@ -343,8 +350,9 @@ static void sets_follow_the_body(void **state)
             assert_near(domain.y[a], -domain.y[b], 1e-12);
         }
     }
-    /* Planes of nodes lie 0.5/sqrt(5) apart along the body, of which the 17th to the 19th are within 0.25 of 4; in
-     * each, nodes 0.5 sqrt(5) apart over a width of 5, with those of cut cells 4 to 6, in two layers. */
+    /* Planes of nodes lie 0.5/sqrt(5) apart along the body, of which the 17th to the 19th are
+     * within 0.25 of 4; in each, nodes 0.5 sqrt(5) apart over a width of 5, with those of cut cells
+     * 4 to 6, in two layers. */
     assert_near((double)domain_set(&domain, "gauge_left")->count, 30, 6);
     assert_near(attributes_number(&domain.attributes, "gauge_length_m", 0), 8, 0.1);
     assert_relative(attributes_number(&domain.attributes, "section_m2", 0), 5, 1e-10);
@@ -352,7 +360,7 @@ static void sets_follow_the_body(void **state)
     domain_free(&domain);
 }
 
-/* --- what cannot be ----------------------------------------------------------------------------- */
+/* --- what cannot be --------------------------------------------------------------------------- */
 
 static void try_deck(const void *keys)
 {

@@ -59,10 +59,10 @@ static double boolean_surface_on_nodes(const struct boolean_model *model)
     return surface;
 }
 
-/* Rank selection fixes phi_U at 0.4, which takes most of the scatter away.  Over 40 seeds of this box
- * (72 spacings, R = 6) the mean of four has a standard deviation of 0.0021 in S2, 0.7 % in the radius
- * and 1.2 % in S_V; tolerances are four deviations.  As the spacing goes to zero the estimator's
- * value goes to S_V: at R = 600 spacings within 0.1 %. */
+/* Rank selection fixes phi_U at 0.4, which takes most of the scatter away.  Over 40 seeds of this
+ * box (72 spacings, R = 6) the mean of four has a standard deviation of 0.0021 in S2, 0.7 % in the
+ * radius and 1.2 % in S_V; tolerances are four deviations.  As the spacing goes to zero the
+ * estimator's value goes to S_V: at R = 600 spacings within 0.1 %. */
 static void boolean_spheres_follow_their_formulas(void **state)
 {
     (void)state;
@@ -136,8 +136,8 @@ static void direction_shares_are_those_of_the_sphere(void **state)
 
 /* A ball of radius 20 spacings in a box: every direction sees 2 pi R^2 of crossings, so that the
  * estimator gives 4 pi R^2 and cube faces 3/2 of it, but for the pairs that the box's faces cut off
- * and that a ball, unlike a stationary structure, has none of.  Tolerance: lattice points in a circle
- * of 20 spacings, 1 %. */
+ * and that a ball, unlike a stationary structure, has none of.  Tolerance: lattice points in a
+ * circle of 20 spacings, 1 %. */
 static void a_ball_has_its_surface(void **state)
 {
     (void)state;
@@ -166,7 +166,8 @@ static void a_ball_has_its_surface(void **state)
 }
 
 /* 60 % of randomly labelled cells: both phases far above the percolation threshold of Voronoi cells
- * in space (0.145, Jerauld, Scriven and Davis 1984), so that the largest cluster holds nearly all. */
+ * in space (0.145, Jerauld, Scriven and Davis 1984), so that the largest cluster holds nearly all.
+ */
 static void labelled_cells_are_bicontinuous(void **state)
 {
     (void)state;

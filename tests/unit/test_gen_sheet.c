@@ -63,7 +63,8 @@ static void discard(struct sheet *sheet)
     free(sheet);
 }
 
-/* One layer in z = 0, volumes that sum to the body's to rounding (1e-12 of it), facts in the file. */
+/* One layer in z = 0, volumes that sum to the body's to rounding (1e-12 of it), facts in the file.
+ */
 static void plates_have_their_thickness(void **state)
 {
     static const double thicknesses[] = {1, 1e-5, 3.7e-6};
@@ -126,12 +127,13 @@ static void dogbones_are_cut_alike(void **state)
     free(structure);
 }
 
-/* Circles on a square lattice, d apart, of the fraction 1 - phi_U: radius R = sqrt(0.6 / pi) d, interface
- * 2 pi R / d^2.  A body of 3 x 3 whole cells outside the grips, so that no circle is cut.  The squares of a
- * circle's nodes reach sqrt(1/2) h beyond it and fall short of it by as much at most (Gauss), 7.1 um, which
- * bounds the distance of the outermost node.  A pair of nodes needs both, which makes n pairs n - 1 and
- * crossings per length that much more: 1/240 along an axis, twice that along a diagonal, of which there
- * are as many: 0.6 % in all.  A circle of 70 nodes is no circle: 1 % is allowed beyond that. */
+/* Circles on a square lattice, d apart, of the fraction 1 - phi_U: radius R = sqrt(0.6 / pi) d,
+ * interface 2 pi R / d^2.  A body of 3 x 3 whole cells outside the grips, so that no circle is cut.
+ * The squares of a circle's nodes reach sqrt(1/2) h beyond it and fall short of it by as much at
+ * most (Gauss), 7.1 um, which bounds the distance of the outermost node.  A pair of nodes needs
+ * both, which makes n pairs n - 1 and crossings per length that much more: 1/240 along an axis,
+ * twice that along a diagonal, of which there are as many: 0.6 % in all.  A circle of 70 nodes is
+ * no circle: 1 % is allowed beyond that. */
 static void circles_have_their_interface(void **state)
 {
     (void)state;
@@ -147,8 +149,8 @@ static void circles_have_their_interface(void **state)
     discard(sheet);
 }
 
-/* Cells of fcc cut through their centres are squares on the diagonals, d wide, that leave a shell of
- * d (1 - sqrt(phi_C)) = 22.5 um at d = 100 um; rank selection moves it by less than a spacing's
+/* Cells of fcc cut through their centres are squares on the diagonals, d wide, that leave a shell
+ * of d (1 - sqrt(phi_C)) = 22.5 um at d = 100 um; rank selection moves it by less than a spacing's
  * share, measured 1.3 um. */
 static void cells_of_fcc_are_squares(void **state)
 {

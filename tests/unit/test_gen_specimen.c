@@ -85,7 +85,8 @@ static void grips_and_gauge_planes_are_symmetric(void **state)
                     3 * 40 * 8);
     assert_mirrored(&sites, domain_set(&domain, "gauge_left"), domain_set(&domain, "gauge_right"),
                     40 * 8);
-    /* The nearest layers to +-1.25 mm are the two at half a spacing from it; the outer one is taken. */
+    /* The nearest layers to +-1.25 mm are the two at half a spacing from it; the outer one is
+     * taken. */
     int64_t layer[2];
     specimen_gauge_layers(&specimen, layer);
     assert_near(sites_coordinate(&sites, 0, layer[1]), 1.25e-3 + 12.5e-6, 1e-15);
@@ -109,8 +110,8 @@ static const char dogbone_text[] = "domain:\n"
                                    "  gauge: {length: 24.8 mm, width: 5.7 mm, fillet: 12 mm}\n";
 
 /* Layers of the dog-bone hold as many nodes as its outline says, widen outwards only, and the whole
- * has the volume of the outline.  A row is off by one node (half a spacing on each side) at most; the
- * volume, where these errors cancel, by 0.5 %. */
+ * has the volume of the outline.  A row is off by one node (half a spacing on each side) at most;
+ * the volume, where these errors cancel, by 0.5 %. */
 static void dogbones_follow_their_outline(void **state)
 {
     (void)state;

@@ -183,8 +183,8 @@ static void unresolved_cells_are_told_the_spacing(void **state)
 }
 
 /* Body-centred spheres at 40 % fine: the film is 0.0427 diameters in the infinite lattice, of which
- * the plate holds 4 x 2 x 1 cells of 10 spacings; far below a spacing.  On a lattice this coarse the
- * diameter is known to half a spacing. */
+ * the plate holds 4 x 2 x 1 cells of 10 spacings; far below a spacing.  On a lattice this coarse
+ * the diameter is known to half a spacing. */
 static void spheres_of_a_coarse_lattice_fail(void **state)
 {
     (void)state;

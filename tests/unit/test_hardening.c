@@ -1,4 +1,5 @@
-/* Hardening laws against their formulas, their tables against the laws, and what the deck refuses. */
+/* Hardening laws against their formulas, their tables against the laws, and what the deck refuses.
+ */
 #include "dies.h"
 
 #include "deck.h"
@@ -130,9 +131,9 @@ static bool near_kink(int law, double p)
     return false;
 }
 
-/* Relative errors that flow_curve.h states: 1e-9; Ludwik's start is infinitely steep, which the first
- * cells (4e-6 of strain each) cannot follow; at a kink an eighth of a cell, 1.6 % of p, times the
- * change of slope, here up to 2 GPa. */
+/* Relative errors that flow_curve.h states: 1e-9; Ludwik's start is infinitely steep, which the
+ * first cells (4e-6 of strain each) cannot follow; at a kink an eighth of a cell, 1.6 % of p, times
+ * the change of slope, here up to 2 GPa. */
 static double table_tolerance(int law, double p)
 {
     if (laws[law].formula == ludwik && p < 1e-3) return p < 4e-6 ? 2e-3 : 2e-3 * pow(p / 4e-6, -3);

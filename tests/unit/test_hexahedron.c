@@ -1,5 +1,5 @@
-/* Hexahedra: volume and centroid against closed forms.  All tolerances are rounding: 1e-14 of the value or
- * of the size, eight Gauss points of about ten operations each. */
+/* Hexahedra: volume and centroid against closed forms.  All tolerances are rounding: 1e-14 of the
+ * value or of the size, eight Gauss points of about ten operations each. */
 #include "check.h"
 
 #include "hexahedron.h"
@@ -37,8 +37,8 @@ static void parallelepipeds(void **state)
     }
 }
 
-/* A square of side 2 below, of side 1 above, height 3: V = h (A + B + sqrt(A B)) / 3 = 7, centroid at
- * h (A + 2 sqrt(A B) + 3 B) / (4 (A + sqrt(A B) + B)) = 33 / 28 above the base. */
+/* A square of side 2 below, of side 1 above, height 3: V = h (A + B + sqrt(A B)) / 3 = 7, centroid
+ * at h (A + 2 sqrt(A B) + 3 B) / (4 (A + sqrt(A B) + B)) = 33 / 28 above the base. */
 static void frusta(void **state)
 {
     static const struct hexahedron frustum = {{
@@ -59,8 +59,9 @@ static void frusta(void **state)
     assert_relative(centroid[2], 3 * (4 + 2 * 2 + 3 * 1) / (4.0 * (4 + 2 + 1)), 1e-14);
 }
 
-/* One corner of the cube lifted by e: the upper face is z = 1 + e x y, warped.  V = 1 + e/4; the moments are
- * 1/2 + e/6 along x and y, (1 + e/2 + e^2/9) / 2 along z.  The mean of the corners is elsewhere. */
+/* One corner of the cube lifted by e: the upper face is z = 1 + e x y, warped.  V = 1 + e/4; the
+ * moments are 1/2 + e/6 along x and y, (1 + e/2 + e^2/9) / 2 along z.  The mean of the corners is
+ * elsewhere. */
 static void warped_faces(void **state)
 {
     (void)state;
@@ -96,8 +97,8 @@ static const struct hexahedron distorted = {{
     {0.05, 0.9, 1.1},
 }};
 
-/* The integral of grad u over the volume is that of u n over the six faces, which are bilinear: two Gauss points along
- * each of their coordinates are exact.  Motions of one corner each. */
+/* The integral of grad u over the volume is that of u n over the six faces, which are bilinear: two
+ * Gauss points along each of their coordinates are exact.  Motions of one corner each. */
 static void mean_gradient_by_the_surface(void **state)
 {
     static const int face[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
@@ -131,8 +132,8 @@ static void mean_gradient_by_the_surface(void **state)
             assert_near(volume * shape.gradient[i][a], surface[i][a], 1e-15);
 }
 
-/* Values a + b x + sum_m h_m s_m at the corners come back, the affine ones as nothing; the gradient of an affine motion is
- * its own. */
+/* Values a + b x + sum_m h_m s_m at the corners come back, the affine ones as nothing; the gradient
+ * of an affine motion is its own. */
 static void amplitudes_of_a_motion(void **state)
 {
     static const int r[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, s[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
@@ -160,8 +161,8 @@ static void amplitudes_of_a_motion(void **state)
     for (int a = 0; a < 3; a++) assert_near(gradient[a], b[a], 1e-14);
 }
 
-/* In a box of the edges l the mean of |grad rs|^2 is 4/3 (1/l_x^2 + 1/l_y^2), of |grad rst|^2 4/9 of the sum of all
- * three; different modes have nothing in common. */
+/* In a box of the edges l the mean of |grad rs|^2 is 4/3 (1/l_x^2 + 1/l_y^2), of |grad rst|^2 4/9
+ * of the sum of all three; different modes have nothing in common. */
 static void spread_of_a_box(void **state)
 {
     static const double l[3] = {1, 0.5, 3};

@@ -33,9 +33,9 @@ static double von_mises(const struct point *point, double lambda)
     return fabs(point->strip.P[0][0] * lambda - point->strip.P[4][0]);
 }
 
-/* e = (ln b)/2 is a series with an error below 1e-10 for strains up to 10 %; against plastic strains
- * of 1e-2 and more that is 1e-8 in one large step.  In small steps the elastic strains stay below 3 %
- * (of volume), error 1e-14, against plastic strains of 1e-3. */
+/* e = (ln b)/2 is a series with an error below 1e-10 for strains up to 10 %; against plastic
+ * strains of 1e-2 and more that is 1e-8 in one large step.  In small steps the elastic strains stay
+ * below 3 % (of volume), error 1e-14, against plastic strains of 1e-3. */
 static const double one_step = 1e-8, many_steps = 1e-11;
 
 /* Linear hardening, E = 211 GPa, nu = 0: p = (2G ln F - Y)/(3G + H), q = Y + H p. */
@@ -118,8 +118,8 @@ static long double law_stress(const struct hardening *law, long double p)
     return (long double)hardening_stress(law, (double)p);
 }
 
-/* The table's error, as flow_curve.h states it: 1e-9 for smooth laws; where the slope has a kink or is
- * infinite at first yield, what a cell's width does to it. */
+/* The table's error, as flow_curve.h states it: 1e-9 for smooth laws; where the slope has a kink or
+ * is infinite at first yield, what a cell's width does to it. */
 static double table_error(const struct hardening *law)
 {
     const char *name = law->law->variant.name;

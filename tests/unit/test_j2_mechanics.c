@@ -1,5 +1,5 @@
-/* What the stress of J2 plasticity owes to mechanics: frames, volume, energy, and a state that is written
- * when the point flows and only then. */
+/* What the stress of J2 plasticity owes to mechanics: frames, volume, energy, and a state that is
+ * written when the point flows and only then. */
 #include "one_point.h"
 
 static const char voce[] = "{law: voce, yield: 182.1 MPa, saturation: 513 MPa, rate: 5.32}";

@@ -1,6 +1,6 @@
-/* A point's answer depends on its own data alone, not on the strip it is in or its place there: else the
- * bits would change with the number of ranks, which cut the lattice into strips.  So all comparisons are
- * of bits. */
+/* A point's answer depends on its own data alone, not on the strip it is in or its place there:
+ * else the bits would change with the number of ranks, which cut the lattice into strips.  So all
+ * comparisons are of bits. */
 #include "one_point.h"
 
 #include "memory.h"

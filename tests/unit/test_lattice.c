@@ -96,7 +96,8 @@ static void expect_set_followed(const struct domain *domain)
     }
 }
 
-/* The spacing comes from the volume within rounding (a cube root, 1e-15), exactly from the attribute. */
+/* The spacing comes from the volume within rounding (a cube root, 1e-15), exactly from the
+ * attribute. */
 static void shuffled_lattices_are_found(void **state)
 {
     (void)state;
@@ -139,8 +140,9 @@ static void sorting_makes_lattice_order(void **state)
     domain_free(&wanted);
 }
 
-/* A layer: thickness said, or from the volume; a third of these volumes is (spacing / 2)^3, which as a lattice
- * of three dimensions would have seven sites of eight empty.  Rounding of the spacing and thickness 1e-14. */
+/* A layer: thickness said, or from the volume; a third of these volumes is (spacing / 2)^3, which
+ * as a lattice of three dimensions would have seven sites of eight empty.  Rounding of the spacing
+ * and thickness 1e-14. */
 static void sheets_are_found(void **state)
 {
     static const double thicknesses[] = {1, 2e-6, 25e-6 / 8};
@@ -170,7 +172,8 @@ static void sheets_are_found(void **state)
         }
 }
 
-/* One layer of cubes is a body of three dimensions unless it says otherwise; so is a row or a single node. */
+/* One layer of cubes is a body of three dimensions unless it says otherwise; so is a row or a
+ * single node. */
 static void layers_of_cubes_are_bodies(void **state)
 {
     static const int sizes[][2] = {{9, 4}, {9, 1}, {1, 4}, {1, 1}};
@@ -213,8 +216,8 @@ static void others_are_no_lattices(void **state)
     domain_free(&domain);
 }
 
-/* Whatever the order in the file, the same order comes out, and neighbours in it are near in space: the mean
- * step is a few of the mean distances (1.4 measured; at random it were 15). */
+/* Whatever the order in the file, the same order comes out, and neighbours in it are near in space:
+ * the mean step is a few of the mean distances (1.4 measured; at random it were 15). */
 static void scattered_nodes_have_one_order(void **state)
 {
     (void)state;

@@ -10,8 +10,8 @@
 
 enum { NX = 3, NY = 2, NZ = 1, NODES = (NX + 1) * (NY + 1) * (NZ + 1), HEXES = NX * NY * NZ };
 
-/* A bar of 3 x 2 x 1 hexahedra between x = 0 and 3, sheared along y and bent within.  The last block holds
- * one SPHERE on the node at the origin. */
+/* A bar of 3 x 2 x 1 hexahedra between x = 0 and 3, sheared along y and bent within.  The last
+ * block holds one SPHERE on the node at the origin. */
 struct mesh_case {
     const char *type;  /* of the first block's elements */
     bool mirrored;     /* the first element has its corners in the wrong order */

@@ -1,4 +1,5 @@
-/* Nodes of a mesh as the corners of its particles: numbering, sets, nodes that lie on each other. */
+/* Nodes of a mesh as the corners of its particles: numbering, sets, nodes that lie on each other.
+ */
 #include "check.h"
 
 #include "hexahedron.h"
@@ -26,8 +27,9 @@ static void fill_cell(struct domain *domain, int64_t particle, int cell, int tur
     }
 }
 
-/* 3 x 3 x 3 cubes, the middle one last; one of its neighbours begins with the middle's lowest corner, so that others have
- * taken all corners of the middle when its turn comes.  A set of two nodes and one that no element has. */
+/* 3 x 3 x 3 cubes, the middle one last; one of its neighbours begins with the middle's lowest
+ * corner, so that others have taken all corners of the middle when its turn comes.  A set of two
+ * nodes and one that no element has. */
 static struct domain block(void)
 {
     struct domain domain = {.n_nodes = CELLS,
@@ -59,7 +61,8 @@ static struct domain block(void)
     return domain;
 }
 
-/* Each particle has its corners where they were, whatever their numbers, and its middle for its place. */
+/* Each particle has its corners where they were, whatever their numbers, and its middle for its
+ * place. */
 static void test_numbers(void **state)
 {
     struct domain domain = block(), corners;
@@ -105,7 +108,8 @@ static void test_numbers(void **state)
     domain_free(&corners);
 }
 
-/* Node (1, 0, 0) has a double: of no element it is none; of one it is, and is joined in elements and sets. */
+/* Node (1, 0, 0) has a double: of no element it is none; of one it is, and is joined in elements
+ * and sets. */
 static void test_coincident(void **state)
 {
     struct domain domain = block();

@@ -54,8 +54,8 @@ static void law_comes_back(void **state)
     struct analysis found = analysis_make(&curve, &choices);
     /* The chord of s = E ln(1+e)/(1+e) bends by 1.5 e, 0.05 % of E at 40 % of Rp0.2. */
     assert_relative(found.measures.line.slope, young, 1e-3);
-    /* The measured slope stands for E in the plastic strain: an error of 1e-3 sigma/E < 4e-6 of it, times
-     * the hardening rate b Q = 2.5 GPa is 1e4 Pa. */
+    /* The measured slope stands for E in the plastic strain: an error of 1e-3 sigma/E < 4e-6 of it,
+     * times the hardening rate b Q = 2.5 GPa is 1e4 Pa. */
     struct law_fit fit = true_curve_fit(&curve, hardening_fitted("voce"),
                                         found.measures.maximum.row, choices.fit_range);
     assert_near(fit.hardening.parameter[0], voce_yield, 5e4);
@@ -130,7 +130,8 @@ static void every_law_fits_itself(void **state)
         }
         struct law_fit fit = law_fit(truth.law, p, stress, N);
         assert_true(fit.done);
-        /* No noise: what is left is the polish, whose finite-difference Jacobian is good to 1e-8. */
+        /* No noise: what is left is the polish, whose finite-difference Jacobian is good to 1e-8.
+         */
         for (int k = 0; k < truth.law->n_linear + truth.law->n_shapes; k++)
             assert_relative(fit.hardening.parameter[k], truth.parameter[k], 1e-5);
     }
@@ -149,8 +150,8 @@ static void yield_point(void **state)
     assert_true(isnan(yield_point_find(&record, 0.2).upper));
 }
 
-/* The first valley is the initial transient where another follows; what is exceeded within 0.05 % of strain is no upper
- * yield point. */
+/* The first valley is the initial transient where another follows; what is exceeded within 0.05 %
+ * of strain is no upper yield point. */
 static void transient_and_span(void **state)
 {
     (void)state;
@@ -161,7 +162,8 @@ static void transient_and_span(void **state)
     assert_near(found.upper, 300e6, 0);
     assert_near(found.lower, 270e6, 0);
     assert_int_equal(found.end, 5);
-    /* The steepest line of hardening, over three rows, comes down to 270 MPa before the last valley, where it begins. */
+    /* The steepest line of hardening, over three rows, comes down to 270 MPa before the last
+     * valley, where it begins. */
     assert_near(found.extension, 0.006, 1e-12);
     const double g[] = {0, 0.001, 0.002, 0.0021, 0.0024, 0.01, 0.02, 0.05, 0.1};
     const double t[] = {0, 200e6, 300e6, 297e6, 301e6, 310e6, 320e6, 350e6, 340e6};

@@ -27,9 +27,10 @@ static void an_order_comes_back(void **state)
     }
 }
 
-/* The worked example of the NPARC alliance's tutorial on grid convergence, three grids of pressure recovery: order
- * 1.78618479, limit 0.971300304, index of the finest grid 0.103080 % of its value.  Its program has single precision: 6e-8
- * of values whose differences are 2e-3 is 3e-5 of these, of the order and of the index. */
+/* The worked example of the NPARC alliance's tutorial on grid convergence, three grids of pressure
+ * recovery: order 1.78618479, limit 0.971300304, index of the finest grid 0.103080 % of its value.
+ * Its program has single precision: 6e-8 of values whose differences are 2e-3 is 3e-5 of these, of
+ * the order and of the index. */
 static void a_published_example(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The two digitised curves: values worked out independently when they were digitised and fitted.  Each
- * tolerance is half a unit of the last printed digit. */
+/* The two digitised curves: values worked out independently when they were digitised and fitted.
+ * Each tolerance is half a unit of the last printed digit. */
 #include "check.h"
 #include "sections.h"
 

@@ -1,4 +1,5 @@
-/* Loops of solids whose back stress is known: isotropic, kinematic, and two elements side by side. */
+/* Loops of solids whose back stress is known: isotropic, kinematic, and two elements side by side.
+ */
 #include "check.h"
 #include "sections.h"
 
@@ -9,7 +10,8 @@
 
 static const double young = 100e9;
 
-/* One-dimensional plasticity: |sigma - X| <= yield + isotropic p, dX = kinematic dp with the sign of the flow. */
+/* One-dimensional plasticity: |sigma - X| <= yield + isotropic p, dX = kinematic dp with the sign
+ * of the flow. */
 struct element {
     double yield, isotropic, kinematic;
     double strain_p, p, back; /* state: plastic strain with its sign, without it, X */
@@ -72,7 +74,8 @@ static void measured_free(struct looped_curve *m)
     curve_free(&m->curve);
 }
 
-/* What the offset of 1e-4 adds to the stress of a branch that hardens by H: 1e-4 H, and steps of 5e-5 of strain half of it. */
+/* What the offset of 1e-4 adds to the stress of a branch that hardens by H: 1e-4 H, and steps of
+ * 5e-5 of strain half of it. */
 static const double tolerance = 0.5e6;
 
 static void isotropic_hardening_has_no_back_stress(void **state)
@@ -91,7 +94,8 @@ static void isotropic_hardening_has_no_back_stress(void **state)
         assert_near(m.loops[i].damage, 0, 2e-3);
     }
     measured_free(&m);
-    /* Unloaded to a positive stress it stays elastic: no reverse yield, and so no back stress to tell. */
+    /* Unloaded to a positive stress it stays elastic: no reverse yield, and so no back stress to
+     * tell. */
     struct element again = {.yield = 200e6, .isotropic = 1e9};
     m = measure(&again, 1, 0.0015);
     assert_int_equal(m.count, LOOPS);
@@ -113,7 +117,8 @@ static void kinematic_hardening_is_back_stress(void **state)
     assert_int_equal(m.count, LOOPS);
     for (int i = 0; i < LOOPS; i++) {
         const double back = m.loops[i].flow - yield;
-        /* Reverse flow down to the bottom takes some of it away, of which the mean of both yields sees half. */
+        /* Reverse flow down to the bottom takes some of it away, of which the mean of both yields
+         * sees half. */
         const double reverse = 0.0035 - 2 * yield / young, lost = hardening * reverse;
         assert_near(m.loops[i].reverse, back - yield, tolerance);
         assert_near(m.loops[i].yield, back - lost + yield, 2 * tolerance);
@@ -123,7 +128,8 @@ static void kinematic_hardening_is_back_stress(void **state)
     measured_free(&m);
 }
 
-/* Two perfectly plastic elements of half the section: the weak one yields back after a change of 2 Y of its own stress. */
+/* Two perfectly plastic elements of half the section: the weak one yields back after a change of 2
+ * Y of its own stress. */
 static void two_elements_have_the_back_stress_of_their_difference(void **state)
 {
     (void)state;
@@ -135,14 +141,17 @@ static void two_elements_have_the_back_stress_of_their_difference(void **state)
         const double lowest = flow - weak - young * down / 2, slip = down - 2 * weak / young;
         assert_near(m.loops[i].flow, flow, tolerance);
         assert_near(m.loops[i].lowest, lowest, tolerance);
-        /* slope E/2 behind the yield: the offset of 1e-4 from the line of E is reached after 2e-4 of strain, 1e-4 E lower */
+        /* slope E/2 behind the yield: the offset of 1e-4 from the line of E is reached after 2e-4
+         * of strain, 1e-4 E lower */
         const double late = 1e-4 * young;
         assert_near(m.loops[i].reverse, flow - 2 * weak - late, tolerance);
         assert_near(m.loops[i].yield, lowest + 2 * weak + late, tolerance);
         assert_near(m.loops[i].back, (flow + lowest) / 2, tolerance);
-        /* The weak element slips by down - 2 Y/E and back, at -Y and Y: half the area of the body. */
+        /* The weak element slips by down - 2 Y/E and back, at -Y and Y: half the area of the body.
+         */
         assert_relative(m.loops[i].area, 2 * weak * slip / 2, 0.01);
-        /* At a stress between the knees the branches lie apart by the plastic strain of the body, half the slip. */
+        /* At a stress between the knees the branches lie apart by the plastic strain of the body,
+         * half the slip. */
         assert_relative(m.loops[i].width, slip / 2, 0.02);
     }
     measured_free(&m);
@@ -163,8 +172,9 @@ static double error_of(const struct loop *loop, int k)
     return errors[k];
 }
 
-/* 40 curves of two elements with 0.1 and 0.3 % of noise, three loops each: of 120 loops 95 % less two and a half deviations
- * of that count, 90 %, have the values of the loop without noise within 1.96 errors; which are not too large either. */
+/* 40 curves of two elements with 0.1 and 0.3 % of noise, three loops each: of 120 loops 95 % less
+ * two and a half deviations of that count, 90 %, have the values of the loop without noise
+ * within 1.96 errors; which are not too large either. */
 static void errors_cover_the_loops(void **state)
 {
     (void)state;

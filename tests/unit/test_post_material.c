@@ -86,7 +86,8 @@ static void every_law_comes_back_through_the_deck(void **state)
         memcpy(truth.parameter, cases[i].parameter, sizeof truth.parameter);
         struct curve curve = curve_of(&truth, cases[i].end);
         const char *const laws[] = {cases[i].law, "tabulated", NULL};
-        /* A law: six printed digits.  A table: within 0.1 % of Rm, and what lies between its points. */
+        /* A law: six printed digits.  A table: within 0.1 % of Rm, and what lies between its
+         * points. */
         const double tolerances[] = {2e-4, 2e-3, 2e-3};
         for (int k = 0; k < 3; k++) {
             struct material material = material_of(&curve, laws[k]);
@@ -102,7 +103,8 @@ static void every_law_comes_back_through_the_deck(void **state)
     }
 }
 
-/* Stresses that fall are pooled by least squares: the table's fit of 1, 3, 2, 4 is 1, 2.5, 2.5, 4. */
+/* Stresses that fall are pooled by least squares: the table's fit of 1, 3, 2, 4 is 1, 2.5, 2.5, 4.
+ */
 static void tables_do_not_fall(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* What noise does to the properties of a curve: made curves, whose truth is that of the curve without noise. */
+/* What noise does to the properties of a curve: made curves, whose truth is that of the curve
+ * without noise. */
 #include "check.h"
 #include "sections.h"
 
@@ -13,8 +14,8 @@ enum { ROWS = 1200, CURVES = 120 };
 
 static const double young = 200e9, yield = 300e6, saturation = 260e6, rate = 9;
 
-/* Tension of a Voce solid to 24 %, dense in the elastic part, then a fall; with peak > 0 an upper yield point of that
- * stress and a plateau of 1.5 % before hardening begins. */
+/* Tension of a Voce solid to 24 %, dense in the elastic part, then a fall; with peak > 0 an upper
+ * yield point of that stress and a plateau of 1.5 % before hardening begins. */
 static struct curve made_curve(double peak)
 {
     struct curve curve = curve_new(ROWS, "made");
@@ -38,7 +39,8 @@ static struct curve made_curve(double peak)
     return curve;
 }
 
-/* What scatters: stress [Pa], correlated from row to row, strain, and the step [Pa] to which the stress is written. */
+/* What scatters: stress [Pa], correlated from row to row, strain, and the step [Pa] to which the
+ * stress is written. */
 struct scatter {
     double stress, correlation, strain, step;
 };
@@ -59,7 +61,8 @@ static struct curve noisy(const struct curve *from, struct scatter scatter,
     return curve;
 }
 
-/* How often the truth lies within 1.96 errors, and the root mean square of deviations over that of errors. */
+/* How often the truth lies within 1.96 errors, and the root mean square of deviations over that of
+ * errors. */
 struct coverage {
     int inside, count;
     double deviations, errors;
@@ -102,7 +105,8 @@ static void expect_coverage(const struct coverage *found, const enum measure mea
                       measures[k], c->inside, c->count, sqrt(c->deviations / c->errors));
         assert_int_equal(c->count, CURVES);
         assert_true(c->inside >= 0.9 * CURVES);
-        /* and not because the errors are large: a bias that is always there may make them twice what is found */
+        /* and not because the errors are large: a bias that is always there may make them twice
+         * what is found */
         assert_in_range((long)(100 * sqrt(c->deviations / c->errors)), 50, 130);
     }
 }
@@ -136,7 +140,8 @@ static void errors_cover_filtered_noise(void **state)
     expect_coverage(found, all, ALL);
 }
 
-/* 3e-5 over the elastic rows, which are 7e-6 apart, would take a tenth off a slope of stress on strain. */
+/* 3e-5 over the elastic rows, which are 7e-6 apart, would take a tenth off a slope of stress on
+ * strain. */
 static void errors_cover_noise_of_the_strain(void **state)
 {
     (void)state;
@@ -158,7 +163,8 @@ static void errors_cover_a_yield_point(void **state)
     }
 }
 
-/* The noise that was put in, within a tenth; a curve without any, digitised or bent, has none to speak of. */
+/* The noise that was put in, within a tenth; a curve without any, digitised or bent, has none to
+ * speak of. */
 static void noise_is_found(void **state)
 {
     (void)state;

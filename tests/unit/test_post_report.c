@@ -1,5 +1,5 @@
-/* The report of a history whose every number is known: each property against its own formula, and errors of fits against
- * changes of unit. */
+/* The report of a history whose every number is known: each property against its own formula, and
+ * errors of fits against changes of unit. */
 #include "check.h"
 #include "sections.h"
 
@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* E (e - e0) up to the yield stress, a straight rise to the strength, a straight fall to a fifth of it, the rest. */
+/* E (e - e0) up to the yield stress, a straight rise to the strength, a straight fall to a fifth of
+ * it, the rest. */
 enum { ROWS = 4001, PEAK = 2000, LAST_BEARING = 3999 };
 static const double young = 200e9, toe = 1e-3, yield = 200e6, rise = 20e9, section = 2e-6,
                     gauge = 5e-3;
@@ -100,7 +101,8 @@ static void made_free(struct made *made)
     input_free(&made->input);
 }
 
-/* Rows of a straight line give it back to round-off, which grows by the distance of the rows from the toe. */
+/* Rows of a straight line give it back to round-off, which grows by the distance of the rows from
+ * the toe. */
 static const double exact = 1e-10;
 
 static void elastic_line(void **state)
@@ -149,7 +151,8 @@ static void neck_and_sizes(void **state)
     made_free(&made);
 }
 
-/* Means of the phases, 0.7 x 0.5 + 0.3 x 1.7 of the whole; q = (1.7 - 0.5) s (1 + e)/((1.2 - 0.7) e). */
+/* Means of the phases, 0.7 x 0.5 + 0.3 x 1.7 of the whole; q = (1.7 - 0.5) s (1 + e)/((1.2 - 0.7)
+ * e). */
 static void shares_of_the_phases(void **state)
 {
     (void)state;
@@ -164,7 +167,8 @@ static void shares_of_the_phases(void **state)
 static void what_is_quasi_static(void **state)
 {
     (void)state;
-    /* Before half of the strength there is ten times as much, which does not count; the limit is 0.01. */
+    /* Before half of the strength there is ten times as much, which does not count; the limit is
+     * 0.01. */
     const struct {
         double kinetic;
         const char *flag;
@@ -190,7 +194,8 @@ static void scattered_points(double unit, double pascals, double p[POINTS], doub
     }
 }
 
-/* Errors have the units of what they are of.  Both fits end where their polish does, at 1e-5 of a parameter. */
+/* Errors have the units of what they are of.  Both fits end where their polish does, at 1e-5 of a
+ * parameter. */
 static void errors_of_fits_change_with_the_unit(void **state)
 {
     (void)state;
@@ -225,11 +230,13 @@ static void measures_of_a_fit(void **state)
             most); /* the worst point lies above the fit, which is below it: a negative residual */
     assert_relative(fit.largest, most, 1e-12);
     assert_relative(fit.root_mean_square, sqrt(squares / POINTS), 1e-12);
-    /* Three parameters and the variance (Burnham, Anderson, Model Selection (2002), section 2.4). */
+    /* Three parameters and the variance (Burnham, Anderson, Model Selection (2002), section 2.4).
+     */
     assert_relative(fit.akaike, POINTS * log(squares / POINTS / 1e12) + 2 * 4, 1e-12);
 }
 
-/* The stress of Hollomon's law with a scatter: what a yield stress would add is below its error, and flagged. */
+/* The stress of Hollomon's law with a scatter: what a yield stress would add is below its error,
+ * and flagged. */
 static void parameters_below_their_errors_are_flagged(void **state)
 {
     (void)state;

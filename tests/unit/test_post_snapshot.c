@@ -1,4 +1,5 @@
-/* What is drawn of particle fields: sizes and layers, of lattices, scattered particles and sheets. */
+/* What is drawn of particle fields: sizes and layers, of lattices, scattered particles and sheets.
+ */
 #include "dies.h"
 #include "directory.h"
 #include "taken.h"

@@ -1,4 +1,5 @@
-/* The waves of an axis against the chain of springs that they diagonalise, by folded matrices and by FFTW. */
+/* The waves of an axis against the chain of springs that they diagonalise, by folded matrices and
+ * by FFTW. */
 #include "check.h"
 #include "memory.h"
 #include "waves.h"
@@ -6,8 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Force of a chain of springs on node j: walls half a spacing beyond the ends of particles (of opposite motion, or of
- * the same where they are free), a whole one beyond held corners; free corners have one spring. */
+/* Force of a chain of springs on node j: walls half a spacing beyond the ends of particles (of
+ * opposite motion, or of the same where they are free), a whole one beyond held corners; free
+ * corners have one spring. */
 static double chain(const double *u, int n, int j, bool corners, bool low, bool high)
 {
     const double below = j > 0 ? u[j - 1]
@@ -19,8 +21,9 @@ static double chain(const double *u, int n, int j, bool corners, bool low, bool 
     return 2 * u[j] - below - above;
 }
 
-/* C^T K C = diag(2 - 2 cos k) for all lines at once, one wave after the other: rounding of single precision, 6e-8 there and back, of
- * a stiffness of up to 4, in sums of n terms, that grows as their root. */
+/* C^T K C = diag(2 - 2 cos k) for all lines at once, one wave after the other: rounding of single
+ * precision, 6e-8 there and back, of a stiffness of up to 4, in sums of n terms, that grows as
+ * their root. */
 static void check_axis(int n, bool corners, bool low, bool high)
 {
     struct waves *waves = waves_new(n, corners, low, high);
@@ -50,7 +53,8 @@ static void check_axis(int n, bool corners, bool low, bool high)
 
 static void test_waves_diagonalise_a_chain(void **state)
 {
-    /* Axes of which the halves of the matrix have symmetries of their own, or none; long ones are FFTW's. */
+    /* Axes of which the halves of the matrix have symmetries of their own, or none; long ones are
+     * FFTW's. */
     static const int sizes[] = {2, 3, 17, 64, 65, 97, 2100};
     (void)state;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++)

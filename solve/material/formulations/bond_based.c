@@ -4,16 +4,17 @@
  *   f_i = sum_j c w s V_j y/|y|                                                      (bond_based.2)
  *   c = 18 K/M in space, 8 K_2/M in a plane, M = integral of w |xi| over the family  (bond_based.3)
  *
- * Silling, Askari, Computers & Structures 83 (2005) 1526, section 3, with w = 1: c = 18 K/(pi delta^4);
- * K_2 is the bulk modulus of the plane, E/(2(1 - nu)) in plane stress and E/(2(1 + nu)(1 - 2 nu)) in plane
- * strain: with w = 1, c = 9 E/(pi h delta^3) and 48 E/(5 pi h delta^3) (Trageser, Seleson, J. Peridyn.
- * Nonlocal Model. 2 (2020) 278).  Central forces fix Poisson's ratio: 1/4, in plane stress 1/3.  A bond
- * through two phases is as stiff as theirs in series (interface.h), or has the mean of their c: its weight makes the
- * difference.
+ * Silling, Askari, Computers & Structures 83 (2005) 1526, section 3, with w = 1: c = 18 K/(pi
+ * delta^4); K_2 is the bulk modulus of the plane, E/(2(1 - nu)) in plane stress and E/(2(1 + nu)(1
+ * - 2 nu)) in plane strain: with w = 1, c = 9 E/(pi h delta^3) and 48 E/(5 pi h delta^3) (Trageser,
+ * Seleson, J. Peridyn. Nonlocal Model. 2 (2020) 278).  Central forces fix Poisson's ratio: 1/4, in
+ * plane stress 1/3.  A bond through two phases is as stiff as theirs in series (interface.h), or
+ * has the mean of their c: its weight makes the difference.
  *
- * A bond needs nothing of its ends but where they are: one pass, which pull is all of.  One root and one division set its
- * pace, so s/|y| is one fraction.  Energies come with the forces where they are asked for, and c is read at both ends only
- * where phases differ in it: four kernels, each a loop of its own in the three variants of bond_loop.h. */
+ * A bond needs nothing of its ends but where they are: one pass, which pull is all of.  One root
+ * and one division set its pace, so s/|y| is one fraction.  Energies come with the forces where
+ * they are asked for, and c is read at both ends only where phases differ in it: four kernels, each
+ * a loop of its own in the three variants of bond_loop.h. */
 #include "bond_loop.h"
 #include "bond_stress.h"
 #include "gradient.h"

@@ -1,14 +1,15 @@
 /* bond_stress.c - the nominal stress of bonds.
  *
- * For records alone, not in every step: so a strip's directions and force states are found once, for both ends, and
- * kept in buffers, from which each component is added in a loop of its own.  On a lattice a bond that does not reach along an
- * axis adds nothing to the stress there; of a family of 122 a fifth of all components is left out so. */
+ * For records alone, not in every step: so a strip's directions and force states are found once,
+ * for both ends, and kept in buffers, from which each component is added in a loop of its own.  On
+ * a lattice a bond that does not reach along an axis adds nothing to the stress there; of a family
+ * of 122 a fifth of all components is left out so. */
 #include "bond_stress.h"
 
 #include "bond_loop.h"
 
-/* Of each bond, what it is found of and what is found: y, and the force state of either end times the volume of the other
- * over |y|. */
+/* Of each bond, what it is found of and what is found: y, and the force state of either end times
+ * the volume of the other over |y|. */
 enum { EXTENSION, STATE, STATE_UPPER };
 enum { Y, PULL = Y + 3, PULL_UPPER, FOUND };
 

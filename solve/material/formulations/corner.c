@@ -1,20 +1,24 @@
-/* corner.c - particles between their corners: a classical law at every particle, whose family are its corners.
+/* corner.c - particles between their corners: a classical law at every particle, whose family are
+ * its corners.
  *
- *   F_p = 1 + sum_c u_c (x) g_c,  g_c = w V_c K^-1 xi_c = s_c/(4 dx)                       (corner.1)
- *   h_m = sum_c s_m(c) u_c/8                                                               (corner.2)
- *   f_c V_c = - sum_p (A_p g_c + sum_m s_m(c) m_m/8),  A = V_p P(F_p) + residual           (corner.3)
+ *   F_p = 1 + sum_c u_c (x) g_c,  g_c = w V_c K^-1 xi_c = s_c/(4 dx)                     (corner.1)
+ *   h_m = sum_c s_m(c) u_c/8                                                             (corner.2)
+ *   f_c V_c = - sum_p (A_p g_c + sum_m s_m(c) m_m/8),  A = V_p P(F_p) + residual         (corner.3)
  *
- * c: the eight corners of a particle's cell (in a plane four, and the factors 1/2 and 1/4), s_c their signs along the
- * axes, xi_c = s_c dx/2 the bonds from the particle to them, K their shape tensor, s_m the products of signs that F
- * does not see (residual.h).  (corner.1) is the gradient of Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007)
- * 151, section 18, with the constant influence function, its points of stress apart from those that move (Luo,
- * Sundararaghavan, Int. J. Solids Struct. 150 (2018) 197), and (corner.3) the derivative of the energy sum_p V_p psi.
+ * c: the eight corners of a particle's cell (in a plane four, and the factors 1/2 and 1/4), s_c
+ * their signs along the axes, xi_c = s_c dx/2 the bonds from the particle to them, K their shape
+ * tensor, s_m the products of signs that F does not see (residual.h).  (corner.1) is the gradient
+ * of Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18, with the
+ * constant influence function, its points of stress apart from those that move (Luo,
+ * Sundararaghavan, Int. J. Solids Struct. 150 (2018) 197), and (corner.3) the derivative of the
+ * energy sum_p V_p psi.
  *
- * Why corners: sum_p V_p g_c is zero at a corner inside a body of one spacing and the outward area at one of its
- * surface, whatever its shape.  So tractions act where the surface is, a surface and an interface need no correction, a
- * family never reaches over one, and one pressure a particle against three unknowns a corner does not lock.  On a cube
- * it is the hexahedron of one point with the mean strain of Flanagan, Belytschko (1981): what of peridynamics is left,
- * and what not, says docs/theory.md. */
+ * Why corners: sum_p V_p g_c is zero at a corner inside a body of one spacing and the outward area
+ * at one of its surface, whatever its shape.  So tractions act where the surface is, a surface and
+ * an interface need no correction, a family never reaches over one, and one pressure a particle
+ * against three unknowns a corner does not lock.  On a cube it is the hexahedron of one point with
+ * the mean strain of Flanagan, Belytschko (1981): what of peridynamics is left, and what not, says
+ * docs/theory.md. */
 #include "hexahedra.h"
 #include "integrity.h"
 #include "memory.h"
@@ -83,7 +87,8 @@ static void corner_free(void *self)
     free(model);
 }
 
-/* Over the four rows of corners, a node of each: the sum, and the products with their signs along y, z and both. */
+/* Over the four rows of corners, a node of each: the sum, and the products with their signs along
+ * y, z and both. */
 struct rows {
     double sum[LANES + 1], y[LANES + 1], z[LANES + 1], yz[LANES + 1];
 };
@@ -148,8 +153,8 @@ HS_SIMD static void add_mean(int count, double mean, double *restrict H)
     for (int i = 0; i < count; i++) H[i] += mean;
 }
 
-/* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry nothing are switched
- * off. */
+/* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry
+ * nothing are switched off. */
 static void load(const struct corner *model, const struct body *body, const struct strip *strip,
                  struct points *points, struct cells *cells)
 {

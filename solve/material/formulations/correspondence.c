@@ -1,17 +1,18 @@
 /* correspondence.c - non-ordinary state-based peridynamics: a classical law at every node.
  *
- *   H_i = [sum_j w V (u_j - u_i) (x) xi] K_i^-1,  F_i = 1 + H_i                   (correspondence.1)
- *   f_i = sum_j w V (Q_i + Q_j) xi,  Q = S K^-1,  S = P(F) + stabilisation        (correspondence.2)
+ *   H_i = [sum_j w V (u_j - u_i) (x) xi] K_i^-1,  F_i = 1 + H_i                  (correspondence.1)
+ *   f_i = sum_j w V (Q_i + Q_j) xi,  Q = S K^-1,  S = P(F) + stabilisation       (correspondence.2)
  *
- * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18; total Lagrangian.  The
- * shape tensor normalises families cut by a surface, so an affine motion gives its exact gradient there
- * too, without any surface correction.  Broken bonds are left out of H, K and f; a node that has lost its
- * deformation gradient carries no stress and keeps its plastic state.
+ * Silling, Epton, Weckner, Xu, Askari, J. Elasticity 88 (2007) 151, section 18; total Lagrangian.
+ * The shape tensor normalises families cut by a surface, so an affine motion gives its exact
+ * gradient there too, without any surface correction.  Broken bonds are left out of H, K and f; a
+ * node that has lost its deformation gradient carries no stress and keeps its plastic state.
  *
- * Any law of a point serves, at the price of motions that every gradient misses (zero-energy modes), which a stabilisation
- * controls.  Gradient, law and division by K read and write the fields of the same nodes, so they go
- * through the body in one walk, plane by plane, while the caches still hold what a plane needs; the divergence, which waits for
- * the neighbours, comes after it.  S K^-1 is put in the place of S, since each neighbour reads Q and nobody S again. */
+ * Any law of a point serves, at the price of motions that every gradient misses (zero-energy
+ * modes), which a stabilisation controls.  Gradient, law and division by K read and write the
+ * fields of the same nodes, so they go through the body in one walk, plane by plane, while the
+ * caches still hold what a plane needs; the divergence, which waits for the neighbours, comes after
+ * it.  S K^-1 is put in the place of S, since each neighbour reads Q and nobody S again. */
 #include "broken.h"
 #include "die.h"
 #include "family_sums.h"
@@ -26,10 +27,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One strip of the walk over the body: nodes, or bonds along one offset by their lower ends.  The walk
- * goes plane by plane, the nodes of a plane before the bonds that reach it from below, so that a node
- * writes its stress first and its bonds add to it; the global order fixes the order of every node's
- * sums. */
+/* One strip of the walk over the body: nodes, or bonds along one offset by their lower ends.  The
+ * walk goes plane by plane, the nodes of a plane before the bonds that reach it from below, so that
+ * a node writes its stress first and its bonds add to it; the global order fixes the order of every
+ * node's sums. */
 struct task {
     struct strip strip;
     int key[4]; /* the order: step of the walk, bonds after nodes, global y, bond offset */
@@ -275,8 +276,8 @@ static void do_task(struct correspondence *model, struct body *body, const struc
         model->stabilisation->add(model->self, body, task->kind, &task->strip, mode, energy);
 }
 
-/* Gradients, laws and Q of nodes and of bonds to the nearest neighbours, in one walk through the planes: what a plane needs is
- * still in the caches. */
+/* Gradients, laws and Q of nodes and of bonds to the nearest neighbours, in one walk through the
+ * planes: what a plane needs is still in the caches. */
 static void walk(struct correspondence *model, struct body *body, struct force_mode mode,
                  struct force_energy *energy)
 {
@@ -299,8 +300,8 @@ static void walk(struct correspondence *model, struct body *body, struct force_m
     divide_by_shape(body, divided, body->owned.count);
 }
 
-/* Gradients, laws and Q where bonds of the stabilisation reach farther, or are listed: the flow stress of both ends must be known
- * before their bond. */
+/* Gradients, laws and Q where bonds of the stabilisation reach farther, or are listed: the flow
+ * stress of both ends must be known before their bond. */
 static void near_nodes_first(struct correspondence *model, struct body *body,
                              struct force_mode mode, struct force_energy *energy)
 {

@@ -1,12 +1,13 @@
 /* hexahedra.c - gradients and modes of particles between the corners of a mesh's elements.
  *
- *   F_p = 1 + sum_c u_c (x) g_c,  g_c the mean of grad N_c                                (hexahedra.1)
- *   h_m = sum_c a_m(c) u_c,  a_m(c) = (s_m(c) - X_m . G_c)/8                              (hexahedra.2)
- *   e = L^T F^-1 h,  L L^T the mean of (grad s_m - its mean) . (grad s_n - its mean)      (hexahedra.3)
+ *   F_p = 1 + sum_c u_c (x) g_c,  g_c the mean of grad N_c                            (hexahedra.1)
+ *   h_m = sum_c a_m(c) u_c,  a_m(c) = (s_m(c) - X_m . G_c)/8                          (hexahedra.2)
+ *   e = L^T F^-1 h,  L L^T the mean of (grad s_m - its mean) . (grad s_n - its mean)  (hexahedra.3)
  *
- * with the geometry of hexahedron.h.  The mean gradient is exact for any corners and its sum over the elements at an
- * inner node zero, so the patch test holds (Flanagan, Belytschko, Int. J. Numer. Methods Engrg. 17 (1981) 679); what the
- * motion has beyond it is orthogonal to affine motions.  On a box these are (corner.1), (corner.2) and (flowing.1). */
+ * with the geometry of hexahedron.h.  The mean gradient is exact for any corners and its sum over
+ * the elements at an inner node zero, so the patch test holds (Flanagan, Belytschko, Int. J. Numer.
+ * Methods Engrg. 17 (1981) 679); what the motion has beyond it is orthogonal to affine motions.  On
+ * a box these are (corner.1), (corner.2) and (flowing.1). */
 #include "hexahedra.h"
 
 #include "hexahedron.h"
@@ -22,8 +23,8 @@ enum { CORNERS = 8, GRADIENT = 3 * CORNERS, AMPLITUDE = MODES * CORNERS };
 
 struct hexahedra {
     const struct body *body;
-    /* Strip by strip of the near particles, component by component: of corner k along a 3 k + a, of mode m and corner k
-     * CORNERS m + k. */
+    /* Strip by strip of the near particles, component by component: of corner k along a 3 k + a, of
+     * mode m and corner k CORNERS m + k. */
     double *gradient, *amplitude;
 };
 
@@ -130,7 +131,8 @@ void hexahedra_scatter(const struct hexahedra *hexahedra, const struct cells *ce
                 add_products(strip->count, cells->m[m][a] + PAD,
                              amplitude + (CORNERS * m + k) * strip->stride, force[a][k]);
         }
-    /* Particle by particle, whatever strips it shares with others: so a node's sum has the same bits on any rank. */
+    /* Particle by particle, whatever strips it shares with others: so a node's sum has the same
+     * bits on any rank. */
     for (int a = 0; a < 3; a++)
         for (int i = 0; i < strip->count; i++)
             for (int k = 0; k < CORNERS; k++) f[a][corner[CORNERS * i + k]] -= force[a][k][i];

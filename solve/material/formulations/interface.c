@@ -9,7 +9,8 @@
 enum { SERIES };
 const char *const interface_laws[] = {"series", "mean", NULL};
 
-/* A part of the line from a lower end to the upper one, in the cell of the site at a shift from the lower one. */
+/* A part of the line from a lower end to the upper one, in the cell of the site at a shift from the
+ * lower one. */
 struct segment {
     int64_t shift;
     double length; /* of the whole 1 */
@@ -30,7 +31,8 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Where a line along a step passes from cell to cell, in between 0 and 1, ends included; how many. */
+/* Where a line along a step passes from cell to cell, in between 0 and 1, ends included; how many.
+ */
 static int find_cuts(const int step[3], double *cuts)
 {
     int count = 0;

@@ -1,14 +1,17 @@
-/* nominal.c - what a node whose stress comes from bonds shows of itself: gradient, Cauchy and nominal stress.
+/* nominal.c - what a node whose stress comes from bonds shows of itself: gradient, Cauchy and
+ * nominal stress.
  *
- * No law at the node answers here: body->S holds the sums of its bonds (bond_stress.c), body->H the gradient that the shape
- * tensor gives, which a surface does not spoil.  A sheet is a layer of nodes without a bond across it, so what the plane
- * state says of that direction is put in: the strain of plane stress, by Poisson's ratio of the material, and the stress of plane
- * strain.  For records alone; the force never reads it. */
+ * No law at the node answers here: body->S holds the sums of its bonds (bond_stress.c), body->H the
+ * gradient that the shape tensor gives, which a surface does not spoil.  A sheet is a layer of
+ * nodes without a bond across it, so what the plane state says of that direction is put in: the
+ * strain of plane stress, by Poisson's ratio of the material, and the stress of plane strain.  For
+ * records alone; the force never reads it. */
 #include "nominal.h"
 
 #include <string.h>
 
-/* Bonds of one layer have no force across it; the strain that is held at zero there has a stress. */
+/* Bonds of one layer have no force across it; the strain that is held at zero there has a stress.
+ */
 static void hold_across(const struct body *body, const struct strip *strip,
                         const struct materials *materials, struct node_state *state)
 {

@@ -6,7 +6,8 @@
 #include "model.h"
 
 /* H from body->H, and Cauchy and nominal stress from P in body->S; of elastic materials in plane
- * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu) (H_xx + H_yy). */
+ * strain stress zz is nu (xx + yy), which no bond carries, in plane stress H_zz is -nu/(1 - nu)
+ * (H_xx + H_yy). */
 void node_state_from_nominal(const struct body *body, const struct strip *strip,
                              const struct materials *materials, struct node_state *state);
 

@@ -1,9 +1,11 @@
-/* opening.c - from a fracture energy to the stretch, or the energy, at which single bonds break (opening.h).
+/* opening.c - from a fracture energy to the stretch, or the energy, at which single bonds break
+ * (opening.h).
  *
- * A crack that opens has cut all bonds across it, so their energies add up to the fracture energy.  The sum is that of the
- * continuum, an integral over the horizon (family_moment), not that of the lattice: the value belongs to the material and
- * its horizon, and what a lattice of few spacings a horizon makes of it differs from it by direction.  An
- * ordinary bond holds a share of its ends' dilatation, too, which only the bonds across the crack make: the second term. */
+ * A crack that opens has cut all bonds across it, so their energies add up to the fracture energy.
+ * The sum is that of the continuum, an integral over the horizon (family_moment), not that of the
+ * lattice: the value belongs to the material and its horizon, and what a lattice of few spacings a
+ * horizon makes of it differs from it by direction.  An ordinary bond holds a share of its ends'
+ * dilatation, too, which only the bonds across the crack make: the second term. */
 #include "opening.h"
 
 #include <math.h>

@@ -1,15 +1,19 @@
-/* ordinary.c - the two passes over the bonds that all ordinary state-based materials share (ordinary.h).
+/* ordinary.c - the two passes over the bonds that all ordinary state-based materials share
+ * (ordinary.h).
  *
- * The force along a bond depends on the dilatations of its ends, and so on all their bonds: it takes two passes.  The first,
- * sum_up, gives each node its dilatation; then the law goes from node to node (elastic_nodes, or the plastic return in
- * ordinary_plastic.c) and leaves what the second, push, reads of a node, for which ranks exchange no more than that: the
- * pull of the dilatation alone until a node yields.  Both passes find the extension of a bond anew, so that an elastic bond
- * has no memory of its own.  Either takes one root and one division a bond, which set its pace.
+ * The force along a bond depends on the dilatations of its ends, and so on all their bonds: it
+ * takes two passes.  The first, sum_up, gives each node its dilatation; then the law goes from node
+ * to node (elastic_nodes, or the plastic return in ordinary_plastic.c) and leaves what the second,
+ * push, reads of a node, for which ranks exchange no more than that: the pull of the dilatation
+ * alone until a node yields.  Both passes find the extension of a bond anew, so that an elastic
+ * bond has no memory of its own.  Either takes one root and one division a bond, which set its
+ * pace.
  *
- * The kernels come in depths, each a loop of its own (bond_loop.h makes the variants by geometry and weight): without
- * the sum of squares, which energy and yield alone need; with e^p, which a line of bonds has once one of them has
- * yielded, two numbers a bond; with the growth of e^p, only in strips with a node that flows.  A node before yield
- * so costs what an elastic one does.  Strips with bonds through two phases have kernels of their own, too. */
+ * The kernels come in depths, each a loop of its own (bond_loop.h makes the variants by geometry
+ * and weight): without the sum of squares, which energy and yield alone need; with e^p, which a
+ * line of bonds has once one of them has yielded, two numbers a bond; with the growth of e^p, only
+ * in strips with a node that flows.  A node before yield so costs what an elastic one does.  Strips
+ * with bonds through two phases have kernels of their own, too. */
 #include "ordinary.h"
 
 #include "bond_loop.h"
@@ -58,11 +62,13 @@ static void *madenci_oterkus_read(struct deck_node solver, const struct family *
     return read_any(solver, materials, &ordinary_madenci_oterkus);
 }
 
-/* How much a kernel does: sums of the first pass up to this one, and the second's forces without e^p, with it, and with
- * its growth.  Where there is no e^p, or no growth, all give the same bits. */
+/* How much a kernel does: sums of the first pass up to this one, and the second's forces without
+ * e^p, with it, and with its growth.  Where there is no e^p, or no growth, all give the same bits.
+ */
 enum { ELASTIC, ENERGY, STORED, YIELDING };
 
-/* Numbers of each bond: e^p of its ends, NULL where there is none, and what find_state and hold find of it. */
+/* Numbers of each bond: e^p of its ends, NULL where there is none, and what find_state and hold
+ * find of it. */
 enum { SLIP_LOWER, SLIP_UPPER, EXTENSION, STATE_LOWER, STATE_UPPER, HELD = EXTENSION };
 
 /* What each bond of a strip with some through two phases is given: (interface.2). */
@@ -111,7 +117,8 @@ HS_INLINE void flow(const struct bond_pass *p, int k, double e, double length, i
     slip[k] += p->node[end][NODE_FLOW][k] * (e - slip[k] - p->node[end][NODE_CENTRE][k] * length);
 }
 
-/* (ordinary.4), (t_ij + t_ji)/(w |y|) of one fraction: (pull |xi| (|y| + |xi|) + spring (|y|^2 - |xi|^2))/((|y| + |xi|) |y|) */
+/* (ordinary.4), (t_ij + t_ji)/(w |y|) of one fraction: (pull |xi| (|y| + |xi|) + spring (|y|^2 -
+ * |xi|^2))/((|y| + |xi|) |y|) */
 HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
 {
     const double g_i = both_of(p, k, 0, shared), g_j = both_of(p, k, 1, shared),
@@ -236,7 +243,8 @@ static void elastic_nodes(struct ordinary *model, const struct body *body,
     }
 }
 
-/* sum += g/r w |xi|^2 V_j, whose ratio to that without g/r is how much a node's dilatation would lack. */
+/* sum += g/r w |xi|^2 V_j, whose ratio to that without g/r is how much a node's dilatation would
+ * lack. */
 HS_INLINE void add_part(const struct bond_pass *p, int k, struct bond b, bool shared)
 {
     const double one = b.weight * b.length * b.length;
@@ -274,8 +282,8 @@ static void make_flow(struct ordinary *model, const struct body *body)
            (size_t)body->grid.n_sites * sizeof(double));
 }
 
-/* First pass, and what the second reads of the nodes, those of other ranks included.  The sums go to the first of
- * some fields of the body whose values are not needed any more. */
+/* First pass, and what the second reads of the nodes, those of other ranks included.  The sums go
+ * to the first of some fields of the body whose values are not needed any more. */
 static void find_nodes(struct ordinary *model, struct body *body, double *const fields[],
                        struct force_mode mode, struct force_energy *energy)
 {
@@ -349,7 +357,8 @@ HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b, bool 
 {
     const double lower = state_of(p, k, b, 0, shared) * both_of(p, k, 0, shared),
                  upper = state_of(p, k, b, 1, shared) * both_of(p, k, 1, shared);
-    /* What either end makes of a bond through two phases says more of where its middle lies than of a stress. */
+    /* What either end makes of a bond through two phases says more of where its middle lies than of
+     * a stress. */
     const bool two = share_of(p, k, 0, shared) != 1 || share_of(p, k, 1, shared) != 1;
     p->each[EXTENSION][k] = bond_extension(b);
     p->each[STATE_LOWER][k] = two ? 0.5 * (lower + upper) : lower;
@@ -358,7 +367,8 @@ HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b, bool 
 BOND_KERNELS(find_states, find_state(p, k, b, false))
 BOND_KERNELS(find_states_shared, find_state(p, k, b, true))
 
-/* Energy density that a bond holds: that of the force states of both ends over its elastic extension. */
+/* Energy density that a bond holds: that of the force states of both ends over its elastic
+ * extension. */
 HS_INLINE double held_of(const struct bond_pass *p, int k, struct bond b, int end, bool shared)
 {
     return state_of(p, k, b, end, shared) * elastic_of(p, k, b, end, shared) *

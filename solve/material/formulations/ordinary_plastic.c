@@ -1,21 +1,23 @@
 /* ordinary_plastic.c - J2 plasticity of the linear peridynamic solid, with any hardening law.
  *
- *   c_i = sum_j w |xi| (e - e^p) V_j / sum_j w |xi|^2 V_j                            (ordinary_plastic.1)
- *   q_i = [3 mu b_i sum_j w (e - e^p - c_i |xi|)^2 V_j]^1/2 <= sigma_y(p)            (ordinary_plastic.2)
+ *   c_i = sum_j w |xi| (e - e^p) V_j / sum_j w |xi|^2 V_j                      (ordinary_plastic.1)
+ *   q_i = [3 mu b_i sum_j w (e - e^p - c_i |xi|)^2 V_j]^1/2 <= sigma_y(p)      (ordinary_plastic.2)
  *   return: q_trial - 3 mu g = sigma_y(p + g),  p += g,
- *           e^p += (3 mu g/q_trial) (e - e^p - c_i |xi|)                            (ordinary_plastic.3)
+ *           e^p += (3 mu g/q_trial) (e - e^p - c_i |xi|)                       (ordinary_plastic.3)
  *
- * Mitchell, A nonlocal, ordinary, state-based plasticity model for peridynamics, SAND2011-3166, with the yield
- * function scaled by the shear modulus, so that q is von Mises' stress in uniform strain of a continuum, and
- * with hardening.  In an unbroken family c = theta/3: e^p changes no volume, and stays so; theta is that of
- * e - e^p, which keeps the flow of the bonds left out of it once others have broken.  The return
- * minimises (b/2) sum w (e - e^p)^2 V + integral of sigma_y over e^p without change of volume, the
- * incremental potential, of which the force is the gradient in a broken family, too.
+ * Mitchell, A nonlocal, ordinary, state-based plasticity model for peridynamics, SAND2011-3166,
+ * with the yield function scaled by the shear modulus, so that q is von Mises' stress in uniform
+ * strain of a continuum, and with hardening.  In an unbroken family c = theta/3: e^p changes no
+ * volume, and stays so; theta is that of e - e^p, which keeps the flow of the bonds left out of it
+ * once others have broken.  The return minimises (b/2) sum w (e - e^p)^2 V + integral of sigma_y
+ * over e^p without change of volume, the incremental potential, of which the force is the gradient
+ * in a broken family, too.
  *
- * The sum of squares needs no pass of its own: sum w (q - c |xi|)^2 V = sum w q^2 V - c sum w |xi| q V.  So the return is
- * made node by node, in vectors over strips of nodes, between the two passes of ordinary.c, which move e^p on.  e^p is all that
- * is kept of a bond, and the second pass waits for it to come from memory: the strips of a line lie behind each other,
- * lower ends before upper ones, and a line none of whose nodes has yielded has no e^p at all. */
+ * The sum of squares needs no pass of its own: sum w (q - c |xi|)^2 V = sum w q^2 V - c sum w |xi|
+ * q V.  So the return is made node by node, in vectors over strips of nodes, between the two passes
+ * of ordinary.c, which move e^p on.  e^p is all that is kept of a bond, and the second pass waits
+ * for it to come from memory: the strips of a line lie behind each other, lower ends before upper
+ * ones, and a line none of whose nodes has yielded has no e^p at all. */
 #include "checkpoint.h"
 #include "degradation.h"
 #include "flow_curve.h"
@@ -38,7 +40,8 @@ struct ordinary_plastic {
     const double *table; /* flow curves by pair */
 };
 
-/* The law of bonds declares keys and state as laws of points do; the two passes of ordinary.c are its update. */
+/* The law of bonds declares keys and state as laws of points do; the two passes of ordinary.c are
+ * its update. */
 static const struct state states[] = {STATE_PLASTIC_STRAIN};
 const struct law law_mitchell = {
     .words = {"mitchell",
@@ -191,7 +194,8 @@ static void find_energy(const struct ordinary *model, const struct strip *strip,
     }
 }
 
-/* Degrades what write_nodes and find_energy have found: (degradation.1) with the force states for P. */
+/* Degrades what write_nodes and find_energy have found: (degradation.1) with the force states for
+ * P. */
 static void degrade(struct ordinary *model, const struct strip *strip, const struct strip_state *s,
                     const double *integrity, bool commit, double *stored, double *plastic)
 {

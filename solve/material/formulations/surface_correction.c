@@ -1,9 +1,11 @@
-/* surface_correction.c - weights of bonds near a surface, raised by what the families of their ends lack (surface_correction.h).
+/* surface_correction.c - weights of bonds near a surface, raised by what the families of their ends
+ * lack (surface_correction.h).
  *
- * The constants of bond-based and ordinary materials are those of a full family; a node with half a family is too soft.  The
- * correction is made once, at the start, and goes into the weights: the loops over bonds know nothing of it, and strips
- * of the interior, whose factors are 1, keep their one weight in a register.  Both ends give the bond one factor, so
- * that the forces at its ends stay opposite.  Correspondence needs none of it: its shape tensor does the same. */
+ * The constants of bond-based and ordinary materials are those of a full family; a node with half a
+ * family is too soft.  The correction is made once, at the start, and goes into the weights: the
+ * loops over bonds know nothing of it, and strips of the interior, whose factors are 1, keep their
+ * one weight in a register.  Both ends give the bond one factor, so that the forces at its ends
+ * stay opposite.  Correspondence needs none of it: its shape tensor does the same. */
 #include "surface_correction.h"
 
 #include "bond_loop.h"
@@ -29,7 +31,8 @@ HS_INLINE double weighted(double weight, double length, double power, double n)
     return power > 1 ? once * length : once;
 }
 
-/* Adds to each end w |xi|^power n^4 times the volume of the other end; the pass's number is the power. */
+/* Adds to each end w |xi|^power n^4 times the volume of the other end; the pass's number is the
+ * power. */
 HS_INLINE void add_weighted_volume(const struct bond_pass *p, int k, struct bond b, double n)
 {
     const double one = weighted(b.weight, b.length, p->number, n);
@@ -91,7 +94,8 @@ double surface_full_family(const struct bonds *bonds, int power)
     return full_family(bonds, power, -1);
 }
 
-/* field[node] = full/sum over the bonds of the node, at owned nodes and their neighbours elsewhere. */
+/* field[node] = full/sum over the bonds of the node, at owned nodes and their neighbours elsewhere.
+ */
 static void find_ratio(const struct bonds *bonds, int power, int axis, double *field)
 {
     const struct body *body = bonds->body;

@@ -2,17 +2,19 @@
  *
  *   e = (ln F F^T)/2,  tau = 2 mu dev e + K tr(e) 1,  P = tau F^-T                     (elastic.1)
  *
- * Hencky, Z. Techn. Phys. 9 (1928) 215.  It is what j2.c answers before the first yield, to the last bit, without a
- * state: an elastic phase remembers nothing.
+ * Hencky, Z. Techn. Phys. 9 (1928) 215.  It is what j2.c answers before the first yield, to the
+ * last bit, without a state: an elastic phase remembers nothing.
  *
- * In the logarithm elastic and plastic strains add up, so that an elastic phase beside a plastic one has the same elastic
- * law; in small strains it is Hooke's.  Taken by a series (logarithmic.h), not by eigenvectors: equal or close
- * principal strains need no care.  Strips with strains beyond a tenth take its roots first. */
+ * In the logarithm elastic and plastic strains add up, so that an elastic phase beside a plastic
+ * one has the same elastic law; in small strains it is Hooke's.  Taken by a series (logarithmic.h),
+ * not by eigenvectors: equal or close principal strains need no care.  Strips with strains beyond a
+ * tenth take its roots first. */
 #include "logarithmic.h"
 
 #include <math.h>
 
-/* Whether some b of the strip is beyond what the plain series takes: |b - 1|^2 of strains of a tenth. */
+/* Whether some b of the strip is beyond what the plain series takes: |b - 1|^2 of strains of a
+ * tenth. */
 HS_SIMD static int64_t any_large(int count, const struct points *restrict s)
 {
     int64_t any = 0;

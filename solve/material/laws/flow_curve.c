@@ -1,9 +1,10 @@
 /* flow_curve.c - hardening laws put into tables of cubics (flow_curve.h).
  *
- * The return asks for sigma_y and its slope several times a point; powers and exponentials would set its pace, and those of a
- * library differ by the width of vectors.  Filled once, with the law's own functions, a table costs a few products a look,
- * with the same bits at any width.  The work up to each cell is the integral of the very cubics, so that stored energy, plastic
- * work and stress of a point belong to one potential.  Bonds between phases have the mean law of their ends. */
+ * The return asks for sigma_y and its slope several times a point; powers and exponentials would
+ * set its pace, and those of a library differ by the width of vectors.  Filled once, with the law's
+ * own functions, a table costs a few products a look, with the same bits at any width.  The work up
+ * to each cell is the integral of the very cubics, so that stored energy, plastic work and stress
+ * of a point belong to one potential.  Bonds between phases have the mean law of their ends. */
 #include "flow_curve.h"
 
 #include "memory.h"
@@ -29,9 +30,9 @@ static double slope_before(const struct hardening *law, double start, double end
     return hardening_slope(law, end - 1e-6 * (end - start));
 }
 
-/* Scales the slopes at both ends of a cell so that its cubic does not overshoot: it rises throughout
- * where they lie within a circle of three times the chord (Fritsch & Carlson, SIAM J. Numer. Anal. 17
- * (1980) 238).  Smooth cells are far inside it. */
+/* Scales the slopes at both ends of a cell so that its cubic does not overshoot: it rises
+ * throughout where they lie within a circle of three times the chord (Fritsch & Carlson, SIAM J.
+ * Numer. Anal. 17 (1980) 238).  Smooth cells are far inside it. */
 static void keep_rising(double chord, double *first, double *last)
 {
     double most = 3 * fmax(chord, 0), size = hypot(*first, *last);

@@ -1,12 +1,13 @@
 /* flow_curve.h - hardening laws as cubic tables that a vector loop can read.
  *
  * The cells are graded like floating-point numbers: CELLS_PER_OCTAVE cells to each doubling of
- * p + p_ref, so their width is 4e-6 at p = 0 and 1.6 % of p at large p.  The cell of p is the top of
- * the bit pattern of p + p_ref: an add, a shift, a subtraction.  In each cell the law is a cubic
+ * p + p_ref, so their width is 4e-6 at p = 0 and 1.6 % of p at large p.  The cell of p is the top
+ * of the bit pattern of p + p_ref: an add, a shift, a subtraction.  In each cell the law is a cubic
  * (Hermite, exact value and slope at both ends), beyond p = 4 it goes on along its tangent.
  * Relative error against the law: below 1e-9 for the smooth laws; at the kinks of Hollomon and of
  * tabulated laws an eighth of the cell width times the change of slope; for Ludwik's infinite slope
- * at p = 0 a fifth of the stress gained in the first cell.  The tables rise wherever the laws do. */
+ * at p = 0 a fifth of the stress gained in the first cell.  The tables rise wherever the laws do.
+ */
 #ifndef HS_FLOW_CURVE_H
 #define HS_FLOW_CURVE_H
 
@@ -23,8 +24,8 @@ enum {
 };
 #define FLOW_REFERENCE_STRAIN 0x1p-12
 
-/* A table of count curves, [count * FLOW_CELLS * FLOW_COEFFICIENTS], curve i being the mean of the laws first[i] and
- * second[i] (the same one twice for a phase's own law).  Freed with free(). */
+/* A table of count curves, [count * FLOW_CELLS * FLOW_COEFFICIENTS], curve i being the mean of the
+ * laws first[i] and second[i] (the same one twice for a phase's own law).  Freed with free(). */
 double *flow_curves_new(int count, const struct hardening *const first[],
                         const struct hardening *const second[]);
 

@@ -10,8 +10,8 @@
  * exact in the direction of the trial stress, and the stress derives from an incremental potential.
  * No term reaches from one point to another: a point's result depends on its own data alone.
  *
- * The plastic multiplier is the one unknown of a point; a strip solves for all of its points in one vector loop
- * (radial_return.h), and only where one is beyond yield. */
+ * The plastic multiplier is the one unknown of a point; a strip solves for all of its points in one
+ * vector loop (radial_return.h), and only where one is beyond yield. */
 #include "flow_curve.h"
 #include "logarithmic.h"
 #include "radial_return.h"
@@ -36,7 +36,8 @@ struct trial {
     double increment[LANES], scale[LANES], open[LANES]; /* as in radial_return.h */
 };
 
-/* (j2.1): elastic trial strain and its deviator's norm; returns whether any point is beyond yield. */
+/* (j2.1): elastic trial strain and its deviator's norm; returns whether any point is beyond yield.
+ */
 HS_SIMD static int64_t trial_strain(int count, const struct points *restrict s,
                                     struct trial *restrict t, const double *restrict xx,
                                     const double *restrict yy, const double *restrict zz,
@@ -79,7 +80,8 @@ HS_SIMD static void stress(int count, struct points *restrict s, const struct tr
         point_stress(s, t, i, inverse_tensor(deformation_gradient(s, i)));
 }
 
-/* P, and (j2.4) where the point has flowed; points that have not keep their state to the last bit. */
+/* P, and (j2.4) where the point has flowed; points that have not keep their state to the last bit.
+ */
 HS_SIMD static void stress_and_state(int count, struct points *restrict s,
                                      const struct trial *restrict t, double *restrict xx,
                                      double *restrict yy, double *restrict zz, double *restrict xy,

@@ -4,9 +4,9 @@
 
 #include "law.h"
 
-/* All of them: law_NAME, each in a file of its own.  The order is that of precedence: a bond between phases of different
- * laws obeys the one that comes first, with the mean moduli and else its own phase's parameters.  So beside an elastic
- * phase it is elastic. */
+/* All of them: law_NAME, each in a file of its own.  The order is that of precedence: a bond
+ * between phases of different laws obeys the one that comes first, with the mean moduli and else
+ * its own phase's parameters.  So beside an elastic phase it is elastic. */
 #define LAWS(DO)               DO(elastic), DO(j2), DO(mitchell)
 #define CONSTITUTIVE_LAW(name) law_##name
 #define LAW_NUMBER(name)       LAW_##name

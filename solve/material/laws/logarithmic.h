@@ -1,11 +1,12 @@
-/* logarithmic.h - what laws in logarithmic strain share, a point at a time, for loops that are vectorised.
+/* logarithmic.h - what laws in logarithmic strain share, a point at a time, for loops that are
+ * vectorised.
  *
- *   b = F C F^T,  e = (ln b)/2,  P = tau F^-T                                        (logarithmic.1)
+ *   b = F C F^T,  e = (ln b)/2,  P = tau F^-T                                       (logarithmic.1)
  *
  * ln and exp are the series of artanh and tanh,
  *   (ln b)/2 = artanh X, X = (b - 1)(b + 1)^-1,
- * with an error below 1e-10 for elastic strains below 10 %: an eigenvalue problem a point would cost more than all
- * else, and its branches no vector loop takes. */
+ * with an error below 1e-10 for elastic strains below 10 %: an eigenvalue problem a point would
+ * cost more than all else, and its branches no vector loop takes. */
 #ifndef HS_LOGARITHMIC_H
 #define HS_LOGARITHMIC_H
 
@@ -61,8 +62,8 @@ HS_INLINE struct symmetric half_logarithm(struct symmetric b)
     return times(X, series);
 }
 
-/* b^(1/2): Y of Y, Z = (Y + Z^-1)/2, (Z + Y^-1)/2 from b, 1 (Denman, Beavers, Appl. Math. Comput. 2 (1976) 63), to rounding
- * from stretches of 1/10 to 10. */
+/* b^(1/2): Y of Y, Z = (Y + Z^-1)/2, (Z + Y^-1)/2 from b, 1 (Denman, Beavers, Appl. Math. Comput. 2
+ * (1976) 63), to rounding from stretches of 1/10 to 10. */
 HS_INLINE struct symmetric square_root(struct symmetric b)
 {
     struct symmetric Y = b, Z = {1, 1, 1, 0, 0, 0};

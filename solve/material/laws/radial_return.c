@@ -1,18 +1,19 @@
 /* radial_return.c - the plastic multiplier of a strip of points (radial_return.h).
  *
- * All points of the strip take the same steps of Newton's method in one vector loop, whether they are beyond yield or not:
- * those that have settled keep their value by a mask (open = 0), and the loop ends with the last one.  The start, along
- * the tangent of the flow curve, is exact for linear hardening, and near for smooth laws.  The mask
- * makes a point's result depend on its own numbers alone, so strips may be cut anywhere without a change of bits.
- * Bisection, point by point, is for kinks of tabulated curves, between which Newton's steps may go to and fro. */
+ * All points of the strip take the same steps of Newton's method in one vector loop, whether they
+ * are beyond yield or not: those that have settled keep their value by a mask (open = 0), and the
+ * loop ends with the last one.  The start, along the tangent of the flow curve, is exact for linear
+ * hardening, and near for smooth laws.  The mask makes a point's result depend on its own numbers
+ * alone, so strips may be cut anywhere without a change of bits. Bisection, point by point, is for
+ * kinks of tabulated curves, between which Newton's steps may go to and fro. */
 #include "radial_return.h"
 
 #include "flow_curve.h"
 
 #include <math.h>
 
-/* First guess of g: along the tangent of the flow curve at p.  Points below yield get 0 and are done;
- * open > 0 marks those that are not. */
+/* First guess of g: along the tangent of the flow curve at p.  Points below yield get 0 and are
+ * done; open > 0 marks those that are not. */
 HS_SIMD static void start(int count, const double *restrict mu, const double *restrict q,
                           const double *restrict yield, const double *restrict p,
                           const int64_t *restrict curve, double *restrict increment,
@@ -30,8 +31,8 @@ HS_SIMD static void start(int count, const double *restrict mu, const double *re
 
 /* One Newton step for the points that are still open; returns whether any stays so.  The residual
  * falls with g and, hardening being monotone, its root lies in [0, most].  The error of a step is
- * about the square of the one before: from a residual below near, the step ends at round-off and is the
- * point's last. */
+ * about the square of the one before: from a residual below near, the step ends at round-off and is
+ * the point's last. */
 HS_SIMD static int64_t iterate(int count, const double *restrict mu, const double *restrict q,
                                const double *restrict yield, const double *restrict p,
                                const double *restrict shift, const int64_t *restrict curve,

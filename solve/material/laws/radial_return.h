@@ -2,9 +2,9 @@
  *
  *   q_trial - 3 mu g = sigma_y(p + g)                                               (j2.3)
  *
- * by Newton's method, whose iterates stay between 0 and (q_trial - sigma_y(p))/(3 mu), where the root of a
- * rising law lies; bisection takes over where it does not settle.  A point's result depends on its own
- * numbers alone, whatever its neighbours in the strip need. */
+ * by Newton's method, whose iterates stay between 0 and (q_trial - sigma_y(p))/(3 mu), where the
+ * root of a rising law lies; bisection takes over where it does not settle.  A point's result
+ * depends on its own numbers alone, whatever its neighbours in the strip need. */
 #ifndef HS_RADIAL_RETURN_H
 #define HS_RADIAL_RETURN_H
 

@@ -1,16 +1,18 @@
 /* flowing.c - a residual energy that flows at a share of the particle's own flow stress.
  *
- *   e_m = w_m F^-1 h_m,  w_m^2 = mean over the cell of |grad s_m|^2                       (flowing.1)
- *   Pi = V a mu phi(|e - e'|),  d phi/dr = r up to r_c, beyond it r_c + eta (r - r_c)     (flowing.2)
- *   r_c = f sigma_y(p)/(sqrt(3) mu) + eta/(1 - eta) alpha                                 (flowing.3)
+ *   e_m = w_m F^-1 h_m,  w_m^2 = mean over the cell of |grad s_m|^2                     (flowing.1)
+ *   Pi = V a mu phi(|e - e'|),  d phi/dr = r up to r_c, beyond it r_c + eta (r - r_c)   (flowing.2)
+ *   r_c = f sigma_y(p)/(sqrt(3) mu) + eta/(1 - eta) alpha                               (flowing.3)
  *
- * e: the deviation of the gradient over the cell, all modes and components of it one vector (12 numbers), seen from the
- * material (F^-1: a superposed rotation leaves it alone).  a mu e^2/2 is Silling's energy of the non-affine part of a
- * family's motion (Comput. Methods Appl. Mech. Engrg. 322 (2017) 42) for the family of eight corners, and on cubes the
- * hourglass stiffness of Flanagan, Belytschko (Int. J. Numer. Methods Engrg. 17 (1981) 679) as large as the material's
- * own.  An elastic one of that size would lock what flows: so it flows like J2, with e' for the plastic strain and
- * alpha = sum |de'| for the equivalent one, the radial return in one step as it hardens linearly.  Within a step r_c
- * stands still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as plastic. */
+ * e: the deviation of the gradient over the cell, all modes and components of it one vector (12
+ * numbers), seen from the material (F^-1: a superposed rotation leaves it alone).  a mu e^2/2 is
+ * Silling's energy of the non-affine part of a family's motion (Comput. Methods Appl. Mech. Engrg.
+ * 322 (2017) 42) for the family of eight corners, and on cubes the hourglass stiffness of Flanagan,
+ * Belytschko (Int. J. Numer. Methods Engrg. 17 (1981) 679) as large as the material's own.  An
+ * elastic one of that size would lock what flows: so it flows like J2, with e' for the plastic
+ * strain and alpha = sum |de'| for the equivalent one, the radial return in one step as it hardens
+ * linearly.  Within a step r_c stands still, so that the force is the gradient of Pi.  The work a
+ * mu r_c d(alpha) is booked as plastic. */
 #include "checkpoint.h"
 #include "degradation.h"
 #include "hexahedra.h"

@@ -1,11 +1,12 @@
 /* four_points.c - the law once more at four points of the cell, which carry a share of the stress.
  *
- *   Pi = (1 - a) V psi(F) + a V/4 sum_q psi(F + sum_m h_m (x) grad s_m(r_q))               (four_points.1)
+ *   Pi = (1 - a) V psi(F) + a V/4 sum_q psi(F + sum_m h_m (x) grad s_m(r_q))        (four_points.1)
  *
- * r_q: (1,1,1), (1,-1,-1), (-1,1,-1), (-1,-1,1), each over sqrt 3: they integrate the squares of all s_m as the eight
- * points of Gauss do, and in a plane are his four.  Nothing but the law acts, at five updates of it for each particle:
- * the reference that the flowing residual is measured against.  In a hexahedron of a mesh grad s_m is taken less its mean
- * over the four points, which is zero in a box: then uniform stress does nothing to the amplitudes. */
+ * r_q: (1,1,1), (1,-1,-1), (-1,1,-1), (-1,-1,1), each over sqrt 3: they integrate the squares of
+ * all s_m as the eight points of Gauss do, and in a plane are his four.  Nothing but the law acts,
+ * at five updates of it for each particle: the reference that the flowing residual is measured
+ * against.  In a hexahedron of a mesh grad s_m is taken less its mean over the four points, which
+ * is zero in a box: then uniform stress does nothing to the amplitudes. */
 #include "hexahedron.h"
 #include "memory.h"
 #include "mesh.h"
@@ -19,8 +20,8 @@ enum { POINTS = 4 };
 
 struct four_points {
     double share; /* a */
-    /* grad s_m at the points [1/m], a vector of lanes for each component: of a lattice one for all strips, of a mesh
-     * strip by strip. */
+    /* grad s_m at the points [1/m], a vector of lanes for each component: of a lattice one for all
+     * strips, of a mesh strip by strip. */
     double *slope;
     bool everywhere; /* one for all */
     struct point_store *points[POINTS];

@@ -1,8 +1,10 @@
-/* residual.h - the energy of what the motion of a particle's corners has beyond the particle's own gradient.
+/* residual.h - the energy of what the motion of a particle's corners has beyond the particle's own
+ * gradient.
  *
- * Eight corners have twelve degrees of freedom more than a rigid motion and a gradient; without energy of their own
- * they would be free.  They are the amplitudes h_m of the products s_m of the corners' signs (residual.1).  The energy
- * has to flow with the material, or shells and necks grow stiff.  To add one: one file, its name in the list below. */
+ * Eight corners have twelve degrees of freedom more than a rigid motion and a gradient; without
+ * energy of their own they would be free.  They are the amplitudes h_m of the products s_m of the
+ * corners' signs (residual.1).  The energy has to flow with the material, or shells and necks grow
+ * stiff.  To add one: one file, its name in the list below. */
 #ifndef HS_RESIDUAL_H
 #define HS_RESIDUAL_H
 
@@ -10,10 +12,12 @@
 #include "model.h"
 #include "points.h"
 
-/* s = xy, yz, zx, xyz, the coordinates of a cell running from -1 to 1; in a plane the first alone is not zero. */
+/* s = xy, yz, zx, xyz, the coordinates of a cell running from -1 to 1; in a plane the first alone
+ * is not zero. */
 enum { MODES = 4, MODE_XYZ = 3 };
 
-/* Rows of particles whose neighbours are asked for: particle i is element PAD + i, the elements beside them are zero. */
+/* Rows of particles whose neighbours are asked for: particle i is element PAD + i, the elements
+ * beside them are zero. */
 enum { PAD = 8, PADDED = PAD + LANES + 8 };
 
 /* A strip of particles between their corners. */
@@ -51,8 +55,8 @@ extern const struct residual RESIDUALS(RESIDUAL);
 
 extern const struct section section_residual;
 
-/* The one that the deck names, "residual: {form: ..., ...}", and what it has read; map.index 0: the first one with its
- * defaults. */
+/* The one that the deck names, "residual: {form: ..., ...}", and what it has read; map.index 0: the
+ * first one with its defaults. */
 const struct residual *residual_read(struct deck_node map, void **self);
 
 /* Derivative of s_m by coordinate a at the point r of the cell, for the edge lengths dx [1/m]. */

@@ -7,17 +7,18 @@
  *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
  *   beyond it the slip takes the excess but 2 %: zeta += Fbar^-1 (excess)
  *
- * The slip is kept in the reference configuration, so that it turns with the material.  Where nodes degrade,
- * tau and the energy are multiplied by the integrity that the ends give the bond (integrity.h); the cap is that of
- * the sound material.
+ * The slip is kept in the reference configuration, so that it turns with the material.  Where nodes
+ * degrade, tau and the energy are multiplied by the integrity that the ends give the bond
+ * (integrity.h); the cap is that of the sound material.
  *
- * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form of
- * Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own, so that
- * it does not act as a strain-gradient stiffness in plastic flow.
+ * The elastic part has the scale of Wan, Chen, Xiao, Chen, Acta Mech. Sin. 35 (2019), and the form
+ * of Silling, Comput. Methods Appl. Mech. Engrg. 322 (2017) 42; capping it is this program's own,
+ * so that it does not act as a strain-gradient stiffness in plastic flow.
  *
- * The springs are made of all bonds of the family, so that longer horizons, whose gradient sees less of short waves, have more
- * of them.  One strip of bonds is worked on at a time, its springs in buffers: stiffness, cap, z, slip, and then the
- * forces at lower ends before those at upper ones, which fixes the order of each node's terms. */
+ * The springs are made of all bonds of the family, so that longer horizons, whose gradient sees
+ * less of short waves, have more of them.  One strip of bonds is worked on at a time, its springs
+ * in buffers: stiffness, cap, z, slip, and then the forces at lower ends before those at upper
+ * ones, which fixes the order of each node's terms. */
 #include "broken.h"
 #include "checkpoint.h"
 #include "integrity.h"
@@ -106,7 +107,8 @@ HS_SIMD static void subtract_zeta(int count, const double *restrict zeta, double
     for (int i = 0; i < count; i++) out[i] -= zeta[i];
 }
 
-/* (capped.4): finds the elastic z and the excess; the energy lost moves on only where commit = 1. */
+/* (capped.4): finds the elastic z and the excess; the energy lost moves on only where commit = 1.
+ */
 HS_SIMD static int64_t slip(int count, struct springs *restrict s, double *restrict lost,
                             double cap_on, double commit)
 {
@@ -160,7 +162,8 @@ static void commit_slip(const struct springs *s, const struct body *body,
     add_slip(s->count, s, (const double(*)[LANES])F, zeta[0], zeta[1], zeta[2]);
 }
 
-/* A bond that is broken, or has an end without a deformation gradient, carries nothing and keeps its slip. */
+/* A bond that is broken, or has an end without a deformation gradient, carries nothing and keeps
+ * its slip. */
 static bool carries(const struct body *body, double weight, int64_t i, int64_t j)
 {
     if (!(weight > 0)) return false;
@@ -255,8 +258,9 @@ static void degrade(struct springs *s, const double *integrity)
     }
 }
 
-/* What degrading since the last commit has released: (degradation.2) with the energy of now for the mean of the step, by
- * which its error is of first order, of energies that the cap keeps small; sound: stiffness without damage. */
+/* What degrading since the last commit has released: (degradation.2) with the energy of now for the
+ * mean of the step, by which its error is of first order, of energies that the cap keeps small;
+ * sound: stiffness without damage. */
 static void add_released(const struct springs *s, const double *sound, const double *integrity,
                          double *before, double *lost)
 {

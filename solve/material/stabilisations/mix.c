@@ -4,17 +4,19 @@
  *   F_b = Fbar + (dy - Fbar xi) (x) xi / |xi|^2,  Fbar = (F_i + F_j)/2                      (mix.2)
  *   beta_b = g_ib + g_jb,  g_ib = 1/(n_i c_ib)                                              (mix.3)
  *
- * n_i: number of axes along which node i has a bond, c_ib: its bonds along that axis; so sum_b g_ib = 1
- * and the bonds of each node carry exactly its volume.  (mix.2) is the bond-associated deformation
- * gradient of Breitzman & Dayal, J. Mech. Phys. Solids 110 (2018) 57; for an axis bond it is Fbar with
- * the column along the bond replaced by the bond's own stretch.  The bonds obey the full law of the nodes (a bond
- * across an interface the mean law of its ends), so the control of the zero-energy modes yields with
- * the material.  A uniform uniaxial stress stays exact at free surfaces for any weights g that depend
- * on the section alone, since both sums of the virtual work cancel by translation along the bar.
+ * n_i: number of axes along which node i has a bond, c_ib: its bonds along that axis; so sum_b g_ib
+ * = 1 and the bonds of each node carry exactly its volume.  (mix.2) is the bond-associated
+ * deformation gradient of Breitzman & Dayal, J. Mech. Phys. Solids 110 (2018) 57; for an axis bond
+ * it is Fbar with the column along the bond replaced by the bond's own stretch.  The bonds obey the
+ * full law of the nodes (a bond across an interface the mean law of its ends), so the control of
+ * the zero-energy modes yields with the material.  A uniform uniaxial stress stays exact at free
+ * surfaces for any weights g that depend on the section alone, since both sums of the virtual work
+ * cancel by translation along the bar.
  *
- * Where nodes degrade, the stress of a bond is multiplied by the integrity that its ends give it (integrity.h).
- * A broken axis bond, or one with an end that has no deformation gradient any more, carries nothing and keeps
- * its plastic state; the weights g stay those of the whole body, so that no other bond gains energy. */
+ * Where nodes degrade, the stress of a bond is multiplied by the integrity that its ends give it
+ * (integrity.h). A broken axis bond, or one with an end that has no deformation gradient any more,
+ * carries nothing and keeps its plastic state; the weights g stay those of the whole body, so that
+ * no other bond gains energy. */
 #include "broken.h"
 #include "integrity.h"
 #include "memory.h"
@@ -131,8 +133,8 @@ static int find_off(const struct mix *mix, const struct body *body, int axis,
     return count;
 }
 
-/* out_i += lower beta P, out_j += upper beta P.  Along x the ends overlap: two sweeps, since the order of
- * the terms must not depend on where a strip ends. */
+/* out_i += lower beta P, out_j += upper beta P.  Along x the ends overlap: two sweeps, since the
+ * order of the terms must not depend on where a strip ends. */
 HS_SIMD static void add_one(int count, const double *restrict P, const double *restrict beta,
                             double weight, double *restrict out)
 {
