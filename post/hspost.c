@@ -5,7 +5,7 @@
 #include "memory.h"
 #include "request.h"
 #include "snapshot.h"
-#include "study.h"
+#include "study_output.h"
 #include "taken.h"
 #include "view.h"
 

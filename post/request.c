@@ -29,7 +29,7 @@ static const struct key own_rows[] = {
      .low = -0.99, .high = 0.4999, .usual = NAN, .help = "of --material"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 26, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 27, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -69,8 +69,8 @@ static void check(const struct request *request)
     if (request->plot_loops) figure_check(request->plot_loops);
     if (request->band && (!request->plot || request->true_curve))
         die_user("--band is a way of --plot, for engineering curves");
-    if (request->true_curve && !request->plot)
-        die_user("--true chooses the figure of --plot; give --plot FILE");
+    if ((request->true_curve || request->whole) && !request->plot)
+        die_user("--true and --whole choose the figure of --plot; give --plot FILE");
     if (request->columns && (anything || bounds || request->n_files > 1))
         die_user("--columns prints one history and makes nothing else");
     if (request->n_files > 1 && request->output)
@@ -114,6 +114,7 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r)
         {'j', "json", "FILE", "properties as JSON", NULL, &r->json},
         {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r->plot},
         {0, "true", NULL, "figure of the true curve", &r->true_curve, NULL},
+        {0, "whole", NULL, "figure with the fall behind the fracture", &r->whole, NULL},
         {0, "loops", "FILE", "loops of unloading and reloading as CSV: back stress and more", NULL,
          &r->loops},
         {0, "plot-loops", "FILE", "figure of flow, back and effective stress", NULL,

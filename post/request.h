@@ -11,6 +11,7 @@
 struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss, *loops, *plot_loops;
     const char *tidy, *mean, *statistics, *extrapolate, *extrapolate_properties;
+    const char *report;               /* file of the page; NULL */
     const char *files_from;           /* names of further files, one a line; NULL */
     const char *material, *calibrate; /* name of the phase, directory of its test; NULL */
     double x_range[2],
@@ -19,7 +20,7 @@ struct request {
     const char *law_name;           /* as given; NULL */
     const char *deck;
     const char *columns_of; /* of a table (text_table.h); NULL: by its headings */
-    bool true_curve, band, difference, columns, check, accept, quiet;
+    bool true_curve, whole, band, difference, columns, check, accept, quiet;
     double fraction;                 /* of the second curve; NAN where not given */
     double strain_range[2];          /* NAN where not given */
     const struct hardening_law *law; /* of the constituents */

@@ -1,20 +1,11 @@
 #include "study.h"
 
-#include "bounds.h"
-#include "calibrate.h"
 #include "deck.h"
 #include "die.h"
-#include "difference.h"
-#include "extrapolation.h"
-#include "group.h"
 #include "keys_options.h"
 #include "memory.h"
 #include "sections.h"
-#include "text_output.h"
-#include "tidy.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,7 +31,7 @@ struct study study_read(const struct request *request, const char *maker)
     size_t n = (size_t)request->n_files;
     /* The table on standard error has no laws. */
     const bool fits = request->properties || request->json || request->statistics ||
-                      request->tidy || request->extrapolate_properties;
+                      request->tidy || request->extrapolate_properties || request->report;
     struct study study = {.count = request->n_files, .maker = maker};
     study.curves = memory_new(n, sizeof *study.curves);
     study.choices = memory_new(n, sizeof *study.choices);
@@ -48,14 +39,16 @@ struct study study_read(const struct request *request, const char *maker)
     study.properties = memory_new(n, sizeof *study.properties);
     study.loops = memory_new(n, sizeof *study.loops);
     const char **titles = memory_new(n, sizeof *titles);
-    char **decks = memory_new(n, sizeof *decks);
+    study.decks = memory_new(n, sizeof *study.decks);
+    study.builds = memory_new(n, sizeof *study.builds);
     struct varied *varied = memory_new(n, sizeof *varied);
     for (size_t i = 0; i < n; i++) {
         struct input input = input_read(request->files[i], request->columns_of);
         struct deck *deck = find_deck(request, &input);
         study.choices[i] = study_choose(request, deck);
         study.curves[i] = curve_make(&input, &study.choices[i]);
-        decks[i] = memory_text(attributes_text(&input.attributes, "deck"));
+        study.decks[i] = memory_text(attributes_text(&input.attributes, "deck"));
+        study.builds[i] = memory_text(attributes_text(&input.attributes, "solver_program"));
         if (deck) varied[i] = varied_read(sections_read(deck).varied);
         deck_free(deck);
         input_free(&input);
@@ -68,10 +61,8 @@ struct study study_read(const struct request *request, const char *maker)
                                           study.choices[i].loop_offset, &study.loops[i].count);
     }
     study.labels =
-        labels_make(titles, request->files, (const char *const *)decks, varied, study.count);
+        labels_make(titles, request->files, (const char *const *)study.decks, varied, study.count);
     for (size_t i = 0; i < n; i++) study.loops[i].title = study.labels[i].curve;
-    for (size_t i = 0; i < n; i++) free(decks[i]);
-    free(decks);
     free(varied);
     free(titles);
     return study;
@@ -84,6 +75,8 @@ void study_free(struct study *study)
         properties_free(&study->properties[i]);
         analysis_free(&study->analyses[i]);
         free((void *)study->loops[i].loops);
+        free(study->decks[i]);
+        free(study->builds[i]);
     }
     free(study->curves);
     free(study->choices);
@@ -91,195 +84,6 @@ void study_free(struct study *study)
     free(study->properties);
     labels_free(study->labels, study->count);
     free(study->loops);
-}
-
-static void write_curve(const struct study *study, const struct curve *curve, const char *name)
-{
-    struct text_output output = text_output_open(name);
-    fputs(study->maker, output.file);
-    curve_write(output.file, curve);
-    text_output_close(&output);
-}
-
-static void write_properties(const struct study *study, const char *name,
-                             void (*write)(FILE *, const struct properties[], const struct label[],
-                                           int))
-{
-    if (!name) return;
-    struct text_output output = text_output_open(name);
-    write(output.file, study->properties, study->labels, study->count);
-    text_output_close(&output);
-}
-
-static void write_tidy(const struct study *study, const char *name)
-{
-    if (!name) return;
-    struct text_output output = text_output_open(name);
-    tidy_write(output.file, study->curves, study->labels, study->count);
-    text_output_close(&output);
-}
-
-/* Means over the curves of each title. */
-static void treat_groups(const struct request *request, const struct study *study)
-{
-    if (request->statistics) {
-        struct text_output output = text_output_open(request->statistics);
-        groups_write_properties(output.file, study->properties, study->labels, study->count);
-        text_output_close(&output);
-    }
-    if (!request->mean) return;
-    int count;
-    struct group *groups = groups_make(study->analyses, study->labels, study->count, &count);
-    struct text_output output = text_output_open(request->mean);
-    groups_write(output.file, groups, count, study->labels, study->count);
-    text_output_close(&output);
-    groups_free(groups, count);
-}
-
-/* What the curves of several spacings go to. */
-static void treat_resolution(const struct request *request, const struct study *study)
-{
-    if (!request->extrapolate && !request->extrapolate_properties) return;
-    int n_groups, count;
-    const double order = study->choices[0].resolution_order;
-    struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
-    struct extrapolation *all = extrapolations_make(groups, n_groups, study->labels, order, &count);
-    if (request->extrapolate) {
-        struct text_output output = text_output_open(request->extrapolate);
-        extrapolations_write(output.file, all, count, groups, study->labels, study->count);
-        text_output_close(&output);
-    }
-    if (request->extrapolate_properties) {
-        struct text_output output = text_output_open(request->extrapolate_properties);
-        extrapolations_write_properties(output.file, all, count, groups, study->properties,
-                                        study->labels, study->count, order);
-        text_output_close(&output);
-    }
-    extrapolations_free(all, count);
-    groups_free(groups, n_groups);
-}
-
-/* Fills bounds[] with the mixtures asked for, writes them, and returns their number. */
-static int make_bounds(const struct request *request, const struct study *study,
-                       struct curve bounds[2])
-{
-    const char *const names[] = {request->voigt, request->reuss};
-    int count = 0;
-    for (int k = 0; k < 2; k++) {
-        if (!names[k]) continue;
-        bounds[count] =
-            bounds_curve(k == 0 ? BOUND_VOIGT : BOUND_REUSS, study->curves, study->analyses,
-                         request->law, request->fraction, request->strain_range);
-        write_curve(study, &bounds[count++], names[k]);
-    }
-    return count;
-}
-
-/* One series a group, or one a body that is extrapolated; returns their number. */
-static int band_series(const struct group groups[], int n_groups,
-                       const struct extrapolation limits[], int n_limits,
-                       struct figure_series series[])
-{
-    for (int i = 0; i < n_limits; i++)
-        series[i] = (struct figure_series){.title = limits[i].title,
-                                           .group = &limits[i].curve,
-                                           .words = "extrapolated, with error"};
-    for (int i = 0; n_limits == 0 && i < n_groups; i++)
-        series[i] = (struct figure_series){.title = groups[i].title, .group = &groups[i]};
-    return n_limits ? n_limits : n_groups;
-}
-
-static void draw(const struct request *request, const struct study *study,
-                 const struct curve bounds[], int n_bounds)
-{
-    if (!request->plot) return;
-    int count = 0, n_groups, n_limits = 0;
-    struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
-    struct extrapolation *limits = NULL;
-    struct figure_series *series =
-        memory_new((size_t)(study->count + n_groups + n_bounds), sizeof *series);
-    if (request->band && request->extrapolate)
-        limits = extrapolations_make(groups, n_groups, study->labels,
-                                     study->choices[0].resolution_order, &n_limits);
-    if (request->band) count = band_series(groups, n_groups, limits, n_limits, series);
-    for (int i = 0; !request->band && i < study->count; i++)
-        series[count++] = (struct figure_series){.title = study->labels[i].curve,
-                                                 .curve = &study->curves[i],
-                                                 .analysis = &study->analyses[i]};
-    for (int i = 0; i < n_bounds; i++)
-        series[count++] = (struct figure_series){.title = bounds[i].title, .curve = &bounds[i]};
-    struct spool spool = spool_output(request->plot);
-    const struct figure_style style = {request->true_curve,
-                                       {request->x_range[0], request->x_range[1]},
-                                       {request->y_range[0], request->y_range[1]}};
-    figure_draw(request->plot, spool.path, series, count, &style);
-    spool_finish(&spool);
-    free(series);
-    extrapolations_free(limits, n_limits);
-    groups_free(groups, n_groups);
-}
-
-static void compare(const struct request *request, const struct study *study)
-{
-    struct difference difference =
-        difference_of(&study->curves[0], &study->curves[1], request->strain_range);
-    difference_write(stdout, &difference);
-}
-
-static void treat_loops(const struct request *request, const struct study *study)
-{
-    if (request->loops) {
-        struct text_output output = text_output_open(request->loops);
-        loops_write_header(output.file, study->count > 1);
-        for (int i = 0; i < study->count; i++)
-            loops_write(output.file, study->loops[i].loops, study->loops[i].count,
-                        study->count > 1 ? study->labels[i].curve : NULL);
-        text_output_close(&output);
-    }
-    if (!request->plot_loops) return;
-    struct spool spool = spool_output(request->plot_loops);
-    figure_draw_loops(request->plot_loops, spool.path, study->loops, study->count);
-    spool_finish(&spool);
-}
-
-static void make_material(const struct request *request, const struct study *study)
-{
-    struct material material =
-        material_make(request->material, &study->curves[0], &study->analyses[0], request->law_name);
-    material.density = request->density;
-    material.poissons_ratio = request->poissons_ratio;
-    struct text_output output = text_output_open(request->output);
-    fputs(study->maker, output.file);
-    if (request->calibrate)
-        calibrate(output.file, request->calibrate, &material,
-                  &(struct measured){&study->curves[0], &study->analyses[0], &study->choices[0]});
-    else
-        material_print(output.file, &material, &study->curves[0]);
-    text_output_close(&output);
-    material_free(&material);
-}
-
-void study_write(const struct request *request, const struct study *study)
-{
-    for (int i = 0; i < study->count; i++) {
-        properties_print(&study->properties[i], study->labels[i].curve);
-        loops_print(study->loops[i].loops, study->loops[i].count);
-    }
-    /* The curve is what the run was for: first, and to the end, whatever becomes of the rest. */
-    if (study->count == 1 && !request->material) {
-        write_curve(study, &study->curves[0], request->output);
-        if (fflush(stdout) != 0) die_run("cannot write to standard output: %s", strerror(errno));
-    }
-    write_properties(study, request->properties, properties_write_csv);
-    write_properties(study, request->json, properties_write_json);
-    write_tidy(study, request->tidy);
-    treat_groups(request, study);
-    treat_resolution(request, study);
-    struct curve bounds[2];
-    int n_bounds = make_bounds(request, study, bounds);
-    if (request->difference) compare(request, study);
-    treat_loops(request, study);
-    draw(request, study, bounds, n_bounds);
-    if (request->material) make_material(request, study);
-    for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
+    free(study->decks);
+    free(study->builds);
 }

@@ -1,5 +1,4 @@
-/* study.h - the curves that hspost was given, with all that is known of them, and what is
- * written of them. */
+/* study.h - the curves that hspost was given, with all that is known of them. */
 #ifndef HS_STUDY_H
 #define HS_STUDY_H
 
@@ -16,7 +15,9 @@ struct study {
     struct properties *properties;
     struct figure_loops *loops;
     struct label *labels;
-    const char *maker; /* "# program: ..." and "# command: ..." lines */
+    char **decks, **builds; /* texts; NULL: none.  builds: versions of the solver and of what it is
+                               linked to, a line each */
+    const char *maker;      /* "# program: ..." and "# command: ..." lines */
 };
 
 /* The choices of a deck (NULL: none) and of the command line, which wins. */
@@ -25,8 +26,5 @@ struct choices study_choose(const struct request *request, const struct deck *de
 /* Reads and analyses all files of the request. */
 struct study study_read(const struct request *request, const char *maker);
 void study_free(struct study *study);
-
-/* Prints, and writes whatever the request asks for. */
-void study_write(const struct request *request, const struct study *study);
 
 #endif

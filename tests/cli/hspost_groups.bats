@@ -85,15 +85,47 @@ DECK
         $with{$f[2]}++ if $f[$time] ne ""; END {exit !(keys %with == 1 && (values %with)[0] == 222)}' tidy.csv
 }
 
-@test "many curves stay apart: no two of 20 have colour and dashes in common" {
-    specimens 20
-    # the script that gnuplot gets
+# A gnuplot that keeps its script.
+keep_script() {
     mkdir bin
     printf '#!/bin/sh\ncat >script\necho drawn\n' >bin/gnuplot
     chmod +x bin/gnuplot
-    PATH=$PWD/bin:$PATH hspost -q s?.csv s??.csv --plot f.svg
-    [ "$(grep -o 'dt [0-9]* lw 1.5 lc rgb .[#0-9A-F]*' script | sort -u | wc -l)" -eq 20 ]
-    run ! grep -q linespoints script
+    PATH=$PWD/bin:$PATH
+}
+
+@test "eight curves in one figure have colours and dashes of their own, nine a panel each" {
+    specimens 9
+    keep_script
+    hspost -q s[1-8].csv --plot f.svg
+    [ "$(grep -o 'dt .* lw 1.5 lc rgb .[#0-9A-F]*' script | tr , '\n' | grep lw | sort -u | wc -l)" -eq 8 ]
+    run ! grep -q 'linespoints\|multiplot' script
+    hspost -q s?.csv --plot f.svg
+    grep -q '^set multiplot layout 3,3' script
+    [ "$(grep -c '^plot ' script)" -eq 9 ]
+    # all have the axes of the strongest
+    [ "$(grep -c '^set yrange' script)" -eq 1 ]
+}
+
+@test "more than eight curves of which some share a title are bands" {
+    specimens 9
+    keep_script
+    hspost s?.csv --title Al --plot f.svg 2>said
+    grep -q '9 curves in one figure: means' said
+    [ "$(grep -c '^\$curve[0-9]* << EOD' script)" -eq 1 ]
+    grep -q 'Al, mean and deviation of 9' script
+}
+
+@test "a figure ends at the fracture, unless the whole is asked for" {
+    keep_script
+    awk -F, '{print} END {print $1 + 0.001 ",0.5"; print $1 + 0.01 ",0.2"}' "$records/voce.csv" >broken.csv # which ends with such a row
+    hspost -q broken.csv --plot f.svg -o curve.csv
+    points() { sed -n '/^\$curve0 <</,/^EOD/p' script | sed '1d;$d'; }
+    points | awk '$2 < 100 && $1 > 1 {exit 1}'
+    shown=$(points | wc -l)
+    hspost -q broken.csv --whole --plot f.svg -o curve.csv
+    [ "$(points | wc -l)" -eq $((shown + 3)) ]
+    points | tail -1 | grep -q ' 0.2$'
+    run -2 hspost broken.csv --whole
 }
 
 @test "bands, and ranges of the axes" {
