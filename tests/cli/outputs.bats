@@ -2,23 +2,15 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 setup() {
     cd "$BATS_TEST_TMPDIR"
-    cat >s.yaml <<'END'
+    cat >s.yaml <<END
 title: Outputs
-domain:
-  specimen: plate
-  size: [16 spacings, 6 spacings, 4 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
-  gauge: {length: 8 spacings}
+$(even 16 6 4 2 8)
 materials:
-  M: {density: 8900 kg/m3, model: correspondence_elastic, youngs_modulus: 210 GPa, poissons_ratio: 0.31}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 m/s}
-  - {set: grip_right, direction: x, velocity: 1 m/s}
+  M: {density: 8900 kg/m3, model: correspondence_elastic, $elastic}
+$(pulled '1 m/s')
 solver: {type: explicit, end_strain: 0.001}
 output: {history: 20, fields: {frames: 2, variables: [displacement]}}
 END

@@ -3,25 +3,17 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     read -ra compiler <<<"${CC:-cc}"
     "${compiler[@]}" -D_GNU_SOURCE -shared -fPIC -O1 -o faults.so "$BATS_TEST_DIRNAME/faults.c" -ldl
-    cat >s.yaml <<'END'
+    cat >s.yaml <<END
 title: Faults
-domain:
-  specimen: plate
-  size: [10 spacings, 4 spacings, 2 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
-  gauge: {length: 4 spacings}
+$(even 10 4 2 2 4)
 materials:
-  M: {density: 8900 kg/m3, model: correspondence_elastic, youngs_modulus: 210 GPa, poissons_ratio: 0.31}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 m/s}
-  - {set: grip_right, direction: x, velocity: 1 m/s}
+  M: {density: 8900 kg/m3, model: correspondence_elastic, $elastic}
+$(pulled '1 m/s')
 solver: {type: explicit, horizon: 1, stabilisation: {law: mix}, end_steps: 40}
 output: {history: 40, fields: {frames: 4, variables: [displacement]}, checkpoint: {every: 4 steps, keep: 2}}
 END

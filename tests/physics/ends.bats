@@ -1,29 +1,20 @@
 # Where explicit runs end, how long their steps may be, and the balance of energies along the way.
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 nickel='model: correspondence, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 200 MPa, modulus: 1 GPa}'
-elastic='model: correspondence_elastic, youngs_modulus: 210 GPa, poissons_ratio: 0.31'
+linear="model: correspondence_elastic, $elastic"
 
 # bar NAME MATERIAL SOLVER RECORDS SPEED [REST]
 bar() {
-    local grips="boundary:
-  - {set: grip_left, direction: x, velocity: -$5}
-  - {set: grip_right, direction: x, velocity: $5}"
     cat >"$1.yaml" <<END
 title: Bar
-domain:
-  specimen: plate
-  size: [16 spacings, 6 spacings, 4 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
-  gauge: {length: 8 spacings}
+$(even 16 6 4 2 8)
 materials:
   M: {density: 8900 kg/m3, $2}
-${6:-$grips}
+${6:-$(pulled "$5")}
 solver: {type: explicit, horizon: 1, stabilisation: {law: mix}, $3}
 output: {history: $4}
 END
@@ -41,7 +32,7 @@ END
         awk '{ over = $2 / 225e-6 / 0.02 - 1; print $0, over; exit !(over >= 0 && over < 1e-6) }' end.1
     done
     # One at a given time ends there, too.
-    bar end "$elastic" 'end_time: 0.4567 us' 1 '1 m/s'
+    bar end "$linear" 'end_time: 0.4567 us' 1 '1 m/s'
     hssolve -q -i end.g -H end.e
     columns end.e time_s | tail -n 1 | awk '{ off = $1 / 0.4567e-6 - 1; print off; exit !(off * off < 1e-20) }'
 }
@@ -77,9 +68,9 @@ END
 @test "elastic collisions and driven bars keep the balance within 1e-6" {
     # Two halves that fly at each other, a wave of 1e-5 of strain, of which as much of a step's energy is lost as forces are not
     # linear; a bar that is driven to and fro at both ends.
-    bar struck "$elastic" 'end_steps: 3000' 500 0 "initial: [{where: 'x < 0', direction: x, velocity: 0.05}, {where: 'x >= 0', direction: x, velocity: -0.05}]
+    bar struck "$linear" 'end_steps: 3000' 500 0 "initial: [{where: 'x < 0', direction: x, velocity: 0.05}, {where: 'x >= 0', direction: x, velocity: -0.05}]
 boundary: []"
-    bar driven "$elastic" 'end_steps: 3000' 500 0 'boundary:
+    bar driven "$linear" 'end_steps: 3000' 500 0 'boundary:
   - {set: grip_left, direction: x, displacement: "1e-8*sin(2e7*t)"}
   - {set: grip_right, direction: x, velocity: "0.1*sin(3e7*t)"}'
     for run in struck driven; do
@@ -92,12 +83,12 @@ boundary: []"
 
 @test "damping, raised loads and steps that change leave the balance closed" {
     # Half of the energy goes; the load comes in steps; the step shrinks as the bar stretches by a third.
-    bar damped "$elastic" 'end_steps: 2000, damping: 2e6 1/s, local_damping: 0.1' 500 0 "initial: [{where: 'x < 0', direction: x, velocity: 0.05}, {where: 'x >= 0', direction: x, velocity: -0.05}]
+    bar damped "$linear" 'end_steps: 2000, damping: 2e6 1/s, local_damping: 0.1' 500 0 "initial: [{where: 'x < 0', direction: x, velocity: 0.05}, {where: 'x >= 0', direction: x, velocity: -0.05}]
 boundary: []"
-    bar raised "$elastic" 'end_steps: 2000, damping: 1e6 1/s' 500 0 'boundary:
+    bar raised "$linear" 'end_steps: 2000, damping: 1e6 1/s' 500 0 'boundary:
   - {set: grip_left, direction: x, displacement: 0}
   - {set: grip_right, direction: x, force: {initial: 0.02 N, increment: 0.02 N, every: 150 steps}}'
-    bar long "$elastic" 'end_strain: 0.3' 500 '30 m/s'
+    bar long "$linear" 'end_strain: 0.3' 500 '30 m/s'
     for case in 'damped|1e-6' 'raised|1e-6' 'long|1e-4'; do
         run=${case%|*}
         hssolve -q -i "$run.g" -H "$run.e"

@@ -1,28 +1,19 @@
 # Load steps, explicit steps, and both in one run: the same curve, and bars that break at rest.
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
 steps='type: quasi_static, step: 0.002'
 
 # bar NAME MODEL SOLVER [DAMAGE]: NAME.g of 32 x 6 x 4 nodes, pulled at SPEED m/s
 bar() {
     cat >"$1.yaml" <<END
 title: Bar
-domain:
-  specimen: plate
-  size: [0.8 mm, 0.15 mm, 0.1 mm]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
-  gauge: {length: 0.4 mm}
+$(even 32 6 4 2 16)
 materials:
   M: {density: 8900 kg/m3, youngs_modulus: 210 GPa, $2}
-boundary:
-  - {set: grip_left, direction: x, velocity: -${SPEED:-2} m/s}
-  - {set: grip_right, direction: x, velocity: ${SPEED:-2} m/s}
+$(pulled "${SPEED:-2} m/s")
 ${4:-}
 solver: {$3, tolerance: 1e-6}
 output: {history: 400}
@@ -30,11 +21,9 @@ END
     hsgen -q "$1.yaml" -o "$1.g"
 }
 
-solve() { hssolve -q -i "$1.g" -H "$1.e" 2>"$1.log" || { cat "$1.log" && false; }; }
-
 holds() { awk "BEGIN { exit !($1) }"; }
 
-correspondence="model: correspondence, poissons_ratio: 0.31, $voce"
+correspondence="model: correspondence, poissons_ratio: 0.31, $soft"
 mix='horizon: 1, stabilisation: {law: mix, share: 0.1}'
 
 # silent MODEL FORMULATION: a hybrid run goes on where load steps would

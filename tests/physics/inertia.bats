@@ -1,18 +1,13 @@
 # Explicit runs of slow tests: scaled inertia, local damping.
 
+load ../bodies
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # bar NAME SOLVER BOUNDARY [INITIAL]: NAME.g of 24 x 4 x 4 nodes
 bar() {
     cat >"$1.yaml" <<END
 title: Bar
-domain:
-  specimen: plate
-  size: [0.6 mm, 0.1 mm, 0.1 mm]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
+$(even 24 4 4 2)
 materials:
   M: {model: ${MODEL:-correspondence_elastic}, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.3${LAW:-}}
 $3
@@ -24,7 +19,6 @@ output:
 END
     hsgen -q "$1.yaml" -o "$1.g"
 }
-solve() { hssolve -q -i "$1.g" -H "$1.e" 2>"$1.log" || { cat "$1.log" && false; }; }
 last() { hspost -q --columns "$1.e" | awk -F, -v names="${*:2}" '/^#/ { next }
     !n { n = split(names, name, " "); for (i = 1; i <= NF; i++) at[$i] = i; next }
     { row = ""; for (k = 1; k <= n; k++) row = row $at[name[k]] " " } END { print row }'; }

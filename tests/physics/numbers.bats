@@ -2,6 +2,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
@@ -14,14 +15,7 @@ off='function off(a, b) { return a > b ? a - b : b - a }'
 bar() {
     cat >"$1.yaml" <<END
 title: Bar
-domain:
-  specimen: plate
-  size: [16 spacings, 4 spacings, 4 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
-  gauge: {length: 6 spacings}
+$(even 16 4 4 2 6)
 materials:
   M: {density: 8900 kg/m3, youngs_modulus: 210 GPa, $2}
 boundary:
@@ -38,8 +32,6 @@ ${5:-}
 END
     hsgen -q "$1.yaml" -o "$1.g"
 }
-
-solve() { hssolve -q -i "$1.g" -H "$1.e" 2>"$1.log" || { cat "$1.log" && false; }; }
 
 # every node moves by its place times the time: uniaxial strain
 uniaxial='  - {where: "1", direction: x, displacement: "x*t*RATE"}

@@ -3,11 +3,11 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
-correspondence="model: correspondence, poissons_ratio: 0.31, $voce"
+correspondence="model: correspondence, poissons_ratio: 0.31, $soft"
 mix='horizon: 1, stabilisation: {law: mix}'
 
 # bar NAME LENGTH_NODES MODEL SOLVER [BOUNDARY [OUTPUT]]: NAME.g of LENGTH x 4 x 4 nodes, 5 of them in the gauge, load steps with
@@ -17,14 +17,7 @@ bar() {
     [[ $4 != *"type: explicit"* && $4 != *tolerance:* ]] || tolerance=
     cat >"$1.yaml" <<END
 title: Bar
-domain:
-  specimen: plate
-  size: [$2 spacings, 4 spacings, 4 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 3 spacings, phase: M}
-  gauge: {length: 5 spacings}
+$(even "$2" 4 4 3 5)
 materials:
   M: {density: 8900 kg/m3, youngs_modulus: 210 GPa, $3}
 boundary:
@@ -37,8 +30,6 @@ ${6:-}
 END
     hsgen -q "$1.yaml" -o "$1.g"
 }
-
-solve() { hssolve -q -i "$1.g" -H "$1.e" 2>"$1.log" || { cat "$1.log" && false; }; }
 
 # converged FILE [TOLERANCE]: no record is above the tolerance
 converged() {
@@ -181,8 +172,8 @@ exact='
                 printf "%s: %.6g N, plastic %.2g, differ by %.2g and %.2g\n", name, f[1], p, d, e
                 exit !(NR == 3 && p > 1e-3 && d < 1e-5 && e < 1e-5) }'
     done <<END
-mitchell||model: ordinary_plastic, poissons_ratio: 0.31, $voce|horizon: 3.015
-corrected||model: ordinary_plastic, poissons_ratio: 0.31, $voce|horizon: 2.015, surface_correction: volume
+mitchell||model: ordinary_plastic, poissons_ratio: 0.31, $soft|horizon: 3.015
+corrected||model: ordinary_plastic, poissons_ratio: 0.31, $soft|horizon: 2.015, surface_correction: volume
 capped||$correspondence|horizon: 1, stabilisation: {law: capped}
 wide||$correspondence|horizon: 2, stabilisation: {law: mix}
 flat|$flat|$correspondence|$mix, plane: strain
@@ -200,7 +191,7 @@ END
 title: Scattered
 domain: {dimensions: 3, spacing: 1 mm, grips: {length: 3 spacings}, gauge: {length: 8 mm}}
 materials:
-  M: {model: ordinary_plastic, density: 8000, youngs_modulus: 200 GPa, poissons_ratio: 0.3, $voce}
+  M: {model: ordinary_plastic, density: 8000, youngs_modulus: 200 GPa, poissons_ratio: 0.3, $soft}
 boundary:
   - {set: grip_left, direction: x, velocity: -1 m/s}
   - {set: grip_right, direction: x, velocity: 1 m/s}

@@ -2,6 +2,8 @@
 # compared with cmp, in plastic flow.  The files differ in one place, the recorded command's number of
 # ranks, which is made equal first.
 
+load ../bodies
+load ../ranks
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # study SPECIMEN HORIZON STABILISATION [LAW OF UFG]: domain.g; torn at 50 m/s, so that grips, waves, gauge, damping
@@ -9,33 +11,21 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
 study() {
     cat >study.yaml <<END
 title: Ranks
-domain:
-$1
-  spacing: 25 um
-  topology: random
-  phases: {cg: CG, ufg: UFG}
-  core: cell
-  core_distance: 75 um
-  ufg_fraction: 0.40
-  override: true
-  seed: 3
-  grips: {length: 2 spacings, phase: structure}
+$(grains 2 "$1")
 materials:
   CG:
     model: correspondence
     density: 8900 kg/m3
     youngs_modulus: 210 GPa
     poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
+    $soft
   UFG:
     model: correspondence
     density: 8800 kg/m3
     youngs_modulus: 190 GPa
     poissons_ratio: 0.30
-    hardening: ${4:-$voce}
-boundary:
-  - {set: grip_left, direction: x, velocity: -50 m/s}
-  - {set: grip_right, direction: x, velocity: 50 m/s}
+    ${4:-$hard}
+$(pulled '50 m/s')
 solver:
   type: explicit
   horizon: $2
@@ -51,9 +41,8 @@ END
     hsgen -q study.yaml -o domain.g
 }
 
-voce='{law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}'
 # Kinks within what a step can add: Newton's method then takes more steps at some points than at others.
-kinked='{law: tabulated, points: [[0, 600 MPa], [0.0001, 900 MPa], [0.0002, 901 MPa], [0.001, 902 MPa],
+kinked='hardening: {law: tabulated, points: [[0, 600 MPa], [0.0001, 900 MPa], [0.0002, 901 MPa], [0.001, 902 MPa],
       [0.0011, 1300 MPa], [0.01, 1310 MPa], [0.0101, 1600 MPa], [1, 1700 MPa]]}'
 plate='  specimen: plate
   size: [0.6 mm, 0.3 mm, 0.2 mm]
@@ -61,13 +50,6 @@ plate='  specimen: plate
 dogbone='  specimen: dogbone
   size: [1 mm, 0.4 mm, 0.1 mm]
   gauge: {length: 0.3 mm, width: 0.2 mm, fillet: 0.1 mm}'
-
-# run RANKS: history.e and fields.e in a directory of that name, the number of ranks blotted out
-solve() {
-    mkdir "$1"
-    (cd "$1" && hssolve -q -j "$1" -i ../domain.g -o fields.e -H history.e)
-    LC_ALL=C sed -i "s/ -j $1 / -j N /g" "$1/fields.e" "$1/history.e"
-}
 
 # Largest mean plastic strain of a phase in the history, in per cent.
 plastic() {
@@ -80,7 +62,7 @@ plastic() {
 
 # compare RANKS...: each with one rank, where much of both phases has flowed.
 compare() {
-    solve 1
+    solve_on 1
     [ "$(plastic 1/history.e CG)" -ge 2 ]
     [ "$(plastic 1/history.e UFG)" -ge 1 ]
     compare_with_one "$@"
@@ -88,9 +70,7 @@ compare() {
 
 compare_with_one() {
     for ranks in "$@"; do
-        solve "$ranks"
-        cmp 1/history.e "$ranks/history.e"
-        cmp 1/fields.e "$ranks/fields.e"
+        same_as_one "$ranks"
     done
 }
 
@@ -130,7 +110,7 @@ s/model: correspondence/model: bond_based/
 /poissons_ratio/d
 /hardening/d
 END
-    solve 1
+    solve_on 1
     compare_with_one 2 3
 }
 
@@ -148,7 +128,7 @@ END
 s/model: correspondence/model: ordinary_plastic/
 s/stabilisation.*//
 END
-    solve 1
+    solve_on 1
     compare_with_one 2 3
 }
 
@@ -178,7 +158,7 @@ corner_sheet() {
   gauge: {length: 0.3 mm}'
     sed -i "s/  type: explicit/&\n  plane: $1/" study.yaml
     hsgen -q study.yaml -o domain.g
-    solve 1
+    solve_on 1
     [ "$(plastic 1/history.e CG)" -ge 1 ]
     compare_with_one "${@:2}"
 }

@@ -3,39 +3,19 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 setup() { cd "$BATS_TEST_TMPDIR"; }
-
-plastic='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
-hard='hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}'
-elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
-grips='  - {set: grip_left, direction: x, velocity: -$speed m/s}
-  - {set: grip_right, direction: x, velocity: $speed m/s}'
 
 # study CG UFG SOLVER [DAMAGE]: study.yaml and domain.g of a plate of two phases, pulled at $speed
 # FLAT=yes: of one layer; $boundary, $every
 study() {
-    local speed=${speed:-60}
     cat >study.yaml <<END
 title: Goes on
-domain:
-  specimen: plate
-  dimensions: $([ -n "${FLAT:-}" ] && echo 2 || echo 3)
-  size: [0.6 mm, 0.2 mm, 0.15 mm]
-  gauge: {length: 0.3 mm}
-  spacing: 25 um
-  topology: random
-  phases: {cg: CG, ufg: UFG}
-  core: cell
-  core_distance: 75 um
-  ufg_fraction: 0.40
-  override: true
-  seed: 3
-  grips: {length: 2 spacings, phase: structure}
+$(grains 2)
 materials:
   CG: {density: 8900 kg/m3, $1}
   UFG: {density: 8800 kg/m3, $2}
-boundary:
-${boundary:-${grips//\$speed/$speed}}
+${boundary:-$(pulled "${speed:-60} m/s")}
 solver: {$3}
 ${4:-}
 output:
@@ -90,7 +70,7 @@ cracks='cracks:
   - {rectangle: [[-0.02 mm, -0.1 mm, -0.08 mm], [0, 0.06 mm, 0], [0, 0, 0.16 mm]]}'
 
 @test "correspondence, mix, ductile: from 1 rank to 1, 2, 3 and 8" {
-    study "model: correspondence, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+    study "model: correspondence, $elastic, $soft, yield_scatter: {deviation: 0.1, seed: 2}" \
         "model: correspondence, $elastic, $hard" \
         'type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.6 us, damping: 1e5 1/s' "$ductile
 $between"
@@ -99,7 +79,7 @@ $between"
 }
 
 @test "correspondence, capped, ductile and a crack: from 3 ranks to 2" {
-    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+    study "model: correspondence, $elastic, $soft" "model: correspondence, $elastic, $hard" \
         'type: explicit, horizon: 2, stabilisation: {law: capped}, end_time: 0.6 us, local_damping: 0.1' "$ductile
 $between
 $cracks"
@@ -108,21 +88,21 @@ $cracks"
 }
 
 @test "two laws in one body: the states of each" {
-    study "model: correspondence, $elastic, $plastic" "model: correspondence_elastic, $elastic" \
+    study "model: correspondence, $elastic, $soft" "model: correspondence_elastic, $elastic" \
         'type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.3 us' "damage:
   - {phase: CG, law: plastic_strain, value: 0.03}"
     goes_on 2 3 1 3
 }
 
 @test "corner, ductile: from 2 ranks to 1 and 4" {
-    study "model: corner, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+    study "model: corner, $elastic, $soft, yield_scatter: {deviation: 0.1, seed: 2}" \
         "model: corner, $elastic, $hard" 'type: explicit, end_time: 0.6 us' "$ductile"
     goes_on 2 4 1 4
     holds "$(last removed_nodes) > 10"
 }
 
 @test "corner, the law at four points: from 1 rank to 3" {
-    study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+    study "model: corner, $elastic, $soft" "model: corner, $elastic, $hard" \
         'type: explicit, residual: {form: four_points}, end_time: 0.4 us' "$ductile"
     goes_on 1 2 3
 }
@@ -134,8 +114,8 @@ $cracks"
     cat >deck.yaml <<END
 title: Goes on
 materials:
-  A: {model: corner, density: 8900, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}}
-  B: {model: corner, density: 8800, $elastic, $plastic}
+  A: {model: corner, density: 8900, $elastic, $soft, yield_scatter: {deviation: 0.1, seed: 2}}
+  B: {model: corner, density: 8800, $elastic, $soft}
 boundary:
   - {set: low_x, direction: x, velocity: -20 m/s}
   - {set: high_x, direction: x, velocity: 20 m/s}
@@ -153,14 +133,14 @@ END
 }
 
 @test "corner, a sheet in plane stress: from 2 ranks to 3" {
-    FLAT=yes study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+    FLAT=yes study "model: corner, $elastic, $soft" "model: corner, $elastic, $hard" \
         'type: explicit, plane: stress, end_time: 0.6 us' "$ductile"
     goes_on 2 4 3
     holds "$(last removed_nodes) > 1"
 }
 
 @test "ordinary, plastic and ductile, bonds that break: from 1 rank to 2 and 8" {
-    study "model: ordinary_plastic, $elastic, $plastic, yield_scatter: {deviation: 0.1, seed: 2}" \
+    study "model: ordinary_plastic, $elastic, $soft, yield_scatter: {deviation: 0.1, seed: 2}" \
         "model: ordinary_plastic, $elastic, $hard" 'type: explicit, horizon: 2.2, end_time: 0.5 us' "damage:
   - {phase: CG, law: ductile, onset: 0.04, full: 0.12}
   - {pair: [CG, UFG], law: critical_stretch, value: 0.03}
@@ -194,7 +174,7 @@ $cracks"
 }
 
 @test "load steps with ductile damage: from 1 rank to 2 and 3" {
-    every=2 speed=1 study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+    every=2 speed=1 study "model: correspondence, $elastic, $soft" "model: correspondence, $elastic, $hard" \
         'type: quasi_static, horizon: 1, stabilisation: {law: mix}, step: 0.003, end_strain: 0.02' "$ductile
 $between"
     goes_on 1 3 2 3
@@ -203,30 +183,31 @@ $between"
 @test "load steps of corner, by relaxation and by Newton's method" {
     for method in relaxation newton; do
         rm -rf whole
-        every=2 speed=1 study "model: corner, $elastic, $plastic" "model: corner, $elastic, $hard" \
+        every=2 speed=1 study "model: corner, $elastic, $soft" "model: corner, $elastic, $hard" \
             "type: quasi_static, method: $method, step: 0.003, end_strain: 0.012"
         goes_on 1 2 2
     done
 }
 
 @test "forces and motions that depend on place and time, raised in steps: at rest and explicit" {
-    boundary='  - {set: grip_left, direction: x, displacement: 0}
+    boundary='boundary:
+  - {set: grip_left, direction: x, displacement: 0}
   - {set: grip_left, direction: y, displacement: 0}
   - {set: grip_left, direction: z, displacement: "1e-3*y*t/(1e-6)"}
   - {set: grip_right, direction: x, force: {initial: 1 N, increment: 0.3 N, every: 3 steps}}
   - {box: [[-1 mm, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], direction: y, body_force: "1e9*x/1e-3*t/1e-6"}'
-    every=2 study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+    every=2 study "model: correspondence, $elastic, $soft" "model: correspondence, $elastic, $hard" \
         'type: quasi_static, horizon: 1, stabilisation: {law: mix}, step: 0.1 us, end_time: 1 us'
     goes_on 1 3 2
     rm -rf whole
     boundary=${boundary/every: 3 steps/every: 25 steps}
-    study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $hard" \
+    study "model: correspondence, $elastic, $soft" "model: correspondence, $elastic, $hard" \
         'type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.3 us'
     goes_on 1 3 2
 }
 
 @test "load steps, explicit ones, and back: before and after each switch" {
-    every=1 speed=2 study "model: correspondence, $elastic, $plastic" "model: correspondence, $elastic, $plastic" \
+    every=1 speed=2 study "model: correspondence, $elastic, $soft" "model: correspondence, $elastic, $soft" \
         'type: hybrid, horizon: 1, stabilisation: {law: mix}, step: 0.002, end_strain: 0.012, explicit_strain: 0.008, static_when: {kinetic_to_internal: 0.1, quiet: 0.05 us}'
     mkdir whole
     (cd whole && hssolve -q -i ../domain.g -H history.e -o fields.e)
@@ -247,12 +228,7 @@ $between"
 
 # scattered MODEL SOLVER DAMAGE: particles.txt and study.yaml, which go beside each other
 scattered() {
-    awk 'BEGIN {
-        srand(1); print "# blocks: 1 A"
-        for (z = 0; z < 5; z++) for (y = 0; y < 5; y++) for (x = 0; x < 16; x++)
-            printf "%.9e %.9e %.9e 1 1e-9\n", (x + 0.3 * (rand() - 0.5)) * 1e-3,
-                   (y + 0.3 * (rand() - 0.5)) * 1e-3, (z + 0.3 * (rand() - 0.5)) * 1e-3
-    }' >particles.txt
+    scatter 16 0.3 >particles.txt
     cat >study.yaml <<END
 title: Scattered
 domain: {dimensions: 3, spacing: 1 mm, grips: {length: 3 spacings}, gauge: {length: 6 mm}}
@@ -260,9 +236,7 @@ materials:
   A: {model: $1}
 damage:
   - $3
-boundary:
-  - {set: grip_left, direction: x, velocity: -60 m/s}
-  - {set: grip_right, direction: x, velocity: 60 m/s}
+$(pulled '60 m/s')
 solver: {type: explicit, $2, end_time: 15 us, energy_tolerance: 0.05}
 output:
   history: 40

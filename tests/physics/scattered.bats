@@ -3,17 +3,13 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
+load ../ranks
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-# particles JITTER: a bar of 24 x 5 x 5 in particles.txt, each moved by up to JITTER/2 spacings
-particles() {
-    awk -v jitter="$1" 'BEGIN {
-        srand(1); print "# blocks: 1 A"
-        for (z = 0; z < 5; z++) for (y = 0; y < 5; y++) for (x = 0; x < 24; x++)
-            printf "%.9e %.9e %.9e 1 1e-9\n", (x + jitter * (rand() - 0.5)) * 1e-3,
-                   (y + jitter * (rand() - 0.5)) * 1e-3, (z + jitter * (rand() - 0.5)) * 1e-3
-    }' >particles.txt
-}
+# particles JITTER: a bar of 24 x 5 x 5 in particles.txt
+particles() { scatter 24 "$1" >particles.txt; }
+files=(--deck ../study.yaml -i ../particles.txt)
 
 # deck MODEL SOLVER DAMAGE
 deck() {
@@ -24,50 +20,40 @@ materials:
   A: {model: $1}
 damage:
   - $3
-boundary:
-  - {set: grip_left, direction: x, velocity: -60 m/s}
-  - {set: grip_right, direction: x, velocity: 60 m/s}
+$(pulled '60 m/s')
 solver: {type: explicit, $2, start: affine, end_time: 25 us, energy_tolerance: 0.05}
 output: {history: 40, fields: {frames: 2, variables: [displacement, force, stress, damage]}}
 END
 }
 
-solve() {
-    mkdir "$1"
-    (cd "$1" && hssolve -q -j "$1" --deck ../study.yaml -i ../particles.txt -o fields.e -H history.e)
-    LC_ALL=C sed -i "s/ -j $1 / -j N /g" "$1/fields.e" "$1/history.e"
-}
-
 compare() {
-    solve 1
+    solve_on 1 "${files[@]}"
     ncdump -v vals_glo_var 1/history.e >dump # the run broke something
     [ "$(hspost --frames 1/fields.e --variables Damage --csv | awk -F, '$4 > 0.3 { n++ } END { print n + 0 }')" -gt 20 ]
     for ranks in "$@"; do
-        solve "$ranks"
-        cmp 1/history.e "$ranks/history.e"
-        cmp 1/fields.e "$ranks/fields.e"
+        same_as_one "$ranks" "${files[@]}"
     done
 }
 
-elastic='density: 8000, youngs_modulus: 200 GPa'
+steel='density: 8000, youngs_modulus: 200 GPa'
 hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
 
 @test "scattered, bond-based, breaking: 2 and 3 ranks give the bits of one" {
     particles 0.3
-    deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'
+    deck "bond_based, $steel" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'
     compare 2 3
 }
 
 @test "scattered, ordinary plastic, breaking: 3 ranks give the bits of one" {
     particles 0.3
-    deck "ordinary_plastic, $elastic, poissons_ratio: 0.3, $hardening" 'horizon: 2.6' \
+    deck "ordinary_plastic, $steel, poissons_ratio: 0.3, $hardening" 'horizon: 2.6' \
         '{pair: [A, A], law: critical_stretch, value: 0.08}'
     compare 3
 }
 
 @test "scattered, correspondence, breaking: 3 ranks give the bits of one" {
     particles 0.3
-    deck "correspondence, $elastic, poissons_ratio: 0.3, $hardening" \
+    deck "correspondence, $steel, poissons_ratio: 0.3, $hardening" \
         'horizon: 1.6, stabilisation: {law: capped}' \
         '{phase: A, law: plastic_strain, value: 0.1}'
     compare 3
@@ -75,7 +61,7 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
 
 @test "scattered, correspondence, degrading: 3 ranks give the bits of one" {
     particles 0.3
-    deck "correspondence, $elastic, poissons_ratio: 0.3, $hardening" \
+    deck "correspondence, $steel, poissons_ratio: 0.3, $hardening" \
         'horizon: 1.6, stabilisation: {law: capped}' \
         '{phase: A, law: ductile, onset: 0.03, full: 0.1}'
     compare 3
@@ -83,17 +69,15 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
 
 @test "scattered, at rest, some sharing a place of the preconditioner's lattice: 3 ranks give the bits of one" {
     particles 0.9
-    deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.5}'
+    deck "bond_based, $steel" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.5}'
     sed -i 's/type: explicit/type: quasi_static, step: 5 us/; s/start: affine, //; s/, energy_tolerance: 0.05//; s/displacement, force/force/' study.yaml
-    solve 1
-    solve 3
-    cmp 1/history.e 3/history.e
-    cmp 1/fields.e 3/fields.e
+    solve_on 1 "${files[@]}"
+    same_as_one 3 "${files[@]}"
 }
 
 @test "a lattice among the particles of a file, in any order, runs as one" {
     particles 0
-    deck "bond_based, $elastic" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'
+    deck "bond_based, $steel" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.05}'
     hssolve --deck study.yaml -i particles.txt -H lattice.e 2>messages
     run ! grep "list of neighbours" messages
     { head -1 particles.txt; tail -n +2 particles.txt | sort -R --random-source=/bin/sh; } >shuffled.txt

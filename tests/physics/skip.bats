@@ -1,37 +1,27 @@
 # What a scene does not ask for is left out: that changes no bit, and --profile says how much it was.
 
+load ../bodies
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # study MODEL SOLVER [REST]: a torn bar of 160 nodes, study.g
 study() {
     cat >study.yaml <<END
 title: Skip
-domain:
-  specimen: plate
-  size: [0.3 mm, 0.1 mm, 0.1 mm]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 3 spacings, phase: M}
-  ${GAUGE-gauge: {length: 0.1 mm\}}
+$(even 12 4 4 3 "${GAUGE-4}")
 materials:
   M: {density: 8900 kg/m3, $1}
-boundary:
-  - {set: grip_left, direction: x, velocity: -20 m/s}
-  - {set: grip_right, direction: x, velocity: 20 m/s}
+$(pulled "20 m/s")
 solver: {${TYPE:-type: explicit, end_steps: 200, energy_tolerance: 0.1}, $2}
 ${3:-}
 END
     hsgen -q study.yaml -o study.g
 }
 
-elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
-law='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
 models=("model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015|{pair: [M, M], law: critical_stretch, value: 0.5}"
     "model: ordinary, $elastic|horizon: 2.015|{pair: [M, M], law: critical_stretch, value: 0.5}"
-    "model: ordinary_plastic, $elastic, $law|horizon: 2.015|{phase: M, law: plastic_strain, value: 0.9}"
-    "model: correspondence, $elastic, $law|horizon: 1, stabilisation: {law: mix}|{phase: M, law: plastic_strain, value: 0.9}"
-    "model: correspondence, $elastic, $law|horizon: 2, stabilisation: {law: capped}|{phase: M, law: ductile, onset: 0.8, full: 0.9}")
+    "model: ordinary_plastic, $elastic, $soft|horizon: 2.015|{phase: M, law: plastic_strain, value: 0.9}"
+    "model: correspondence, $elastic, $soft|horizon: 1, stabilisation: {law: mix}|{phase: M, law: plastic_strain, value: 0.9}"
+    "model: correspondence, $elastic, $soft|horizon: 2, stabilisation: {law: capped}|{phase: M, law: ductile, onset: 0.8, full: 0.9}")
 
 # The last values of a file's columns.
 last() { hspost -q --columns "$1" | awk -F, '/^#/ { next } !n { n = NF; for (i = 1; i <= n; i++) name[i] = $i; next } { line = $0 }

@@ -1,5 +1,6 @@
 # Small bodies for the suite of numerical stability, and what becomes of their energy.
 
+load ../bodies
 load ../columns
 
 # body NAME MODEL SOLVER REST [SIZE]: NAME.g of 8 x 6 x 5 nodes, 25 um apart
@@ -68,7 +69,6 @@ checks="initial:
   - {where: \"1\", direction: x, velocity: \"0.5*$chequerboard\"}
   - {where: \"1\", direction: y, velocity: \"0.5*$planes\"}"
 
-elastic='youngs_modulus: 210 GPa, poissons_ratio: 0.31'
 flow='hardening: {law: linear, yield: 200 MPa, modulus: 1 GPa}'
 models=("model: bond_based, youngs_modulus: 210 GPa|horizon: 3.015" "model: ordinary, $elastic|horizon: 3.015"
     "model: madenci_oterkus, $elastic|horizon: 2.015"

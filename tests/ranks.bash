@@ -1,0 +1,18 @@
+# What tests of the same bits share: runs whose recorded command does not tell the number of ranks.
+
+# solve_on RANKS [OPTION...]: history.e and fields.e in a folder of that name; else of ../domain.g
+solve_on() {
+    local ranks=$1
+    shift
+    mkdir "$ranks"
+    [ $# -gt 0 ] || set -- -i ../domain.g
+    (cd "$ranks" && hssolve -q -j "$ranks" "$@" -o fields.e -H history.e) 2>messages || { cat messages && false; }
+    LC_ALL=C sed -i "s/ -j $ranks / -j N /g" "$ranks/fields.e" "$ranks/history.e"
+}
+
+# same_as_one RANKS [OPTION...]: solves, and finds the bits of one
+same_as_one() {
+    solve_on "$@"
+    cmp 1/history.e "$1/history.e"
+    cmp 1/fields.e "$1/fields.e"
+}
