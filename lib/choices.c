@@ -13,6 +13,8 @@ static const double usual_hardening[] = {0.02, 0.2}, usual_fit[] = {0.002, 10};
 static const struct key rows[] = {
     {"title", KEY_TEXT, offsetof(struct choices, title), .otherwise = "the deck's, else the file's",
      .help = "name of the curve"},
+    {"question", KEY_TEXT, offsetof(struct choices, question), .otherwise = "none",
+     .help = "that the run is to answer, for its report"},
     {"gauge_length", NUMBER(gauge_length), .unit = "m", .low = 1e-12, .high = 1e3, .usual = NAN,
      .otherwise = "the history's", .help = "initial gauge length"},
     {"section", NUMBER(section), .unit = "m2", .low = 1e-24, .high = 1e6, .usual = NAN,

@@ -31,7 +31,7 @@ static const char *utf16(const unsigned char *bytes, long length)
     if (length >= 2 && bytes[0] == 0xFE && bytes[1] == 0xFF) return "UTF-16BE";
     long zeros[2] = {0, 0};
     for (long i = 0; i < length; i++) zeros[i % 2] += bytes[i] == 0;
-    if (zeros[0] + zeros[1] < length / 4) return NULL;
+    if (zeros[0] + zeros[1] == 0 || zeros[0] + zeros[1] < length / 4) return NULL;
     return zeros[0] > zeros[1] ? "UTF-16BE" : "UTF-16LE";
 }
 

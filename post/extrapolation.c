@@ -289,6 +289,30 @@ static double mean_property(const struct properties lists[], const struct label 
     return there ? sum / there : NAN;
 }
 
+int extrapolation_of(const struct extrapolation *e, const struct group groups[],
+                     const struct properties lists[], const struct label labels[], int n_labels,
+                     const char *name, double order, double *finest, struct limit *limit)
+{
+    double *values = memory_new((size_t)e->count, sizeof *values);
+    double *spacing = memory_new((size_t)e->count, sizeof *spacing);
+    int there = 0;
+    for (int g = 0; g < e->count; g++) {
+        const double value =
+            mean_property(lists, labels, n_labels, groups[e->groups[g]].title, name);
+        if (isnan(value)) continue;
+        values[there] = value;
+        spacing[there++] = e->spacing[g];
+    }
+    if (there > 0 && spacing[0] > e->spacing[0]) there = 0;
+    if (there > 0) {
+        *finest = values[0];
+        *limit = limit_of(spacing, values, there, order);
+    }
+    free(values);
+    free(spacing);
+    return there;
+}
+
 void extrapolations_write_properties(FILE *file, const struct extrapolation extrapolations[],
                                      int count, const struct group groups[],
                                      const struct properties lists[], const struct label labels[],
@@ -301,33 +325,22 @@ void extrapolations_write_properties(FILE *file, const struct extrapolation extr
     for (int k = 0; k < count; k++) {
         const struct extrapolation *e = &extrapolations[k];
         const int first = groups[e->groups[0]].first;
-        double *values = memory_new((size_t)e->count, sizeof *values);
-        double *spacing = memory_new((size_t)e->count, sizeof *spacing);
         for (int i = 0; i < lists[first].count; i++) {
             const struct property *property = &lists[first].items[i];
-            int there = 0;
-            for (int g = 0; g < e->count; g++) {
-                const double value = mean_property(lists, labels, n_labels,
-                                                   groups[e->groups[g]].title, property->name);
-                if (isnan(value)) continue;
-                values[there] = value;
-                spacing[there++] = e->spacing[g];
-            }
-            /* What the finest has not is not extrapolated from the coarser ones. */
-            if (there == 0 || spacing[0] > e->spacing[0]) continue;
-            const struct limit limit = limit_of(spacing, values, there, order);
+            double finest;
+            struct limit limit;
+            const int there = extrapolation_of(e, groups, lists, labels, n_labels, property->name,
+                                               order, &finest, &limit);
+            if (there == 0) continue;
             write_begin(file, e, &labels[first], &columns);
-            fputc(',', file);
-            csv_text(file, property->name);
-            fputc(',', file);
-            csv_text(file, property->symbol);
-            fputc(',', file);
-            csv_text(file, property->unit);
+            const char *const texts[] = {property->name, property->symbol, property->unit};
+            for (int j = 0; j < 3; j++) {
+                fputc(',', file);
+                csv_text(file, texts[j]);
+            }
             fprintf(file, ",%d", there);
-            write_limit(file, values[0], &limit, 1);
+            write_limit(file, finest, &limit, 1);
         }
-        free(values);
-        free(spacing);
     }
     varied_columns_free(&columns);
 }

@@ -43,6 +43,12 @@ void extrapolations_free(struct extrapolation extrapolations[], int count);
 void extrapolations_write(FILE *file, const struct extrapolation extrapolations[], int count,
                           const struct group groups[], const struct label labels[], int n_labels);
 
+/* Of a property, its mean at the finest spacing, and what it goes to; returns at how many spacings
+ * it has a value: none where the finest has not, from which nothing is extrapolated then. */
+int extrapolation_of(const struct extrapolation *extrapolation, const struct group groups[],
+                     const struct properties lists[], const struct label labels[], int n_labels,
+                     const char *name, double order, double *finest, struct limit *limit);
+
 /* CSV: group, what varied, property, symbol, unit, spacings, finest, extrapolated, error, order,
  * order_from. */
 void extrapolations_write_properties(FILE *file, const struct extrapolation extrapolations[],

@@ -2,6 +2,7 @@
 
 #include "canvas.h"
 #include "die.h"
+#include "encoding.h"
 #include "memory.h"
 
 #include <math.h>
@@ -24,15 +25,19 @@ enum {
     MOST_PANELS = 99,
 };
 
-/* gnuplot's single quotes: nothing is special in them but the quote, which is doubled. */
+/* gnuplot's single quotes: nothing is special in them but the quote, which is doubled; other bytes
+ * than UTF-8 would be in the figure as they are. */
 static void write_quoted(FILE *gnuplot, const char *text)
 {
+    const char *set;
+    char *known = encoding_to_utf8(text, (long)strlen(text), &set);
     fputc('\'', gnuplot);
-    for (; *text; text++) {
-        if (*text == '\'') fputc('\'', gnuplot);
-        fputc((unsigned char)*text < 0x20 ? ' ' : *text, gnuplot);
+    for (const char *c = known ? known : ""; *c; c++) {
+        if (*c == '\'') fputc('\'', gnuplot);
+        fputc((unsigned char)*c < 0x20 ? ' ' : *c, gnuplot);
     }
     fputc('\'', gnuplot);
+    free(known);
 }
 
 /* Behind its last point the force falls to nothing. */
@@ -234,6 +239,12 @@ int figure_rows(int count)
     return ((count < MOST_PANELS ? count : MOST_PANELS) + PANEL_COLUMNS - 1) / PANEL_COLUMNS;
 }
 
+/* Two to five of them along the axis, round, so that their numbers do not touch. */
+static void write_ticks(FILE *gnuplot, double length)
+{
+    if (length > 0) fprintf(gnuplot, "set xtics %g\n", canvas_bar_length(3 * length));
+}
+
 /* One series a panel, with the axes of all, and of the first one a grey line to compare with. */
 static void write_panels(FILE *gnuplot, const struct figure_series series[], int count,
                          const struct figure_style *style)
@@ -250,7 +261,7 @@ static void write_panels(FILE *gnuplot, const struct figure_series series[], int
           gnuplot);
     write_range(gnuplot, "x", x);
     write_range(gnuplot, "y", isnan(style->y_range[0]) ? usual[1] : style->y_range);
-    fprintf(gnuplot, "set xtics %g\n", canvas_bar_length(3 * (x[1] - x[0])));
+    write_ticks(gnuplot, x[1] - x[0]);
     fprintf(gnuplot, "set multiplot layout %d,%d margins 0.12,0.98,%g,%g spacing 0.03,%g\n", rows,
             PANEL_COLUMNS, 0.34 / rows, 1 - 0.16 / rows, 0.22 / rows);
     for (int i = 0; i < shown; i++) {
@@ -275,6 +286,8 @@ static void write_panels(FILE *gnuplot, const struct figure_series series[], int
 static void write_together(FILE *gnuplot, const struct figure_series series[], int count,
                            const struct figure_style *style)
 {
+    double ends[2] = {0, 0};
+    find_ends(series, count, style, ends);
     bool marks = write_marks(gnuplot, series, count, style->true_curve);
     const size_t shared = shared_words(series, count);
     write_axes(gnuplot, style->true_curve,
@@ -282,6 +295,7 @@ static void write_together(FILE *gnuplot, const struct figure_series series[], i
     if (shared) write_heading(gnuplot, series, shared);
     write_range(gnuplot, "x", style->x_range);
     write_range(gnuplot, "y", style->y_range);
+    if (style->true_curve && isnan(style->x_range[0])) write_ticks(gnuplot, ends[0]);
     if (!isnan(style->x_range[0]) || !isnan(style->y_range[0]))
         fputs("set offsets 0, 0, 0, 0\n", gnuplot);
     write_plot(gnuplot, series, count, style->true_curve, marks, shared);

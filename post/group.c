@@ -47,8 +47,7 @@ static double stress_at(const struct analysis *analysis, double strain)
     return NAN;
 }
 
-/* The curves of a title: their numbers, and how many. */
-static int members(const struct label labels[], int count, const char *title, int numbers[])
+int group_members(const struct label labels[], int count, const char *title, int numbers[])
 {
     int n = 0;
     for (int i = 0; i < count; i++)
@@ -92,7 +91,7 @@ struct group *groups_make(const struct analysis analyses[], const struct label l
     int *numbers = memory_new((size_t)count, sizeof *numbers);
     *n_groups = 0;
     for (int i = 0; i < count; i++) {
-        const int n = members(labels, count, labels[i].title, numbers);
+        const int n = group_members(labels, count, labels[i].title, numbers);
         if (numbers[0] == i)
             groups[(*n_groups)++] = group_of(analyses, labels[i].title, numbers, n);
     }
@@ -144,18 +143,32 @@ void groups_write(FILE *file, const struct group groups[], int n_groups,
     varied_columns_free(&columns);
 }
 
+struct statistic group_statistic(const struct properties lists[], const int numbers[], int n,
+                                 const char *name)
+{
+    double *values = memory_new((size_t)n, sizeof *values);
+    struct statistic s = {0, NAN, NAN, NAN, NAN};
+    for (int k = 0; k < n; k++) {
+        const double value = properties_value(&lists[numbers[k]], name);
+        if (isfinite(value)) values[s.count++] = value;
+    }
+    if (s.count > 0) {
+        s.mean = gsl_stats_mean(values, 1, (size_t)s.count);
+        s.least = gsl_stats_min(values, 1, (size_t)s.count);
+        s.largest = gsl_stats_max(values, 1, (size_t)s.count);
+    }
+    if (s.count > 1) s.deviation = deviation_of(values, s.count);
+    free(values);
+    return s;
+}
+
 static void write_group(FILE *file, const struct properties lists[], const struct label labels[],
                         const struct varied_columns *columns, const int numbers[], int count)
 {
     const struct properties *first = &lists[numbers[0]];
-    double *values = memory_new((size_t)count, sizeof *values);
     for (int i = 0; i < first->count; i++) {
         const struct property *property = &first->items[i];
-        int there = 0;
-        for (int k = 0; k < count; k++) {
-            const double value = properties_value(&lists[numbers[k]], property->name);
-            if (isfinite(value)) values[there++] = value;
-        }
+        const struct statistic s = group_statistic(lists, numbers, count, property->name);
         csv_text(file, labels[numbers[0]].title);
         varied_columns_values(file, columns, &labels[numbers[0]], VARIED_SCATTER);
         const char *const texts[] = {property->name, property->symbol, property->unit};
@@ -163,15 +176,9 @@ static void write_group(FILE *file, const struct properties lists[], const struc
             fputc(',', file);
             csv_text(file, texts[j]);
         }
-        fprintf(file, ",%d", there);
-        const bool any = there > 0;
-        const double numbers_of[] = {any ? gsl_stats_mean(values, 1, (size_t)there) : NAN,
-                                     there > 1 ? deviation_of(values, there) : NAN,
-                                     any ? gsl_stats_min(values, 1, (size_t)there) : NAN,
-                                     any ? gsl_stats_max(values, 1, (size_t)there) : NAN};
-        write_numbers(file, numbers_of, 4);
+        fprintf(file, ",%d", s.count);
+        write_numbers(file, (double[]){s.mean, s.deviation, s.least, s.largest}, 4);
     }
-    free(values);
 }
 
 void groups_write_properties(FILE *file, const struct properties lists[],
@@ -183,7 +190,7 @@ void groups_write_properties(FILE *file, const struct properties lists[],
     varied_columns_heading(file, &columns, VARIED_SCATTER);
     fputs(",property,symbol,unit,count,mean,standard_deviation,least,largest\n", file);
     for (int i = 0; i < count; i++) {
-        const int n = members(labels, count, labels[i].title, numbers);
+        const int n = group_members(labels, count, labels[i].title, numbers);
         if (numbers[0] == i) write_group(file, lists, labels, &columns, numbers, n);
     }
     varied_columns_free(&columns);

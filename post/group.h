@@ -31,6 +31,18 @@ void groups_free(struct group groups[], int n_groups);
 void groups_write(FILE *file, const struct group groups[], int n_groups,
                   const struct label labels[], int count);
 
+/* Numbers of the curves of a title, and how many. */
+int group_members(const struct label labels[], int count, const char *title, int numbers[]);
+
+/* Of a property over some curves: of those that have a value (count); NAN where none has, the
+ * deviation also where one has. */
+struct statistic {
+    int count;
+    double mean, deviation, least, largest; /* in the property's unit */
+};
+struct statistic group_statistic(const struct properties lists[], const int numbers[], int n,
+                                 const char *name);
+
 /* CSV of the properties over each group:
  * group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the curves that
  * have a value, in the order of the first of them; what varied as there. */

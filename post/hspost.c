@@ -57,7 +57,7 @@ static void check_curves(const struct request *request)
     study_free(&study);
 }
 
-enum { OUTPUTS = 14 };
+enum { OUTPUTS = 15 };
 
 static void outputs_of(const struct request *request, const char *files[OUTPUTS])
 {
@@ -67,7 +67,8 @@ static void outputs_of(const struct request *request, const char *files[OUTPUTS]
                                       request->loops,       request->plot_loops,
                                       request->tidy,        request->mean,
                                       request->statistics,  request->view.picture,
-                                      request->extrapolate, request->extrapolate_properties};
+                                      request->extrapolate, request->extrapolate_properties,
+                                      request->report};
     memcpy(files, all, sizeof all);
 }
 

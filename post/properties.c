@@ -131,28 +131,35 @@ double properties_value(const struct properties *list, const char *name)
     return NAN;
 }
 
+/* What people look at first. */
+static const struct {
+    const char *name;
+    int decimals;
+} shown[] = {{"modulus", 1},
+             {"modulus_deviation", 2},
+             {"proof_strength_0.2", 0},
+             {"upper_yield_strength", 0},
+             {"lower_yield_strength", 0},
+             {"yield_point_extension", 2},
+             {"tensile_strength", 0},
+             {"extension_at_maximum_force", 1},
+             {"plastic_extension_at_maximum_force", 1},
+             {"extension_at_fracture", 1},
+             {"reduction_of_area", 0},
+             {"hardening_exponent", 3},
+             {"considere_strain", 3},
+             {"toughness", 1},
+             {"force_imbalance", 4},
+             {"kinetic_to_internal", 4},
+             {"unsteady_to_internal", 4}};
+
+const char *properties_main(int i)
+{
+    return i < (int)(sizeof shown / sizeof *shown) ? shown[i].name : NULL;
+}
+
 void properties_print(const struct properties *list, const char *title)
 {
-    static const struct {
-        const char *name;
-        int decimals;
-    } shown[] = {{"modulus", 1},
-                 {"modulus_deviation", 2},
-                 {"proof_strength_0.2", 0},
-                 {"upper_yield_strength", 0},
-                 {"lower_yield_strength", 0},
-                 {"yield_point_extension", 2},
-                 {"tensile_strength", 0},
-                 {"extension_at_maximum_force", 1},
-                 {"plastic_extension_at_maximum_force", 1},
-                 {"extension_at_fracture", 1},
-                 {"reduction_of_area", 0},
-                 {"hardening_exponent", 3},
-                 {"considere_strain", 3},
-                 {"toughness", 1},
-                 {"force_imbalance", 4},
-                 {"kinetic_to_internal", 4},
-                 {"unsteady_to_internal", 4}};
     note("%s", title);
     for (size_t k = 0; k < sizeof shown / sizeof *shown; k++)
         for (int i = 0; i < list->count; i++) {

@@ -36,7 +36,10 @@ void properties_write_json(FILE *file, const struct properties lists[], const st
 /* The value of a property by its name; NAN where the list does not have it. */
 double properties_value(const struct properties *list, const char *name);
 
-/* The rows that people look at first, rounded, by note(). */
+/* Names of what people look at first, from 0; NULL behind the last. */
+const char *properties_main(int i);
+
+/* These rows, rounded, by note(). */
 void properties_print(const struct properties *list, const char *title);
 
 void properties_free(struct properties *list);

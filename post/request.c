@@ -29,7 +29,7 @@ static const struct key own_rows[] = {
      .low = -0.99, .high = 0.4999, .usual = NAN, .help = "of --material"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 27, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 28, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -54,9 +54,10 @@ static void check_material(const char *name)
 static void check(const struct request *request)
 {
     bool bounds = request->voigt || request->reuss;
-    bool anything = request->properties || request->json || request->plot || request->difference ||
-                    request->loops || request->plot_loops || request->tidy || request->mean ||
-                    request->statistics || request->extrapolate || request->extrapolate_properties;
+    bool anything = request->report || request->properties || request->json || request->plot ||
+                    request->difference || request->loops || request->plot_loops || request->tidy ||
+                    request->mean || request->statistics || request->extrapolate ||
+                    request->extrapolate_properties;
     if (request->calibrate && !request->material) die_user("--calibrate needs --material NAME");
     if (request->material && request->n_files > 1)
         die_user("--material takes one curve, here are %d files", request->n_files);
@@ -66,11 +67,14 @@ static void check(const struct request *request)
             "--material needs --density, as in '8900 kg/m3', and --poissons-ratio, as in 0.31: no "
             "tension test tells them");
     if (request->plot) figure_check(request->plot);
+    if (request->report) figure_check_gnuplot(request->report, "report");
     if (request->plot_loops) figure_check(request->plot_loops);
-    if (request->band && (!request->plot || request->true_curve))
-        die_user("--band is a way of --plot, for engineering curves");
-    if ((request->true_curve || request->whole) && !request->plot)
-        die_user("--true and --whole choose the figure of --plot; give --plot FILE");
+    if (request->band && ((!request->plot && !request->report) || request->true_curve))
+        die_user("--band is a way of --plot and --report, for engineering curves");
+    if (request->true_curve && !request->plot)
+        die_user("--true chooses the figure of --plot; give --plot FILE");
+    if (request->whole && !request->plot && !request->report)
+        die_user("--whole chooses the figure of --plot or --report; give one of them");
     if (request->columns && (anything || bounds || request->n_files > 1))
         die_user("--columns prints one history and makes nothing else");
     if (request->n_files > 1 && request->output)
@@ -113,6 +117,8 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r)
         {'p', "properties", "FILE", "properties as CSV", NULL, &r->properties},
         {'j', "json", "FILE", "properties as JSON", NULL, &r->json},
         {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r->plot},
+        {0, "report", "FILE", "page with figures, properties, checks, origin: HTML", NULL,
+         &r->report},
         {0, "true", NULL, "figure of the true curve", &r->true_curve, NULL},
         {0, "whole", NULL, "figure with the fall behind the fracture", &r->whole, NULL},
         {0, "loops", "FILE", "loops of unloading and reloading as CSV: back stress and more", NULL,

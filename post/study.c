@@ -46,6 +46,7 @@ struct study study_read(const struct request *request, const char *maker)
         struct input input = input_read(request->files[i], request->columns_of);
         struct deck *deck = find_deck(request, &input);
         study.choices[i] = study_choose(request, deck);
+        if (!study.question) study.question = memory_text(study.choices[i].question);
         study.curves[i] = curve_make(&input, &study.choices[i]);
         study.decks[i] = memory_text(attributes_text(&input.attributes, "deck"));
         study.builds[i] = memory_text(attributes_text(&input.attributes, "solver_program"));
@@ -85,5 +86,6 @@ void study_free(struct study *study)
     labels_free(study->labels, study->count);
     free(study->loops);
     free(study->decks);
+    free(study->question);
     free(study->builds);
 }

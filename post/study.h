@@ -17,6 +17,7 @@ struct study {
     struct label *labels;
     char **decks, **builds; /* texts; NULL: none.  builds: versions of the solver and of what it is
                                linked to, a line each */
+    char *question;         /* what the first deck that says it wants to know; NULL */
     const char *maker;      /* "# program: ..." and "# command: ..." lines */
 };
 

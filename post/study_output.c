@@ -5,6 +5,7 @@
 #include "die.h"
 #include "difference.h"
 #include "memory.h"
+#include "page.h"
 #include "study_figure.h"
 #include "text_output.h"
 #include "tidy.h"
@@ -172,6 +173,7 @@ void study_write(const struct request *request, const struct study *study)
     if (request->difference) compare(request, study);
     treat_loops(request, study);
     draw(request, study, bounds, n_bounds);
+    if (request->report) page_write(request, study);
     if (request->material) make_material(request, study);
     for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
 }

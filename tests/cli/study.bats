@@ -304,6 +304,10 @@ numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_b
     near "$b" "$limit" 1e-6
     near "$c" "$error" 1e-6
     [ "$(head -1 gathered/extrapolated.csv)" = group,spacings,engineering_strain,finest_stress_MPa,extrapolated_stress_MPa,error_MPa,order,order_from ]
+    # the same numbers on the page
+    make -s report
+    for number in "$a" "$b" "$c"; do grep -q "<data value=\"$number\">" gathered/report.html; done
+    grep -q '<section id="varied">' gathered/report.html
     awk -F, 'NR > 1 { d = $5 - $4; e = $6 - 3 * (d < 0 ? -d : d); if (e * e > 1e-12) exit 1 } END { if (NR != 402) exit 1 }' gathered/extrapolated.csv
     grep -q '<svg' gathered/extrapolated.svg
     # Errors of the second order, where somebody knows that.

@@ -1,0 +1,108 @@
+#!/usr/bin/env bats
+# hspost --report: a page that stands alone.
+
+bats_require_minimum_version 1.5.0
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR" || return 1
+    sed 's/^post:/&\n  question: Is A < B \& "C" > D?/' "$BATS_TEST_DIRNAME/../../pipelines/first/study.yaml" >study.yaml
+    hsgen -q study.yaml | hssolve -q | tee run.e | hspost -q --report run.html -p run.csv >curve.csv
+}
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || return 1
+    records="$BATS_TEST_DIRNAME/../data/records"
+    run="$BATS_FILE_TMPDIR/run"
+}
+
+# A page: well-formed, nothing from elsewhere, no scripts, ids that are there once, links that lead to one.
+whole() {
+    if command -v xmlwf >/dev/null; then xmlwf "$1"; fi
+    run ! grep -E '<script|<link|<iframe|[^g]src="[^d]|url\(|@import' "$1"
+    grep -oE ' id=["'\''][^"'\'']*' "$1" | cut -c6- | sort >ids
+    [ -z "$(uniq -d ids)" ] || { uniq -d ids; return 1; }
+    grep -oE 'href=["'\'']#[^"'\'']*|url\(#[^)]*|labelledby="[^"]*' "$1" | sed 's/.*["#(]//; s/.*#//' | sort -u >links
+    [ -s links ]
+    [ -z "$(comm -13 <(sort -u ids) links)" ] || { comm -13 <(sort -u ids) links; return 1; }
+}
+
+# has FILE ID...: sections of the page, in this order.
+has() {
+    local page=$1
+    shift
+    [ "$(grep -oE '<section id="[a-z]*' "$page" | sed 's/.*"//' | xargs)" = "$*" ]
+}
+
+# Numbers of a CSV that stand in none of the page's: columns of its header, by name.
+missing() {
+    perl - "$@" <<'PERL'
+        my ($page, $csv, @names) = @ARGV;
+        open my $f, '<', $page or die; my %there;
+        while (<$f>) { $there{$1 + 0}++ while /<data value="([^"]*)"/g }
+        open $f, '<', $csv or die; my (@header, $count);
+        while (<$f>) {
+            chomp; my @field;
+            push @field, defined $1 ? $1 : $2 while /\G(?:"((?:[^"]|"")*)"|([^,]*))(?:,|$)/g;
+            if (!@header) { @header = @field; next }
+            my %row; @row{@header} = @field;
+            for (@names) { next if $row{$_} eq '' || $row{$_} =~ /inf/; $count++; print "$_ $row{$_}\n" unless $there{$row{$_} + 0} }
+        }
+        print "no numbers\n" unless $count;
+PERL
+}
+
+@test "a run at the end of a pipe: the curve goes on, the page has all sections and every number" {
+    whole "$run.html"
+    has "$run.html" curves properties phases quality provenance deck cite
+    grep -q '^time_s,' "$BATS_FILE_TMPDIR/curve.csv"
+    [ -z "$(missing "$run.html" "$run.csv" value uncertainty)" ] || { missing "$run.html" "$run.csv" value uncertainty; return 1; }
+    # what the eye sees of the strength and of the slope, rounded
+    grep -q '<dt>Rm</dt><dd><data value="[0-9.]*">[0-9]\{3\}\.[0-9]</data> <span class="unit">MPa</span>' "$run.html"
+    grep -q '">209.871</data> ± <data value="[0-9.]*">0.019</data> <span class="unit">GPa' "$run.html"
+    grep -q 'hssolve -q' "$run.html"
+    grep -q 'core_distance: 0.25 mm' "$run.html"
+}
+
+@test "whatever stands in names, question, deck and commands is text" {
+    whole "$run.html"
+    grep -qF '<p class="question">Is A &lt; B &amp; &quot;C&quot; &gt; D?</p>' "$run.html"
+    cp "$records/voce.csv" 'a<b>&"c".csv'
+    { printf '# title: \001Stahl \xfcber <5 & "6"\n'; cat "$records/voce.csv"; } >latin.csv
+    hspost -q 'a<b>&"c".csv' latin.csv --report page.html
+    whole page.html
+    grep -qF '<th scope="row">a&lt;b&gt;&amp;&quot;c&quot;</th>' page.html
+    grep -q 'Stahl über &lt;5 &amp; &quot;6&quot;' page.html
+    hspost -q latin.csv --title $'\xff\xfe <x>' --report page.html >/dev/null
+    whole page.html
+}
+
+@test "several curves stand side by side, more than eight as means of a title" {
+    for k in 1 2 3 4 5 6 7 8 9; do
+        awk -F, -v k="$k" '/^e/ {print; next} {print $1 "," $2 * (1 + 0.01 * k)}' "$records/voce.csv" >"s$k.csv"
+    done
+    hspost -q s[12].csv --report two.html -p two.csv
+    whole two.html
+    has two.html curves properties quality provenance deck cite
+    [ -z "$(missing two.html two.csv value uncertainty)" ]
+    hspost -q s?.csv --title Al --report nine.html --statistics nine.csv
+    whole nine.html
+    grep '^[^,]*,tensile_strength,\|^g' nine.csv >strength.csv
+    [ -z "$(missing nine.html strength.csv mean standard_deviation least largest)" ]
+    grep -q '9 of 9' nine.html
+    grep -q 'within a band of one standard deviation' nine.html
+}
+
+@test "the page is the same however often it is made" {
+    hspost -q "$run.e" --report one.html >/dev/null
+    cp one.html two.html
+    hspost -q "$run.e" --report one.html >/dev/null
+    cmp one.html two.html
+}
+
+@test "a report cannot be made without gnuplot, of fields alone, or where it cannot be written" {
+    program=$(command -v hspost)
+    PATH=$PWD run -1 "$program" "$run.e" --report r.html
+    [[ $output == *gnuplot* ]]
+    run -2 hspost "$run.e" --report nowhere/r.html
+    [ ! -e r.html ]
+}
