@@ -284,7 +284,7 @@ static void touch(const char *path)
 
 /* libnetcdf 4.9 ends by a signal, or never, at some damaged files of HDF5: a child looks at such a
  * file first. */
-static void try_packed(const struct exodus_file *file)
+static bool is_sound(const char *path)
 {
     enum { LONGEST = 20 }; /* s */
     int status = 0;
@@ -295,25 +295,42 @@ static void try_packed(const struct exodus_file *file)
         for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) signal(ends[i], SIG_DFL);
         if (!freopen("/dev/null", "w", stderr)) _exit(EXIT_FAILURE);
         alarm(LONGEST);
-        touch(file->path);
+        touch(path);
         _exit(EXIT_SUCCESS);
     }
     if (child > 0) waitpid(child, &status, 0);
-    if (status != 0) die_user("%s: damaged: netCDF fails to read it", file->shown);
+    return status == 0;
+}
+
+static int open_to_read(const char *path)
+{
+    int memory_word = sizeof(double), file_word = 0;
+    float version;
+    ex_opts(0);
+    return ex_open(path, EX_READ | EX_ALL_INT64_API, &memory_word, &file_word, &version);
+}
+
+/* HDF5 follows links to names, of which what comes through a pipe has none. */
+static int open_packed(const struct exodus_file *file, bool piped)
+{
+    char *folder = piped ? spool_folder() : NULL,
+         *path = piped ? spool_copy(file->path, folder) : memory_text(file->path);
+    const bool sound = is_sound(path);
+    const int id = sound ? open_to_read(path) : -1;
+    if (piped) spool_remove_folder(folder);
+    free(path);
+    if (!sound) die_user("%s: damaged: netCDF fails to read it", file->shown);
+    return id;
 }
 
 struct exodus_file exodus_open_any(const struct spool *input)
 {
-    int memory_word = sizeof(double), file_word = 0;
-    float version;
     struct exodus_file file = {.path = memory_text(input->path)};
     bool piped = strncmp(input->path, "/proc/", strlen("/proc/")) == 0;
     file.shown = memory_text(piped ? "standard input" : input->path);
     file.bytes = file_size(&file);
     file.packed = !exodus_check_header(file.path, file.shown);
-    if (file.packed) try_packed(&file);
-    ex_opts(0);
-    file.id = ex_open(file.path, EX_READ | EX_ALL_INT64_API, &memory_word, &file_word, &version);
+    file.id = file.packed ? open_packed(&file, piped) : open_to_read(file.path);
     exodus_read(&file, file.id < 0 ? FAILED : 0, "it as Exodus");
     ex_set_max_name_length(file.id, EXODUS_NAME);
     return file;

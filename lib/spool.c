@@ -154,6 +154,24 @@ static size_t copy(int from, const char *from_name, int to, const char *to_name)
     return total;
 }
 
+/* From a temporary file. */
+static void copy_file(const char *from, const char *to, const char *shown)
+{
+    const int read = open(from, O_RDONLY | O_CLOEXEC),
+              written = open(to, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    if (read < 0 || written < 0) die_run("cannot copy to %s: %s", shown, strerror(errno));
+    copy(read, "a temporary file", written, shown);
+    close(read);
+    if (close(written) != 0) die_run("cannot write %s: %s", shown, strerror(errno));
+}
+
+char *spool_copy(const char *path, const char *folder)
+{
+    char *to = memory_print("%s/copy", folder);
+    copy_file(path, to, to);
+    return to;
+}
+
 /* --- inputs ----------------------------------------------------------------------------------- */
 
 static int open_input(const char *name, const char *shown)
@@ -302,8 +320,8 @@ void spool_sync(const char *path, const char *shown)
     close(descriptor);
 }
 
-/* The folder's list of names, too; some file systems cannot, and lose no name by it. */
-static void sync_folder(const char *path)
+/* Some file systems cannot, and lose no name by it. */
+void spool_sync_folder(const char *path)
 {
     char *folder = memory_folder(path);
     int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -318,7 +336,7 @@ void spool_rename(const char *from, const char *to)
 {
     spool_sync(from, to);
     if (rename(from, to) != 0) die_run("cannot rename %s to %s: %s", from, to, strerror(errno));
-    sync_folder(to);
+    spool_sync_folder(to);
 }
 
 void spool_reserve(const char *path, const char *shown, int64_t bytes)
@@ -402,13 +420,8 @@ bool spool_keep(struct spool *spool, const char *name)
         spool_rename(spool->path, name);
     } else {
         struct spool kept = spool_output(name);
-        int from = open(spool->path, O_RDONLY | O_CLOEXEC),
-            to = open(kept.path, O_WRONLY | O_CLOEXEC);
-        if (from < 0 || to < 0) die_run("cannot copy to %s: %s", name, strerror(errno));
-        copy(from, "a temporary file", to, name);
-        close(from);
+        copy_file(spool->path, kept.path, name);
         if (truncate(spool->path, 0) != 0) warn("%s stays as it was", spool->path);
-        if (close(to) != 0) die_run("cannot write %s: %s", name, strerror(errno));
         spool_finish(&kept);
     }
     free(spool->final);

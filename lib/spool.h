@@ -27,6 +27,8 @@ struct spool spool_input(const char *name);
  * that is in it. */
 char *spool_folder(void);
 void spool_remove_folder(char *path);
+/* The bytes of a file as one in such a folder, whose path is returned. */
+char *spool_copy(const char *path, const char *folder);
 
 /* These bytes as an input. */
 struct spool spool_bytes(const char *bytes, size_t length);
@@ -58,6 +60,9 @@ void spool_rename(const char *from, const char *to);
 /* What has been written to the file at path is on the disk itself; exit 1 where it cannot get
  * there. */
 void spool_sync(const char *path, const char *shown);
+
+/* So are the names of the folder that path lies in. */
+void spool_sync_folder(const char *path);
 
 /* Bytes of the disk behind the end of the file at path, so that it still grows where the disk is
  * full otherwise: exit 1 where the disk has not so many.  A disk that knows no such thing reserves

@@ -6,6 +6,7 @@
 #include "options.h"
 #include "restart.h"
 #include "simulation_parts.h"
+#include "spool.h"
 
 #include <errno.h>
 #include <math.h>
@@ -125,17 +126,21 @@ static struct run_texts texts_of(const struct simulation *s)
     return texts;
 }
 
-/* The newest has the name, the one before NAME.1 and so on. */
+/* The newest has the name, the one before NAME.1 and so on.  Whatever ends the run here, NAME is
+ * one or the other: the one before gets a second name first, where the file system has such. */
 static const char *rename_all(const char *partial, const char *name, int64_t keep)
 {
     for (int64_t k = keep - 1; k > 0; k--) {
         char *from = k > 1 ? memory_print("%s.%lld", name, (long long)k - 1) : memory_text(name);
         char *to = memory_print("%s.%lld", name, (long long)k);
-        rename(from, to); /* there need not be one */
+        unlink(to); /* there need not be one, of either */
+        if (k > 1 || link(from, to) != 0) rename(from, to);
         free(from);
         free(to);
     }
-    return rename(partial, name) == 0 ? NULL : strerror(errno);
+    if (rename(partial, name) != 0) return strerror(errno);
+    spool_sync_folder(name);
+    return NULL;
 }
 
 bool simulation_checkpoint(struct simulation *s)

@@ -123,7 +123,7 @@ struct checkpoint_file *checkpoint_file_open(const char *name)
     *file = (struct checkpoint_file){.name = memory_text(name), .reads = true};
     file->descriptor = open(name, O_RDONLY | O_CLOEXEC);
     if (file->descriptor < 0 || fstat(file->descriptor, &status) != 0)
-        die_user("cannot open %s: %s", name, strerror(errno));
+        checkpoint_file_refuse(file, memory_print("cannot be opened: %s", strerror(errno)));
     if (!S_ISREG(status.st_mode)) die_user("%s is no file, expected a checkpoint", name);
     file->bytes = status.st_size;
     if (file->bytes < (int64_t)sizeof head)

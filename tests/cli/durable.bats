@@ -246,7 +246,7 @@ bad() {
     cp "$of" good
     bad 'no checkpoint of hssolve' --restart short.g
     bad 'too short' --restart /dev/null || bad 'is no file' --restart /dev/null
-    bad 'cannot open nowhere' --restart nowhere
+    bad 'nowhere: cannot be opened: No such file' --restart nowhere
     bad 'a checkpoint has its domain inside' --restart "$of" -i short.g
     sed 's/density: 8900/density: 8800/' short.yaml >other.yaml
     bad 'of another deck than other.yaml' --restart "$of" -d other.yaml
@@ -266,6 +266,8 @@ bad() {
     cp good "$of"
     printf '2' | dd of="$of" bs=1 seek=19 conv=notrunc status=none
     bad 'of another version' --restart "$of"
+    rm "$of"
+    bad "cannot be opened: No such file or directory; an older one is $of.1" --restart "$of"
     # The older one that was named goes on.
     hssolve -q --restart "$of.1" -H again.e
     cmp <(numbers whole.e) <(numbers again.e)

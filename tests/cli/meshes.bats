@@ -62,6 +62,13 @@ refused() {
         hssolve -q -d study.yaml -i "$file" -H same.e
         columns same.e force_left_N force_right_N | tail -1 | cmp - bar.forces
     done
+    # Through a pipe, and from a checkpoint, which has the mesh inside.
+    sed -e 's/end_time: 1/end_time: 2/' -e '$a output: {checkpoint: {every: 1 steps}}' study.yaml >two.yaml
+    for file in bar.g bar4.g; do hssolve -q -d two.yaml -H "$file.e" --checkpoint "$file.checkpoint" < <(cat "$file"); done
+    hssolve -q -j 2 --restart bar4.g.checkpoint -H again.e
+    columns bar.g.e time_s force_left_N >two
+    [ "$(wc -l <two)" -eq 3 ]
+    for file in bar4.g.e again.e; do columns "$file" time_s force_left_N | cmp - two; done
     head -c 20000 bar4.g >cut.g
     refused "cut.g: cannot read it as Exodus" -d study.yaml -i cut.g
 }

@@ -127,6 +127,17 @@ after() {
     [ "$restarts" -gt 2 ]
 }
 
+@test "a run that is killed at a name of its checkpoint has one under it" {
+    local n code
+    for n in $(which 8 4); do
+        rm -rf ./*
+        code=0
+        faulty "rename $n kill" hssolve -q -i "$BATS_FILE_TMPDIR/s.g" -H s.e --checkpoint s.checkpoint >/dev/null 2>said || code=$?
+        [ "$code" -eq 137 ]
+        [ ! -e s.checkpoint.1 ] || [ -e s.checkpoint ]
+    done
+}
+
 @test "a rank that is killed ends all, is told, and the run goes on from its checkpoint" {
     local rank n code kills=0 total
     total=$(count hssolve hssolve -q -i "$BATS_FILE_TMPDIR/s.g" -H s.e -o f.e --checkpoint s.checkpoint | awk '$1 == "any" { print $2 }')
