@@ -2,6 +2,7 @@
 
 #include "cores.h"
 #include "cracks.h"
+#include "damage.h"
 #include "deck.h"
 #include "die.h"
 #include "domain_facts.h"
@@ -15,9 +16,11 @@
 #include "lattice.h"
 #include "material_read.h"
 #include "memory.h"
+#include "peridigm_deck.h"
 #include "recipe.h"
 #include "restart.h"
 #include "scene.h"
+#include "value.h"
 #include "value_table.h"
 
 #include <fcntl.h>
@@ -46,6 +49,18 @@ static void come_back(int code)
 
 /* --- the targets: each may die anywhere ------------------------------------------------------- */
 
+/* As for a body of this spacing and horizon, of which the section asks no more. */
+static void read_damage(struct deck_node section, const struct materials *materials)
+{
+    struct lattice lattice = {.spacing = 25e-6};
+    struct family family = family_new(3, 0, false);
+    const struct body body = {.lattice = &lattice, .family = &family};
+    const struct damage_view see = {.materials = materials, .body = &body};
+    struct damage_rules rules = damage_rules_read(section, &see);
+    damage_rules_free(&rules);
+    family_free(&family);
+}
+
 static void read_deck(const char *text, size_t size)
 {
     static char *phases[] = {"CG", "UFG"};
@@ -56,6 +71,7 @@ static void read_deck(const char *text, size_t size)
     struct cracks cracks = cracks_read(deck_find(root, "cracks"), 25e-6, 3);
     cracks_free(&cracks);
     struct materials materials = materials_read(deck_get(root, "materials"), 2, phases, SPACE);
+    read_damage(deck_find(root, "damage"), &materials);
     materials_free(&materials);
     struct scene scene = scene_read(deck);
     scene_free(&scene);
@@ -142,6 +158,48 @@ static void read_text(const char *text, size_t size)
     spool_close(&input);
 }
 
+/* A deck with a file that is named in it; the caller frees it. */
+static struct deck *deck_naming(const char *before, const char *behind)
+{
+    char *yaml = memory_print("%s%s%s", before, fuzz.path, behind);
+    struct deck *deck = deck_parse(yaml, strlen(yaml), "deck");
+    free(yaml);
+    return deck;
+}
+
+/* Numbers of nodes, of a body of a hundred. */
+static void read_numbers(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    struct deck *deck = deck_naming("domain: {node_sets: {some: ", "}}\n");
+    struct domain domain = {.n_nodes = 100};
+    const struct domain_facts facts = domain_facts_read(deck);
+    domain_facts_node_sets(&facts, &domain);
+    domain_free(&domain);
+    deck_free(deck);
+}
+
+/* A load's table of times and values. */
+static void read_loads(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    struct deck *deck = deck_naming("load: {table: ", "}\n");
+    struct value value =
+        value_read(deck_get(deck_root(deck), "load"), "m/s", -1e5, 1e5, VALUE_IN_TIME);
+    const double nowhere[3] = {0};
+    for (double time = value.times[0]; isfinite(time); time = value_next_row(&value, time))
+        if (!isfinite(value_at(&value, nowhere, time))) abort();
+    value_free(&value);
+    deck_free(deck);
+}
+
+/* YAML or XML. */
+static void read_peridigm(const char *text, size_t size)
+{
+    (void)text, (void)size;
+    peridigm_deck_translate(fuzz.path, "cm,g,s", "/dev/null");
+}
+
 static void read_genesis(const char *text, size_t size)
 {
     (void)text, (void)size;
@@ -179,6 +237,18 @@ static void read_frames(const char *text, size_t size)
     target_frames(fuzz.path);
 }
 
+/* What a repair has made whole can be read. */
+static void read_unfinished(const char *text, size_t size)
+{
+    double time;
+    (void)text, (void)size;
+    if (exodus_repair(fuzz.path, &time) < 1) abort();
+    struct spool input = spool_input(fuzz.path);
+    struct history history = exodus_read_history(&input);
+    history_free(&history);
+    spool_close(&input);
+}
+
 static void read_checkpoint(const char *text, size_t size)
 {
     struct run_texts texts = {0};
@@ -192,11 +262,22 @@ static void read_checkpoint(const char *text, size_t size)
 static const struct target {
     const char *name;
     void (*read)(const char *text, size_t size);
-} targets[] = {
-    {"deck", read_deck},       {"expression", read_expression}, {"text", read_text},
-    {"genesis", read_genesis}, {"cores", read_cores},           {"table", read_table},
-    {"history", read_table},   {"frames", read_frames},         {"checkpoint", read_checkpoint},
-    {"study", read_study},     {"values", read_values},         {"image", read_image}};
+} targets[] = {{"deck", read_deck},
+               {"expression", read_expression},
+               {"text", read_text},
+               {"genesis", read_genesis},
+               {"cores", read_cores},
+               {"table", read_table},
+               {"history", read_table},
+               {"frames", read_frames},
+               {"checkpoint", read_checkpoint},
+               {"study", read_study},
+               {"values", read_values},
+               {"image", read_image},
+               {"numbers", read_numbers},
+               {"loads", read_loads},
+               {"peridigm", read_peridigm},
+               {"unfinished", read_unfinished}};
 
 /* --- as libFuzzer calls them ------------------------------------------------------------------ */
 
