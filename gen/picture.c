@@ -6,18 +6,6 @@
 
 enum { LONGEST_SIDE = 1000, MARGIN = 30, GAP = 44 }; /* points */
 
-/* Okabe and Ito's palette, told apart by colour-blind readers: coarse, fine, grips or third phase,
- * further ones. */
-static const double colours[][3] = {{0.90, 0.62, 0.00}, {0.00, 0.45, 0.70}, {0.60, 0.60, 0.60},
-                                    {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}, {0.84, 0.37, 0.00},
-                                    {0.34, 0.71, 0.91}, {0.94, 0.89, 0.26}};
-
-/* The ninth phase is as the first. */
-static const double *colour_of(int phase)
-{
-    return colours[phase % (int)(sizeof colours / sizeof *colours)];
-}
-
 /* A section: the axes that point right and up, and the layer of the third. */
 struct section {
     const char *title;
@@ -62,7 +50,7 @@ static void draw_row(struct canvas *canvas, const struct structure *structure,
         for (end = start + 1; end < width && phase_at(structure, section, end, up) == phase;) end++;
         if (phase < 0) continue;
         canvas_cell(canvas, (double)start * step, (double)(height - 1 - up) * rise,
-                    (double)(end - start) * step, rise, colour_of(phase));
+                    (double)(end - start) * step, rise, canvas_phase_colour(phase));
     }
 }
 
@@ -80,7 +68,7 @@ static void draw_legend(struct canvas *canvas, const struct recipe *recipe, cons
     canvas_scale_bar(canvas, length, metre);
     double x = canvas_bar_length(length) * metre + 90;
     for (int phase = 0; phase < recipe->n_phases; phase++) {
-        canvas_box(canvas, x, -4, 12, 12, colour_of(phase));
+        canvas_box(canvas, x, -4, 12, 12, canvas_phase_colour(phase));
         canvas_text(canvas, x + 18, 8, ALIGN_LEFT, recipe->phase_names[phase]);
         x += 110;
     }

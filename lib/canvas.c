@@ -16,6 +16,8 @@ struct canvas {
     char *name; /* in messages */
     struct spool output;
     bool png;
+    unsigned char *bytes; /* of a PNG that goes to no file */
+    size_t length;
     cairo_surface_t *surface;
     cairo_t *cairo;
 };
@@ -42,6 +44,15 @@ static cairo_surface_t *pdf_surface(const char *path, double width, double heigh
     return surface;
 }
 
+static void begin(struct canvas *canvas)
+{
+    cairo_t *cairo = canvas->cairo = cairo_create(canvas->surface);
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_paint(cairo);
+    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo, FONT_SIZE);
+}
+
 struct canvas *canvas_open(const char *path, double width, double height)
 {
     struct canvas *canvas = memory_new(1, sizeof *canvas);
@@ -54,26 +65,65 @@ struct canvas *canvas_open(const char *path, double width, double height)
         canvas->surface = cairo_svg_surface_create(canvas->output.path, width, height);
     else
         canvas->surface = pdf_surface(canvas->output.path, width, height);
-    cairo_t *cairo = canvas->cairo = cairo_create(canvas->surface);
-    cairo_set_source_rgb(cairo, 1, 1, 1);
-    cairo_paint(cairo);
-    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, FONT_SIZE);
+    begin(canvas);
     return canvas;
+}
+
+struct canvas *canvas_open_png(double width, double height, double scale)
+{
+    struct canvas *canvas = memory_new(1, sizeof *canvas);
+    canvas->name = memory_text("a picture");
+    canvas->png = true;
+    canvas->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(scale * width),
+                                                 (int)ceil(scale * height));
+    begin(canvas);
+    cairo_scale(canvas->cairo, scale, scale);
+    return canvas;
+}
+
+/* The end of drawing; dies where something went wrong before. */
+static void finish(struct canvas *canvas, cairo_status_t status)
+{
+    cairo_surface_finish(canvas->surface);
+    if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(canvas->surface);
+    cairo_surface_destroy(canvas->surface);
+    if (status != CAIRO_STATUS_SUCCESS)
+        die_run("%s: %s", canvas->name, cairo_status_to_string(status));
+}
+
+static cairo_status_t add_bytes(void *place, const unsigned char *bytes, unsigned length)
+{
+    struct canvas *canvas = place;
+    unsigned char *all = memory_new(canvas->length + length, 1);
+    if (canvas->bytes) memcpy(all, canvas->bytes, canvas->length);
+    memcpy(all + canvas->length, bytes, length);
+    free(canvas->bytes);
+    canvas->bytes = all;
+    canvas->length += length;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+unsigned char *canvas_take(struct canvas *canvas, size_t *length)
+{
+    cairo_status_t status = cairo_status(canvas->cairo);
+    cairo_destroy(canvas->cairo);
+    if (status == CAIRO_STATUS_SUCCESS)
+        status = cairo_surface_write_to_png_stream(canvas->surface, add_bytes, canvas);
+    finish(canvas, status);
+    unsigned char *bytes = canvas->bytes;
+    *length = canvas->length;
+    free(canvas->name);
+    free(canvas);
+    return bytes;
 }
 
 void canvas_close(struct canvas *canvas)
 {
-    cairo_surface_t *surface = canvas->surface;
     cairo_status_t status = cairo_status(canvas->cairo);
     cairo_destroy(canvas->cairo);
     if (canvas->png && status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_write_to_png(surface, canvas->output.path);
-    cairo_surface_finish(surface);
-    if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    if (status != CAIRO_STATUS_SUCCESS)
-        die_run("%s: %s", canvas->name, cairo_status_to_string(status));
+        status = cairo_surface_write_to_png(canvas->surface, canvas->output.path);
+    finish(canvas, status);
     spool_finish(&canvas->output);
     free(canvas->name);
     free(canvas);
@@ -98,6 +148,32 @@ void canvas_cell(struct canvas *canvas, double x, double y, double width, double
     cairo_set_antialias(canvas->cairo, CAIRO_ANTIALIAS_NONE);
     canvas_box(canvas, x, y, width, height, colour);
     cairo_set_antialias(canvas->cairo, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+void canvas_quad(struct canvas *canvas, double corners[4][2], const double colour[3])
+{
+    static const double overlap = 1; /* hides the hairlines that viewers of SVG and PDF leave */
+    cairo_t *cairo = canvas->cairo;
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+    cairo_set_source_rgb(cairo, colour[0], colour[1], colour[2]);
+    cairo_move_to(cairo, corners[0][0], corners[0][1]);
+    for (int k = 1; k < 4; k++) cairo_line_to(cairo, corners[k][0], corners[k][1]);
+    cairo_close_path(cairo);
+    if (!canvas->png) {
+        cairo_set_line_width(cairo, overlap);
+        cairo_stroke_preserve(cairo);
+    }
+    cairo_fill(cairo);
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
+}
+
+/* Coarse, fine, grips or third phase, further ones. */
+const double *canvas_phase_colour(int phase)
+{
+    static const double colours[][3] = {{0.90, 0.62, 0.00}, {0.00, 0.45, 0.70}, {0.60, 0.60, 0.60},
+                                        {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}, {0.84, 0.37, 0.00},
+                                        {0.34, 0.71, 0.91}, {0.94, 0.89, 0.26}};
+    return colours[phase % (int)(sizeof colours / sizeof *colours)];
 }
 
 void canvas_frame(struct canvas *canvas, double x, double y, double width, double height)

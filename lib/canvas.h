@@ -6,6 +6,8 @@
 #ifndef HS_CANVAS_H
 #define HS_CANVAS_H
 
+#include <stddef.h>
+
 struct canvas;
 
 enum canvas_align { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT };
@@ -17,6 +19,10 @@ void canvas_check_name(const char *option, const char *path);
 /* A white sheet that appears as the file path when it is closed.  width and height in points (of a
  * PNG: pixels). */
 struct canvas *canvas_open(const char *path, double width, double height);
+/* A PNG that canvas_take gives; scale: its pixels a point. */
+struct canvas *canvas_open_png(double width, double height, double scale);
+/* Its bytes, which the caller frees; frees the canvas; dies (exit 1) where that fails. */
+unsigned char *canvas_take(struct canvas *canvas, size_t *length);
 /* Writes the file and frees; dies (exit 1) where that fails. */
 void canvas_close(struct canvas *canvas);
 
@@ -29,6 +35,12 @@ void canvas_box(struct canvas *canvas, double x, double y, double width, double 
 /* A rectangle with sharp edges: neighbours touch without a seam. */
 void canvas_cell(struct canvas *canvas, double x, double y, double width, double height,
                  const double colour[3]);
+/* Any quadrilateral, corner by corner; neighbours that share corners touch without a seam. */
+void canvas_quad(struct canvas *canvas, double corners[4][2], const double colour[3]);
+
+/* Colour of a phase, distinguishable for all readers (Okabe and Ito): the ninth is as the first. */
+const double *canvas_phase_colour(int phase);
+
 /* The outline of a rectangle, a thin black line. */
 void canvas_frame(struct canvas *canvas, double x, double y, double width, double height);
 

@@ -1,8 +1,9 @@
 #include "panels.h"
 
-#include "canvas.h"
+#include "cells.h"
 #include "colours.h"
 #include "die.h"
+#include "legend.h"
 #include "memory.h"
 #include "scale.h"
 #include "units.h"
@@ -16,83 +17,58 @@ enum {
     MARGIN = 24,
     TITLE = 22,
     BAR_GAP = 12,
-    BAR_WIDTH = 14,
-    BAR_TEXT = 92,
     LEAST_HEIGHT = 100,
     LEAST_WIDTH = 640,
+    MARKS = 26,
     ROW_GAP = 18,
-    TICK_DISTANCE = 24,
     CAPTION = 20,
     MOST_FIELDS = 16,
 };
 
-static const double background[3] = {0.90, 0.90, 0.90};
-
-/* What all panels share: the particles drawn, and where. */
-struct layout {
-    int right, up, normal; /* axes */
-    double position;       /* m of the slice */
-    int64_t count, *nodes;
-    double low[2], high[2]; /* m, around all particles, right and up */
-    double scale;           /* points a m */
-    double body[2];         /* points, right and up */
-    double height;          /* of body or colour bar */
-    int columns, rows;
-};
+static const double background[3] = {0.90, 0.90, 0.90}, black[3] = {0, 0, 0};
 
 /* --- layout ----------------------------------------------------------------------------------- */
 
-static double place(const struct snapshot *snapshot, double factor, int axis, int64_t node)
+static void extend_bounds(struct panels *panels, const struct snapshot *snapshot, double factor)
 {
-    const double *u = snapshot->displacement[axis];
-    double x = snapshot_axis(snapshot, axis)[node];
-    return u ? x + factor * u[node] : x;
-}
-
-static void find_bounds(struct layout *layout, const struct snapshot *snapshot, double factor)
-{
-    const int axes[2] = {layout->right, layout->up};
-    for (int k = 0; k < 2; k++) {
-        layout->low[k] = INFINITY;
-        layout->high[k] = -INFINITY;
-        for (int64_t i = 0; i < layout->count; i++) {
-            double x = place(snapshot, factor, axes[k], layout->nodes[i]);
-            double half = 0.5 * snapshot->side[layout->nodes[i]];
-            if (!isfinite(x)) continue;
-            layout->low[k] = fmin(layout->low[k], x - half);
-            layout->high[k] = fmax(layout->high[k], x + half);
-        }
-        if (layout->low[k] > layout->high[k])
-            die_user("--deformed: no particle has a finite displacement in this frame");
-    }
+    struct cell *cells = cells_make(snapshot, panels->axes, panels->nodes, panels->count, factor);
+    for (int64_t i = 0; i < panels->count; i++)
+        for (int c = 0; c < 4; c++)
+            for (int a = 0; a < 2; a++) {
+                const double x = cells[i].corner[c][a];
+                if (!isfinite(x)) continue;
+                panels->low[a] = fmin(panels->low[a], x);
+                panels->high[a] = fmax(panels->high[a], x);
+            }
+    free(cells);
 }
 
 /* Whole points a particle where there is room for them: no seams. */
-static void find_scale(struct layout *layout, double side)
+static void find_scale(struct panels *panels, double side, double longest)
 {
-    static const double longest[] = {0, 900, 600, 420};
-    double size = fmax(layout->high[0] - layout->low[0], layout->high[1] - layout->low[1]);
-    layout->scale = longest[layout->columns < 3 ? layout->columns : 3] / size;
-    if (side * layout->scale > 1) layout->scale = floor(side * layout->scale) / side;
+    static const double usual[] = {0, 900, 600, 420};
+    if (longest == 0) longest = usual[panels->columns < 3 ? panels->columns : 3];
+    double size = fmax(panels->high[0] - panels->low[0], panels->high[1] - panels->low[1]);
+    panels->scale = longest / size;
+    if (side * panels->scale > 1) panels->scale = floor(side * panels->scale) / side;
     for (int k = 0; k < 2; k++)
-        layout->body[k] = round((layout->high[k] - layout->low[k]) * layout->scale);
-    layout->height = fmax(layout->body[1], LEAST_HEIGHT);
+        panels->body[k] = round((panels->high[k] - panels->low[k]) * panels->scale);
 }
 
-static struct layout make_layout(const struct snapshot *snapshot,
-                                 const struct view_request *request)
+static bool has_marks(const struct snapshot *snapshot, const struct panels *panels)
 {
-    static const int across[3][2] = {{1, 2}, {0, 2}, {0, 1}};
-    struct layout layout = {.normal = request->normal};
-    layout.right = across[request->normal][0];
-    layout.up = across[request->normal][1];
-    layout.nodes = snapshot_slice(snapshot, request->normal, request->position, &layout.position,
-                                  &layout.count);
-    layout.columns = (int)ceil(sqrt(snapshot->n_fields));
-    layout.rows = (snapshot->n_fields + layout.columns - 1) / layout.columns;
-    find_bounds(&layout, snapshot, request->factor);
-    find_scale(&layout, snapshot->side[layout.nodes[0]]);
-    return layout;
+    const struct domain *domain = &snapshot->domain;
+    return panels->axes[0] == 0 &&
+           (domain_set(domain, "grip_left") || domain_set(domain, "gauge_left"));
+}
+
+static void find_size(struct panels *panels, const struct snapshot *snapshot, bool whole)
+{
+    panels->height = fmax(fmax(panels->body[1], LEAST_HEIGHT), legend_least_height(snapshot));
+    const double panel[2] = {panels->body[0] + BAR_GAP + LEGEND_WIDTH,
+                             TITLE + panels->height + ROW_GAP + (panels->marked ? MARKS : 0)};
+    panels->size[0] = fmax(panels->columns * panel[0], whole ? LEAST_WIDTH : 0) + 2 * MARGIN;
+    panels->size[1] = panels->rows * panel[1] + CAPTION + 2 * MARGIN;
 }
 
 /* --- ranges ----------------------------------------------------------------------------------- */
@@ -113,13 +89,13 @@ static bool read_range(const char *text, const struct field *field, double range
     return true;
 }
 
-/* One range for all fields, or one each. */
-static void find_ranges(const struct snapshot *snapshot, const struct view_request *request,
-                        const struct layout *layout, double ranges[][2])
+/* Texts of the ranges that are given, "" where one is automatic; one for all fields, or one each.
+ * The caller frees *given, which they lie in. */
+static void split_ranges(const struct snapshot *snapshot, const struct view_request *request,
+                         char **given, const char *texts[])
 {
-    char *given = memory_text(request->range ? request->range : ""), *rest = given;
-    char *texts[MOST_FIELDS];
     int count = 0;
+    char *rest = *given = memory_text(request->range ? request->range : "");
     for (char *text; (text = strsep(&rest, ","));) {
         if (count == snapshot->n_fields) die_user("--range: more ranges than variables");
         texts[count++] = text;
@@ -127,108 +103,202 @@ static void find_ranges(const struct snapshot *snapshot, const struct view_reque
     if (count != 1 && count != snapshot->n_fields)
         die_user("--range: %d ranges for %d variables, expected one for all or for each", count,
                  snapshot->n_fields);
-    for (int i = 0; i < snapshot->n_fields; i++) {
-        const struct field *field = &snapshot->fields[i];
-        if (!read_range(texts[count == 1 ? 0 : i], field, ranges[i]))
-            scale_find_range(field->values, layout->nodes, layout->count, ranges[i]);
+    for (int i = count; i < snapshot->n_fields; i++) texts[i] = texts[0];
+}
+
+/* Those of this frame, too. */
+static void extend_range(double value, double range[2])
+{
+    if (!isfinite(value)) return;
+    range[0] = fmin(range[0], value);
+    range[1] = fmax(range[1], value);
+}
+
+void panels_read_range(const struct snapshot *snapshot, const struct view_request *request,
+                       double range[2])
+{
+    const struct field *field = &snapshot->fields[0];
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (int64_t i = 0; i < snapshot->domain.n_nodes; i++) extend_range(field->values[i], range);
+    if (!read_range(request->range ? request->range : "", field, range)) scale_widen(range);
+}
+
+static void go_through(struct panels *panels, struct snapshot *snapshot,
+                       const struct view_request *request, int64_t first, int64_t last,
+                       double ranges[][2])
+{
+    const int64_t at = snapshot->frame;
+    for (int64_t frame = first; frame <= last; frame++) {
+        if (frame != snapshot->frame) snapshot_go(snapshot, request, frame);
+        extend_bounds(panels, snapshot, request->factor);
+        for (int i = 0; i < snapshot->n_fields; i++)
+            for (int64_t k = 0; k < panels->count; k++)
+                extend_range(snapshot->fields[i].values[panels->nodes[k]], ranges[i]);
     }
+    if (at != snapshot->frame) snapshot_go(snapshot, request, at);
+}
+
+struct panels panels_make(struct snapshot *snapshot, const struct view_request *request,
+                          double longest, int64_t first, int64_t last)
+{
+    static const int across[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+    const int normal = request->normal;
+    const char *texts[MOST_FIELDS];
+    char *given;
+    if (snapshot->n_fields > MOST_FIELDS)
+        die_user("--picture: %d variables, expected %d at most", snapshot->n_fields, MOST_FIELDS);
+    split_ranges(snapshot, request, &given, texts);
+    struct panels panels = {.axes = {across[normal][0], across[normal][1]},
+                            .normal = normal,
+                            .low = {INFINITY, INFINITY},
+                            .high = {-INFINITY, -INFINITY}};
+    panels.nodes =
+        snapshot_slice(snapshot, normal, request->position, &panels.position, &panels.count);
+    panels.columns = (int)ceil(sqrt(snapshot->n_fields));
+    panels.rows = (snapshot->n_fields + panels.columns - 1) / panels.columns;
+    panels.marked = has_marks(snapshot, &panels);
+    panels.ranges = memory_new((size_t)snapshot->n_fields, sizeof *panels.ranges);
+    for (int i = 0; i < snapshot->n_fields; i++)
+        memcpy(panels.ranges[i], (double[]){INFINITY, -INFINITY}, sizeof panels.ranges[i]);
+    go_through(&panels, snapshot, request, first, last, panels.ranges);
+    if (panels.low[0] > panels.high[0])
+        die_user("--deformed: no particle has a finite displacement in this frame");
+    for (int i = 0; i < snapshot->n_fields; i++)
+        if (!read_range(texts[i], &snapshot->fields[i], panels.ranges[i]))
+            scale_widen(panels.ranges[i]);
     free(given);
+    const double edge = snapshot->edge[panels.axes[0]];
+    find_scale(&panels, edge > 0 ? edge : snapshot->side[panels.nodes[0]], longest);
+    find_size(&panels, snapshot, longest == 0);
+    return panels;
+}
+
+void panels_free(struct panels *panels)
+{
+    free(panels->nodes);
+    free(panels->ranges);
+    *panels = (struct panels){0};
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-static void draw_particles(struct canvas *canvas, const struct snapshot *snapshot, double factor,
-                           const struct layout *layout, const double *values,
-                           const struct scale *scale)
-{
-    for (int64_t k = 0; k < layout->count; k++) {
-        int64_t node = layout->nodes[k];
-        double half = 0.5 * snapshot->side[node], colour[3];
-        double x = place(snapshot, factor, layout->right, node) - half - layout->low[0];
-        double y = layout->high[1] - place(snapshot, factor, layout->up, node) - half;
-        if (!isfinite(x) || !isfinite(y)) continue;
-        /* Deformed neighbours do not lie on whole points: the overlap hides rounding. */
-        double edge = fmax(2 * half * layout->scale, 1) + (factor != 0);
-        colour_of((values[node] - scale->low) / (scale->high - scale->low), colour);
-        canvas_cell(canvas, x * layout->scale, y * layout->scale, edge, edge, colour);
-    }
-}
-
-/* From the top downwards; x is its left edge. */
-static void draw_bar(struct canvas *canvas, double x, double height, const struct scale *scale)
-{
-    for (int k = 0; k < (int)height; k++) {
-        double colour[3];
-        colour_of(1 - (k + 0.5) / height, colour);
-        canvas_cell(canvas, x, k, BAR_WIDTH, 1, colour);
-    }
-    canvas_frame(canvas, x, 0, BAR_WIDTH, height);
-    for (int k = 0; k < scale->n_ticks; k++) {
-        static const double black[3] = {0, 0, 0};
-        double share = (scale->ticks[k] - scale->low) / (scale->high - scale->low);
-        char *text = scale_text(scale, scale->ticks[k]);
-        canvas_box(canvas, x + BAR_WIDTH, height * (1 - share) - 0.5, 4, 1, black);
-        canvas_text(canvas, x + BAR_WIDTH + 7, height * (1 - share) + 5, ALIGN_LEFT, text);
-        free(text);
-    }
-}
-
-static void draw_panel(struct canvas *canvas, const struct snapshot *snapshot, double factor,
-                       const struct layout *layout, const struct field *field,
+static void draw_cells(struct canvas *canvas, const struct panels *panels,
+                       const struct snapshot *snapshot, double factor, const struct field *field,
                        const double range[2])
 {
-    struct scale scale = scale_make(range, field->unit, (int)layout->height / TICK_DISTANCE);
-    char *title =
-        *scale.unit ? memory_print("%s (%s)", field->name, scale.unit) : memory_text(field->name);
-    canvas_text(canvas, 0, -7, ALIGN_LEFT, title);
-    canvas_box(canvas, 0, 0, layout->body[0], layout->body[1], background);
-    draw_particles(canvas, snapshot, factor, layout, field->values, &scale);
-    draw_bar(canvas, layout->body[0] + BAR_GAP, layout->height, &scale);
-    free(title);
-    scale_free(&scale);
+    struct cell *cells = cells_make(snapshot, panels->axes, panels->nodes, panels->count, factor);
+    for (int64_t k = 0; k < panels->count; k++) {
+        const double value = field->values[panels->nodes[k]];
+        double corners[4][2], colour[3];
+        bool there = true;
+        for (int c = 0; c < 4; c++) {
+            corners[c][0] = (cells[k].corner[c][0] - panels->low[0]) * panels->scale;
+            corners[c][1] = (panels->high[1] - cells[k].corner[c][1]) * panels->scale;
+            there = there && isfinite(corners[c][0]) && isfinite(corners[c][1]);
+        }
+        if (!there) continue;
+        if (!field->phase) colour_of((value - range[0]) / (range[1] - range[0]), colour);
+        canvas_quad(canvas, corners, field->phase ? canvas_phase_colour((int)value) : colour);
+    }
+    free(cells);
 }
 
-static void draw_caption(struct canvas *canvas, const struct snapshot *snapshot,
-                         const struct view_request *request, const struct layout *layout)
+/* Where a set of nodes is now along x [points]; false where there is none. */
+static bool find_set(const struct panels *panels, const struct snapshot *snapshot, double factor,
+                     const char *name, double ends[2])
 {
-    double size = layout->high[0] - layout->low[0];
+    const struct node_set *set = domain_set(&snapshot->domain, name);
+    const double *u = snapshot->displacement[0];
+    ends[0] = INFINITY;
+    ends[1] = -INFINITY;
+    for (int64_t i = 0; set && i < set->count; i++) {
+        const int64_t node = set->nodes[i];
+        const double x = snapshot->domain.x[node] + (u ? factor * u[node] : 0) - panels->low[0];
+        const double half = 0.5 * snapshot->side[node];
+        if (!isfinite(x)) continue;
+        ends[0] = fmin(ends[0], (x - half) * panels->scale);
+        ends[1] = fmax(ends[1], (x + half) * panels->scale);
+    }
+    return ends[0] <= ends[1];
+}
+
+/* A line from one end to the other, below the body, with what it is. */
+static void draw_mark(struct canvas *canvas, const double ends[2], const char *name)
+{
+    enum { TICK = 6, LINE = 2 };
+    const double width = fmax(ends[1] - ends[0], LINE);
+    canvas_box(canvas, ends[0], TICK / 2, width, LINE, black);
+    canvas_box(canvas, ends[0], 0, LINE, TICK + LINE, black);
+    canvas_box(canvas, ends[0] + width - LINE, 0, LINE, TICK + LINE, black);
+    canvas_text(canvas, 0.5 * (ends[0] + ends[1]), MARKS - 4, ALIGN_CENTRE, name);
+}
+
+static void draw_marks(struct canvas *canvas, const struct panels *panels,
+                       const struct snapshot *snapshot, double factor)
+{
+    double left[2], right[2];
+    if (find_set(panels, snapshot, factor, "grip_left", left)) draw_mark(canvas, left, "grip");
+    if (find_set(panels, snapshot, factor, "grip_right", right)) draw_mark(canvas, right, "grip");
+    if (find_set(panels, snapshot, factor, "gauge_left", left) &&
+        find_set(panels, snapshot, factor, "gauge_right", right)) {
+        const double planes[2] = {0.5 * (left[0] + left[1]), 0.5 * (right[0] + right[1])};
+        draw_mark(canvas, planes, "gauge");
+    }
+}
+
+static void draw_panel(struct canvas *canvas, const struct panels *panels,
+                       const struct snapshot *snapshot, double factor, int i)
+{
+    const struct field *field = &snapshot->fields[i];
+    const double *range = panels->ranges[i];
+    char *title = legend_title(field, range);
+    canvas_text(canvas, 0, -7, ALIGN_LEFT, title);
+    canvas_box(canvas, 0, 0, panels->body[0], panels->body[1], background);
+    draw_cells(canvas, panels, snapshot, factor, field, range);
+    canvas_move(canvas, panels->body[0] + BAR_GAP, 0);
+    legend_draw(canvas, snapshot, field, range, panels->height);
+    canvas_move(canvas, -panels->body[0] - BAR_GAP, 0);
+    if (panels->marked) {
+        canvas_move(canvas, 0, panels->body[1] + 6);
+        draw_marks(canvas, panels, snapshot, factor);
+        canvas_move(canvas, 0, -panels->body[1] - 6);
+    }
+    free(title);
+}
+
+static char *describe(const struct panels *panels, const struct snapshot *snapshot, double factor)
+{
     char *time = scale_quantity(snapshot->time, "s");
-    char *position = scale_quantity(layout->position, "m");
-    char *deformed = request->factor != 0 ? memory_print(", displacements × %g", request->factor)
-                                          : memory_text("");
-    char *text =
-        memory_print("%c to the right, %c up; %c = %s, frame %lld of %lld, t = %s%s",
-                     "xyz"[layout->right], "xyz"[layout->up], "xyz"[layout->normal], position,
-                     (long long)snapshot -> frame, (long long)snapshot -> n_frames, time, deformed);
-    canvas_scale_bar(canvas, size, layout->scale);
-    canvas_text(canvas, canvas_bar_length(size) * layout->scale + 90, 8, ALIGN_LEFT, text);
-    free(text);
+    char *position = scale_quantity(panels->position, "m");
+    char *deformed = factor != 0 ? memory_print(", displacements × %g", factor) : memory_text("");
+    char *text = memory_print("%c to the right, %c up; %c = %s, frame %lld of %lld, t = %s%s",
+                              "xyz"[panels->axes[0]], "xyz"[panels->axes[1]], "xyz"[panels->normal],
+                              position, (long long)snapshot -> frame,
+                              (long long)snapshot -> n_frames, time, deformed);
     free(deformed);
     free(position);
     free(time);
+    return text;
 }
 
-void panels_draw(const struct snapshot *snapshot, const struct view_request *request)
+void panels_draw(const struct panels *panels, const struct snapshot *snapshot,
+                 const struct view_request *request, struct canvas *canvas, const char *words)
 {
-    double ranges[MOST_FIELDS][2];
-    if (snapshot->n_fields > MOST_FIELDS)
-        die_user("--picture: %d variables, expected %d at most", snapshot->n_fields, MOST_FIELDS);
-    struct layout layout = make_layout(snapshot, request);
-    find_ranges(snapshot, request, &layout, ranges);
-    double panel[2] = {layout.body[0] + BAR_GAP + BAR_WIDTH + BAR_TEXT,
-                       TITLE + layout.height + ROW_GAP};
-    double width = fmax(layout.columns * panel[0], LEAST_WIDTH) + 2 * MARGIN;
-    double height = layout.rows * panel[1] + CAPTION + 2 * MARGIN;
-    struct canvas *canvas = canvas_open(request->picture, width, height);
+    const double panel[2] = {panels->body[0] + BAR_GAP + LEGEND_WIDTH,
+                             TITLE + panels->height + ROW_GAP + (panels->marked ? MARKS : 0)};
+    const double size = panels->high[0] - panels->low[0];
     canvas_move(canvas, MARGIN, MARGIN + TITLE);
     for (int i = 0; i < snapshot->n_fields; i++) {
-        double right = i % layout.columns * panel[0], down = i / layout.columns * panel[1];
+        double right = i % panels->columns * panel[0], down = i / panels->columns * panel[1];
         canvas_move(canvas, right, down);
-        draw_panel(canvas, snapshot, request->factor, &layout, &snapshot->fields[i], ranges[i]);
+        draw_panel(canvas, panels, snapshot, request->factor, i);
         canvas_move(canvas, -right, -down);
     }
-    canvas_move(canvas, 0, layout.rows * panel[1] - TITLE);
-    draw_caption(canvas, snapshot, request, &layout);
-    canvas_close(canvas);
-    free(layout.nodes);
+    canvas_move(canvas, 0, panels->rows * panel[1] - TITLE);
+    canvas_scale_bar(canvas, size, panels->scale);
+    char *text = words ? memory_text(words) : describe(panels, snapshot, request->factor);
+    canvas_text(canvas, canvas_bar_length(size) * panels->scale + 90, 8, ALIGN_LEFT, text);
+    canvas_move(canvas, -MARGIN, -MARGIN - panels->rows * panel[1]);
+    free(text);
 }

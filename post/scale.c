@@ -7,15 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-void scale_find_range(const double *values, const int64_t *nodes, int64_t count, double range[2])
+void scale_widen(double range[2])
 {
-    double low = INFINITY, high = -INFINITY;
-    for (int64_t k = 0; k < count; k++) {
-        double value = values[nodes[k]];
-        if (!isfinite(value)) continue;
-        low = fmin(low, value);
-        high = fmax(high, value);
-    }
+    double low = range[0], high = range[1];
     double size = fmax(fabs(low), fabs(high));
     if (low > high || size == 0) {
         low = 0;

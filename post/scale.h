@@ -2,8 +2,6 @@
 #ifndef HS_SCALE_H
 #define HS_SCALE_H
 
-#include <stdint.h>
-
 enum { MOST_TICKS = 16 };
 
 struct scale {
@@ -15,8 +13,9 @@ struct scale {
     int decimals;             /* of the shown numbers; -1: in powers of ten */
 };
 
-/* From the least to the largest finite value of these nodes; wider where they are all the same. */
-void scale_find_range(const double *values, const int64_t *nodes, int64_t count, double range[2]);
+/* A range of values that were found: 0 to 1 where there are none or all are 0; wider where they are
+ * all the same. */
+void scale_widen(double range[2]);
 
 /* Up to about most_ticks round numbers (1, 2 or 5 times a power of ten apart) within the range. */
 struct scale scale_make(const double range[2], const char *unit, int most_ticks);

@@ -1,7 +1,6 @@
 #include "snapshot.h"
 
 #include "die.h"
-#include "exodus.h"
 #include "memory.h"
 #include "variable.h"
 
@@ -63,21 +62,32 @@ static _Noreturn void die_of_variable(const struct frames *frames, const char *f
              file, name, known);
 }
 
+/* Known of the domain, too. */
+static double *read_phase(const struct domain *domain)
+{
+    double *values = memory_new((size_t)domain->n_nodes, sizeof *values);
+    for (int64_t i = 0; i < domain->n_nodes; i++) values[i] = domain->phase[i];
+    return values;
+}
+
 static void read_field(struct snapshot *snapshot, const struct view_request *request,
                        const struct frames *frames, const char *name)
 {
     const int64_t frame = snapshot->frame - 1;
     int variable = frames_find(frames, name), of = variable;
-    struct field field = {.name = memory_text(name)};
+    struct field field = {.name = memory_text(name), .phase = strcmp(name, "Phase") == 0};
     if (variable >= 0) {
         field.values = read_values(frames, variable, frame);
+    } else if (field.phase) {
+        field.values = read_phase(&snapshot->domain);
     } else if (is_vector(frames, name)) {
         field.values = read_magnitude(frames, name, frame);
         of = component(frames, name, 0);
     } else {
         die_of_variable(frames, request->frames, name);
     }
-    field.unit = variable_unit(&snapshot->domain.attributes, frames->variables[of]);
+    field.unit =
+        field.phase ? "1" : variable_unit(&snapshot->domain.attributes, frames->variables[of]);
     snapshot->fields[snapshot->n_fields++] = field;
 }
 
@@ -191,30 +201,61 @@ int64_t *snapshot_slice(const struct snapshot *snapshot, int normal, double posi
 
 /* --- all -------------------------------------------------------------------------------------- */
 
-struct snapshot snapshot_read(const struct view_request *request)
+static void read_frame(struct snapshot *snapshot, const struct view_request *request)
 {
-    struct spool input = spool_input(request->frames);
-    struct frames frames = exodus_frames_open(&input);
-    struct snapshot snapshot = {.n_frames = frames.n_frames};
-    snapshot.domain = exodus_read_domain(&input);
-    snapshot.frame = choose_frame(&frames, request);
-    snapshot.time = frames.time[snapshot.frame - 1];
-    snapshot.side = find_sides(&snapshot.domain);
-    read_fields(&snapshot, request, &frames);
-    read_displacement(&snapshot, request, &frames);
-    exodus_frames_close(&frames);
-    spool_close(&input);
-    return snapshot;
+    snapshot->time = snapshot->frames.time[snapshot->frame - 1];
+    read_fields(snapshot, request, &snapshot->frames);
+    read_displacement(snapshot, request, &snapshot->frames);
 }
 
-void snapshot_free(struct snapshot *snapshot)
+static void free_frame(struct snapshot *snapshot)
 {
     for (int i = 0; i < snapshot->n_fields; i++) {
         free(snapshot->fields[i].name);
         free(snapshot->fields[i].values);
     }
     free(snapshot->fields);
-    for (int axis = 0; axis < 3; axis++) free(snapshot->displacement[axis]);
+    snapshot->fields = NULL;
+    snapshot->n_fields = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        free(snapshot->displacement[axis]);
+        snapshot->displacement[axis] = NULL;
+    }
+}
+
+/* The edge along x is that of y and z where they have none of their own. */
+static void find_edges(const struct attributes *facts, double edge[3])
+{
+    edge[0] = attributes_number(facts, "spacing_m", 0);
+    edge[1] = attributes_number(facts, "spacing_y_m", edge[0]);
+    edge[2] = attributes_number(facts, "spacing_z_m", edge[0]);
+}
+
+struct snapshot snapshot_read(const struct view_request *request)
+{
+    struct snapshot snapshot = {.input = spool_input(request->frames)};
+    snapshot.frames = exodus_frames_open(&snapshot.input);
+    snapshot.n_frames = snapshot.frames.n_frames;
+    snapshot.domain = exodus_read_domain(&snapshot.input);
+    snapshot.frame = choose_frame(&snapshot.frames, request);
+    snapshot.side = find_sides(&snapshot.domain);
+    find_edges(&snapshot.domain.attributes, snapshot.edge);
+    read_frame(&snapshot, request);
+    return snapshot;
+}
+
+void snapshot_go(struct snapshot *snapshot, const struct view_request *request, int64_t frame)
+{
+    free_frame(snapshot);
+    snapshot->frame = frame;
+    read_frame(snapshot, request);
+}
+
+void snapshot_free(struct snapshot *snapshot)
+{
+    free_frame(snapshot);
     free(snapshot->side);
     domain_free(&snapshot->domain);
+    exodus_frames_close(&snapshot->frames);
+    spool_close(&snapshot->input);
 }

@@ -16,12 +16,15 @@ void view_request_options(struct option_row rows[], struct view_request *r)
         {0, "csv", NULL, "print them: position and values", &r->csv, NULL},
         {0, "variables", "A,B", "of the frames; a vector's name: its magnitude", NULL,
          &r->variables},
-        {0, "frame", "N", "from 1, or 'last' (last)", NULL, &r->frame},
+        {0, "frame", "N", "from 1, 'last' (last), or 'all': a picture each", NULL, &r->frame},
         {0, "time", "TIME", "the frame nearest to it", NULL, &r->time},
         {0, "slice", "AXIS=POSITION", "layer of particles to draw (z, middle of the body)", NULL,
          &r->slice},
+        {0, "isometric", NULL, "the body in three dimensions, cut open, instead of a layer",
+         &r->isometric, NULL},
         {0, "deformed", "FACTOR", "of the displacements in the picture (0)", NULL, &r->deformed},
-        {0, "range", "A:B,...", "of the colours, for all variables or for each", NULL, &r->range},
+        {0, "range", "A:B,...",
+         "of the colours, for all variables or for each; 'all': of all frames", NULL, &r->range},
     };
     memcpy(rows, own, sizeof own);
 }
@@ -37,10 +40,13 @@ static double read_number(const char *option, const char *text, const char *unit
 static void read_frame(struct view_request *r)
 {
     if (!r->frame || strcmp(r->frame, "last") == 0) return;
+    r->every_frame = strcmp(r->frame, "all") == 0;
+    if (r->every_frame && !r->picture) die_user("--frame all is for pictures; give --picture FILE");
+    if (r->every_frame) return;
     char *end;
     r->frame_number = strtol(r->frame, &end, 10);
     if (end == r->frame || *end != '\0' || r->frame_number < 1)
-        die_user("--frame %s: expected a number from 1, or 'last'", r->frame);
+        die_user("--frame %s: expected a number from 1, 'last' or 'all'", r->frame);
 }
 
 static void read_slice(struct view_request *r)
@@ -59,10 +65,11 @@ void view_request_check(struct view_request *r)
     if (!r->frames) {
         const char *const texts[] = {r->picture, r->variables, r->frame, r->time,
                                      r->slice,   r->deformed,  r->range};
-        bool any = r->csv;
+        bool any = r->csv || r->isometric;
         for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) any = any || texts[i];
         if (any)
-            die_user("--picture, --csv, --variables, --frame, --time, --slice, --deformed and "
+            die_user("--picture, --csv, --variables, --frame, --time, --slice, --isometric, "
+                     "--deformed and "
                      "--range are about particle fields; name their file by --frames FILE");
         return;
     }
@@ -70,8 +77,13 @@ void view_request_check(struct view_request *r)
     if (r->picture && !r->variables) die_user("--picture needs --variables: what to draw");
     if (!r->picture && (r->deformed || r->range))
         die_user("--deformed and --range are about a picture; give --picture FILE");
+    if (r->isometric && (!r->picture || r->slice || r->deformed || strchr(r->variables, ',')))
+        die_user("--isometric is for a picture of one variable at rest; do without --slice and "
+                 "--deformed");
     if (r->frame && r->time) die_user("--frame and --time both choose the frame");
     read_frame(r);
+    r->common = r->range && strcmp(r->range, "all") == 0;
+    if (r->common) r->range = NULL;
     if (r->time) r->at_time = read_number("time", r->time, "s");
     read_slice(r);
     if (r->deformed) r->factor = read_number("deformed", r->deformed, "1");

@@ -6,17 +6,20 @@
 
 #include <stdbool.h>
 
-enum { VIEW_OPTION_COUNT = 9 };
+enum { VIEW_OPTION_COUNT = 10 };
 
 struct view_request {
     const char *frames;    /* file of hssolve -o; NULL: nothing of this is asked for */
     const char *picture;   /* NULL: none */
     bool csv;              /* values as text */
+    bool isometric;        /* the whole body in place of a layer */
     const char *variables; /* "A,B"; NULL: not given */
-    const char *frame;     /* number from 1, or "last"; NULL: not given */
+    const char *frame;     /* number from 1, "last" or "all"; NULL: not given */
     const char *time, *slice, *deformed, *range;
     /* read from these by view_request_check */
     long frame_number; /* from 1; 0: the last, or that of the time */
+    bool every_frame;  /* a picture of each */
+    bool common;       /* colours and bounds of all frames */
     double at_time;    /* s; NAN where not given */
     int normal;        /* axis across the slice, 0 to 2 */
     double position;   /* m of the slice; NAN: middle of the body */

@@ -92,8 +92,8 @@ rows() { grep -v '^#' "$1" | sed 1d; }
 @test "a particle of the layer is a square of its colour" {
     hspost --frames "$fields" --picture phase.svg --variables Phase
     hspost --frames "$fields" --csv --variables Phase --slice z > phase.csv
-    # the colour of the largest value: 0.992, 0.892, 0.217
-    squares=$(grep -o 'rgb(99.[12][0-9]*%, *89.[12][0-9]*%, *21.[67][0-9]*%)' phase.svg | wc -l)
+    # the second phase's colour, 0.00, 0.45, 0.70, which its name has, too
+    squares=$(($(grep -o ' stroke:none;fill-rule:nonzero;fill:rgb(0%,45%,70%)' phase.svg | wc -l) - 1))
     [ "$squares" -gt 0 ]
     [ "$squares" -eq "$(rows phase.csv | grep -c ',1$')" ]
 }
@@ -108,6 +108,36 @@ rows() { grep -v '^#' "$1" | sed 1d; }
     done
     [ "$(head -c 4 first.png | tail -c 3)" = PNG ]
     [ "$(head -c 4 first.pdf)" = %PDF ]
+}
+
+@test "all frames have one picture each, the same size, and one range of colours" {
+    hspost --frames "$fields" --picture film.png --variables VonMises --deformed 5 --frame all
+    [ "$(echo film-?.png)" = "film-1.png film-2.png film-3.png film-4.png" ]
+    # the last one alone, with the bounds and colours of all
+    hspost --frames "$fields" --picture last.png --variables VonMises --deformed 5 --range all
+    cmp last.png film-4.png
+    hspost --frames "$fields" --picture first.svg --variables VonMises --frame 1 --range all
+    hspost --frames "$fields" --csv --variables VonMises --slice z | rows - | cut -d, -f4 | sort -g | tail -1 >most
+    # which the first frame, without a stress, does not reach: all its cells have the colour of the least
+    [ "$(grep -o 'fill-rule:nonzero;fill:rgb(19.2%,7.6%,36.2%)' first.svg | wc -l)" -ge 144 ]
+    refused "is for pictures" --frame all
+}
+
+@test "grips and gauge are marked below a layer along the axis" {
+    black() { grep -c 'fill-rule:nonzero;fill:rgb(0%,0%,0%);.* d="M [0-9.]* [0-9.]* L' "$1"; }
+    hspost --frames "$fields" --picture along.svg --variables Phase
+    hspost --frames "$fields" --picture across.svg --variables Phase --slice x
+    # a line with two ends for each of the grips and for the gauge, beside the scale bar
+    [ "$(black across.svg)" -eq 1 ]
+    [ "$(black along.svg)" -eq 10 ]
+}
+
+@test "the body cut open shows as many faces as one that is whole" {
+    hspost --frames "$fields" --picture body.svg --variables Phase --isometric
+    # seen along a diagonal a corner cut out hides nothing and adds nothing: 24 x 6 + 24 x 4 + 6 x 4 faces; two names
+    [ "$(grep ' stroke:none;fill-rule:nonzero' body.svg | grep -vc 'rgb(0%,0%,0%)\|rgb(100%,100%,100%)')" -eq $((264 + 2)) ]
+    refused "at rest" --picture body.svg --variables Phase --isometric --deformed 2
+    refused "one variable" --picture body.svg --variables Phase,VonMises --isometric
 }
 
 @test "ranges may be given for all variables or for each" {
