@@ -63,13 +63,32 @@ struct history exodus_read_history(const struct spool *input);
 void history_free(struct history *history);
 
 /* Fields: the domain with nodal variables, one frame after the other.  Names end in X, Y, Z for
- * vectors, so that ParaView glues them. */
+ * vectors, so that ParaView glues them.  One process makes the file; others join it, and all put
+ * the numbers of their nodes where they belong, none in the place of another's. */
 struct exodus_fields;
 struct exodus_fields *exodus_fields_open(const struct spool *output, const struct domain *domain,
                                          int n_variables, const char *const names[]);
-/* values[variable] is an array of n_nodes; the frame is on the disk itself when the call returns.
- * A run that fails keeps its last good frame if a function given to die_at_exit (after
- * spool_output) calls exodus_fields_close and spool_finish. */
+
+/* What others have to know of the file: where it is, where its frames begin. */
+struct exodus_layout {
+    char path[4096];
+    int64_t n_nodes, n_variables, frames, records;
+};
+const struct exodus_layout *exodus_fields_layout(const struct exodus_fields *fields);
+/* Dies (exit 1) where the file is not to be seen from here. */
+struct exodus_fields *exodus_fields_join(const struct exodus_layout *layout);
+
+/* Numbers of count nodes from the first one on, of a variable in a frame (from 0). */
+void exodus_fields_put(struct exodus_fields *fields, int64_t frame, int variable, int64_t first,
+                       int64_t count, const double *values);
+/* What has been put from here is on the disk itself: 0, or errno of what failed. */
+int exodus_fields_sync(struct exodus_fields *fields);
+/* The maker's, when all have put their numbers there: the frame becomes one, and is on the disk
+ * itself when the call returns.  failure: errno of another's; dies (exit 1) of it.  A run that
+ * fails keeps its last good frame if a function given to die_at_exit (after spool_output) calls
+ * exodus_fields_close and spool_finish. */
+void exodus_fields_end(struct exodus_fields *fields, double time, int failure);
+/* A whole frame: values[variable] is an array of n_nodes. */
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[]);
 void exodus_fields_close(struct exodus_fields *fields);
 

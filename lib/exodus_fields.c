@@ -3,168 +3,208 @@
 #include "exodus_file.h"
 #include "memory.h"
 
-#include <math.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { UNUSED_ID = 0 };
+enum { UNUSED_ID = 0, WORD = sizeof(double) };
 
-/* --- writing ---------------------------------------------------------------------------------- */
-
+/* Who makes the file has its head and the domain written by the library; what comes behind them are
+ * records, each a time and the variables one behind the other, which all write side by side. */
 struct exodus_fields {
-    struct exodus_file file;
-    int64_t n_nodes;
-    int n_variables, n_frames;
+    struct exodus_layout layout;
+    struct exodus_file file; /* its maker's */
+    int descriptor;
+    int failure; /* errno of the first write that failed */
+    /* Numbers that go behind each other, as the file has them. */
+    int64_t at, count;
+    uint64_t *waiting; /* [WAITING] */
 };
+enum { WAITING = 1 << 15 };
+
+static uint64_t swapped(double value)
+{
+    uint64_t word;
+    memcpy(&word, &value, sizeof word);
+    return __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? __builtin_bswap64(word) : word;
+}
+
+static void flush(struct exodus_fields *fields)
+{
+    const char *bytes = (const char *)fields->waiting;
+    int64_t left = fields->count * WORD, at = fields->at;
+    while (left > 0 && fields->failure == 0) {
+        const ssize_t done = pwrite(fields->descriptor, bytes, (size_t)left, at);
+        if (done < 0 && errno == EINTR) continue;
+        if (done < 0) fields->failure = errno;
+        bytes += done;
+        at += done;
+        left -= done;
+    }
+    fields->count = 0;
+}
+
+static void put(struct exodus_fields *fields, int64_t at, int64_t count, const double *values)
+{
+    for (int64_t i = 0; i < count; i++, at += WORD) {
+        if (fields->count == WAITING || at != fields->at + fields->count * WORD) flush(fields);
+        if (fields->count == 0) fields->at = at;
+        fields->waiting[fields->count++] = swapped(values[i]);
+    }
+}
+
+struct exodus_fields *exodus_fields_join(const struct exodus_layout *layout)
+{
+    struct exodus_fields *fields = memory_new(1, sizeof *fields);
+    fields->layout = *layout;
+    fields->waiting = memory_new(WAITING, sizeof *fields->waiting);
+    signal(SIGXFSZ, SIG_IGN); /* a limit of the file's size is then an error, as a full disk is */
+    fields->descriptor = open(layout->path, O_WRONLY | O_CLOEXEC);
+    if (fields->descriptor < 0)
+        die_run("%s: cannot be opened by all ranks: %s", layout->path, strerror(errno));
+    return fields;
+}
+
+static void put_variables(const struct exodus_file *file, int count, const char *const names[])
+{
+    /* The library wants names that it could write to. */
+    char **copies = memory_new((size_t)count, sizeof *copies);
+    for (int i = 0; i < count; i++) {
+        exodus_check_name(file, names[i]);
+        copies[i] = memory_text(names[i]);
+    }
+    exodus_wrote(file, ex_put_variable_param(file->id, EX_NODAL, count), "the variables");
+    exodus_wrote(file, ex_put_variable_names(file->id, EX_NODAL, count, copies),
+                 "the variables' names");
+    for (int i = 0; i < count; i++) free(copies[i]);
+    free(copies);
+}
 
 struct exodus_fields *exodus_fields_open(const struct spool *output, const struct domain *domain,
                                          int n_variables, const char *const names[])
 {
-    struct exodus_fields *fields = memory_new(1, sizeof *fields);
     struct exodus_file file = exodus_create(output, &domain->attributes);
     exodus_put_domain(&file, domain);
-    /* The library wants names that it could write to. */
-    char **copies = memory_new((size_t)n_variables, sizeof *copies);
-    for (int i = 0; i < n_variables; i++) {
-        exodus_check_name(&file, names[i]);
-        copies[i] = memory_text(names[i]);
-    }
-    exodus_wrote(&file, ex_put_variable_param(file.id, EX_NODAL, n_variables), "the variables");
-    exodus_wrote(&file, ex_put_variable_names(file.id, EX_NODAL, n_variables, copies),
-                 "the variables' names");
-    for (int i = 0; i < n_variables; i++) free(copies[i]);
-    free(copies);
-    *fields = (struct exodus_fields){file, domain->n_nodes, n_variables, 0};
+    put_variables(&file, n_variables, names);
+    exodus_let_go(&file);
+    struct exodus_layout layout = {.n_nodes = domain->n_nodes, .n_variables = n_variables};
+    layout.records = exodus_variable_place(file.path, file.shown, "time_whole");
+    /* Another process of this machine finds an unnamed file there, too. */
+    const char *own = "/proc/self/";
+    const bool unnamed = strncmp(file.path, own, strlen(own)) == 0;
+    char *path = unnamed ? memory_print("/proc/%ld/%s", (long)getpid(), file.path + strlen(own))
+                         : memory_text(file.path);
+    if (strlen(path) >= sizeof layout.path) die_run("%s: too long a name", path);
+    strcpy(layout.path, path);
+    free(path);
+    struct exodus_fields *fields = exodus_fields_join(&layout);
+    fields->file = file;
     return fields;
+}
+
+const struct exodus_layout *exodus_fields_layout(const struct exodus_fields *fields)
+{
+    return &fields->layout;
+}
+
+static int64_t record_of(const struct exodus_layout *layout, int64_t frame)
+{
+    return layout->records + frame * WORD * (1 + layout->n_variables * layout->n_nodes);
+}
+
+void exodus_fields_put(struct exodus_fields *fields, int64_t frame, int variable, int64_t first,
+                       int64_t count, const double *values)
+{
+    const struct exodus_layout *layout = &fields->layout;
+    put(fields, record_of(layout, frame) + WORD * (1 + variable * layout->n_nodes + first), count,
+        values);
+}
+
+int exodus_fields_sync(struct exodus_fields *fields)
+{
+    flush(fields);
+    if (fields->failure == 0 && fsync(fields->descriptor) != 0 && errno != EINVAL && errno != EROFS)
+        fields->failure = errno;
+    return fields->failure;
+}
+
+void exodus_fields_end(struct exodus_fields *fields, double time, int failure)
+{
+    struct exodus_layout *layout = &fields->layout;
+    if (fields->failure == 0) fields->failure = failure;
+    put(fields, record_of(layout, layout->frames), 1, &time);
+    flush(fields);
+    if (fields->failure == 0)
+        exodus_set_records(layout->path, fields->file.shown, layout->frames + 1);
+    if (exodus_fields_sync(fields) != 0)
+        die_run("%s: cannot write a frame: %s", fields->file.shown, strerror(fields->failure));
+    layout->frames++;
 }
 
 void exodus_fields_write(struct exodus_fields *fields, double time, const double *const values[])
 {
-    const struct exodus_file *file = &fields->file;
-    int frame = fields->n_frames + 1;
-    for (int i = 0; i < fields->n_variables; i++)
-        exodus_wrote(
-            file,
-            ex_put_var(file->id, frame, EX_NODAL, i + 1, UNUSED_ID, fields->n_nodes, values[i]),
-            "a frame");
-    exodus_wrote(file, ex_put_time(file->id, frame, &time), "a frame's time");
-    exodus_sync(file);
-    fields->n_frames = frame;
+    const struct exodus_layout *layout = &fields->layout;
+    for (int i = 0; i < layout->n_variables; i++)
+        exodus_fields_put(fields, layout->frames, i, 0, layout->n_nodes, values[i]);
+    exodus_fields_end(fields, time, 0);
 }
 
 void exodus_fields_close(struct exodus_fields *fields)
 {
     if (fields == NULL) return;
-    exodus_finish(&fields->file);
+    close(fields->descriptor);
+    if (fields->file.path) exodus_finish(&fields->file);
+    free(fields->waiting);
     free(fields);
 }
 
 int64_t exodus_fields_count(const struct exodus_fields *fields)
 {
-    return fields->n_frames;
+    return fields->layout.frames;
 }
 
-static bool is_alike(const struct exodus_fields *fields, const struct exodus_file *other,
+static bool is_alike(const struct exodus_layout *layout, const struct exodus_file *other,
                      int64_t frames)
 {
     int n_variables = 0;
     return ex_get_variable_param(other->id, EX_NODAL, &n_variables) >= 0 &&
-           n_variables == fields->n_variables &&
-           ex_inquire_int(other->id, EX_INQ_NODES) == fields->n_nodes &&
+           n_variables == layout->n_variables &&
+           ex_inquire_int(other->id, EX_INQ_NODES) == layout->n_nodes &&
            ex_inquire_int(other->id, EX_INQ_TIME) >= frames;
+}
+
+static void take_variable(struct exodus_fields *fields, const struct exodus_file *other,
+                          int64_t frame, int variable)
+{
+    const int64_t n = fields->layout.n_nodes;
+    double *some = memory_new(WAITING, sizeof *some);
+    for (int64_t first = 0; first < n; first += WAITING) {
+        const int64_t count = n - first < WAITING ? n - first : WAITING;
+        exodus_read(other,
+                    ex_get_partial_var(other->id, (int)frame + 1, EX_NODAL, variable + 1, UNUSED_ID,
+                                       first + 1, count, some),
+                    "a frame");
+        exodus_fields_put(fields, frame, variable, first, count, some);
+    }
+    free(some);
 }
 
 bool exodus_fields_take(struct exodus_fields *fields, const char *name, int64_t frames)
 {
     const struct spool input = {.descriptor = -1, .path = (char *)(uintptr_t)name};
-    const size_t nodes = (size_t)fields->n_nodes;
     if (access(name, R_OK) != 0) return false;
     struct exodus_file other = exodus_open_any(&input);
-    const bool alike = is_alike(fields, &other, frames);
-    const double **values = memory_new((size_t)fields->n_variables, sizeof *values);
-    double *all = memory_new((size_t)fields->n_variables * nodes, sizeof *all), time;
-    for (int frame = 1; alike && frame <= frames; frame++) {
-        for (int i = 0; i < fields->n_variables; i++) {
-            double *one = all + (size_t)i * nodes;
-            exodus_read(
-                &other,
-                ex_get_var(other.id, frame, EX_NODAL, i + 1, UNUSED_ID, fields->n_nodes, one),
-                "a frame");
-            values[i] = one;
-        }
-        exodus_read(&other, ex_get_time(other.id, frame, &time), "a frame's time");
-        exodus_fields_write(fields, time, values);
+    const bool alike = is_alike(&fields->layout, &other, frames);
+    for (int64_t frame = 0; alike && frame < frames; frame++) {
+        double time;
+        for (int i = 0; i < fields->layout.n_variables; i++)
+            take_variable(fields, &other, frame, i);
+        exodus_read(&other, ex_get_time(other.id, (int)frame + 1, &time), "a frame's time");
+        exodus_fields_end(fields, time, 0);
     }
     exodus_close(&other);
-    free(values);
-    free(all);
     return alike;
-}
-
-/* --- reading ---------------------------------------------------------------------------------- */
-
-/* Counts that the file has room for: a double a node, variable and frame. */
-static void read_counts(const struct exodus_file *file, struct frames *frames)
-{
-    frames->n_nodes = ex_inquire_int(file->id, EX_INQ_NODES);
-    frames->n_frames = ex_inquire_int(file->id, EX_INQ_TIME);
-    exodus_read(file, ex_get_variable_param(file->id, EX_NODAL, &frames->n_variables),
-                "the variables");
-    if (frames->n_nodes == 0 || frames->n_variables == 0 || frames->n_frames == 0)
-        die_user("%s: no frames of fields in it, expected the file of hssolve -o", file->shown);
-    exodus_bound(file, frames->n_variables, 8, "variables");
-    exodus_bound(file, frames->n_nodes, 8 * (int64_t)frames->n_variables, "nodes");
-    exodus_bound(file, frames->n_frames, 8 * (int64_t)frames->n_variables * frames->n_nodes,
-                 "frames");
-}
-
-static void read_variables(const struct exodus_file *file, struct frames *frames)
-{
-    char **names = exodus_names(frames->n_variables);
-    exodus_read(file, ex_get_variable_names(file->id, EX_NODAL, frames->n_variables, names),
-                "the variables' names");
-    frames->variables = memory_new((size_t)frames->n_variables, sizeof *frames->variables);
-    for (int i = 0; i < frames->n_variables; i++) frames->variables[i] = memory_text(names[i]);
-    free(names);
-}
-
-struct frames exodus_frames_open(const struct spool *input)
-{
-    struct frames frames = {.file = memory_new(1, sizeof *frames.file)};
-    *frames.file = exodus_open(input, false);
-    read_counts(frames.file, &frames);
-    read_variables(frames.file, &frames);
-    frames.time = memory_new((size_t)frames.n_frames, sizeof *frames.time);
-    exodus_read(frames.file, ex_get_all_times(frames.file->id, frames.time), "the times");
-    for (int64_t i = 0; i < frames.n_frames; i++)
-        if (!isfinite(frames.time[i]))
-            die_user("%s: damaged: frame %lld has no finite time", frames.file->shown,
-                     (long long)i + 1);
-    return frames;
-}
-
-int frames_find(const struct frames *frames, const char *variable)
-{
-    for (int i = 0; i < frames->n_variables; i++)
-        if (strcmp(frames->variables[i], variable) == 0) return i;
-    return -1;
-}
-
-void exodus_frames_read(const struct frames *frames, int variable, int64_t frame, double *values)
-{
-    exodus_read(frames->file,
-                ex_get_var(frames->file->id, (int)frame + 1, EX_NODAL, variable + 1, UNUSED_ID,
-                           frames->n_nodes, values),
-                frames->variables[variable]);
-}
-
-void exodus_frames_close(struct frames *frames)
-{
-    exodus_close(frames->file);
-    free(frames->file);
-    for (int i = 0; i < frames->n_variables; i++) free(frames->variables[i]);
-    free(frames->variables);
-    free(frames->time);
-    *frames = (struct frames){0};
 }

@@ -224,9 +224,15 @@ static void forget(struct exodus_file *file)
     free(file->shown);
 }
 
-void exodus_finish(struct exodus_file *file)
+void exodus_let_go(struct exodus_file *file)
 {
     exodus_wrote(file, ex_close(file->id), "the end");
+    file->id = -1;
+}
+
+void exodus_finish(struct exodus_file *file)
+{
+    if (file->id >= 0) exodus_let_go(file);
     spool_release(file->path);
     enter_length(file);
     forget(file);

@@ -23,7 +23,10 @@ struct exodus_file {
  * attributes, provenance records, and a place for hs_file_bytes. */
 struct exodus_file exodus_create(const struct spool *output, const struct attributes *attributes);
 
-/* Closes a written file and enters its length. */
+/* The library closes the file; others may go on with it. */
+void exodus_let_go(struct exodus_file *file);
+
+/* Closes a written file, where it is open, and enters its length. */
 void exodus_finish(struct exodus_file *file);
 
 /* What has been written is on the disk itself. */
@@ -60,6 +63,9 @@ void exodus_put_domain(const struct exodus_file *file, const struct domain *doma
 /* Dies (exit 2) where the head of a classic netCDF file is damaged: libnetcdf 4.9 believes every
  * count it finds there and can hang on a wrong one.  False where it is netCDF-4. */
 bool exodus_check_header(const char *path, const char *shown);
+/* Byte where the numbers of a variable begin; of one with a number a record those of the first,
+ * which need not be there yet.  Dies (exit 2) where there is none of that name. */
+int64_t exodus_variable_place(const char *path, const char *shown, const char *name);
 /* Enters another number of records into a sound one. */
 void exodus_set_records(const char *path, const char *shown, int64_t records);
 

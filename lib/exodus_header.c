@@ -14,6 +14,10 @@ struct head {
     uint64_t bytes; /* of the file */
     int width;      /* of counts: 4, in version 5 8 */
     int offset;     /* of positions: 4, from version 2 on 8 */
+    uint64_t records;
+    int64_t unlimited;  /* the dimension of records; -1: none */
+    const char *wanted; /* name of a variable that is looked for; NULL: none */
+    int64_t place;      /* where it begins */
 };
 
 enum { DIMENSIONS = 10, VARIABLES = 11, ATTRIBUTES = 12, TYPES = 12 };
@@ -49,11 +53,15 @@ static void skip(const struct head *head, uint64_t bytes)
     fseeko(head->stream, (off_t)padded, SEEK_CUR);
 }
 
-static void skip_name(const struct head *head)
+/* Whether it is the one that is looked for. */
+static bool get_name(const struct head *head)
 {
-    uint64_t length = get_count(head, 1);
+    char name[NC_MAX_NAME + 4] = "";
+    uint64_t length = get_count(head, 1), padded = (length + 3) / 4 * 4;
     if (length > NC_MAX_NAME) damaged(head, "a name too long");
-    skip(head, length);
+    if (fread(name, 1, padded, head->stream) < padded) damaged(head, "ends in its head");
+    name[length] = '\0';
+    return head->wanted && strcmp(name, head->wanted) == 0;
 }
 
 /* The tag and length of a list; an absent one has the tag 0. */
@@ -76,26 +84,31 @@ static void check_attributes(const struct head *head)
 {
     uint64_t count = get_list(head, ATTRIBUTES);
     for (uint64_t i = 0; i < count; i++) {
-        skip_name(head);
+        get_name(head);
         uint64_t size = get_type_size(head);
         skip(head, get_count(head, size) * size);
     }
 }
 
-static void check_variables(const struct head *head, uint64_t dimensions)
+static void check_variables(struct head *head, uint64_t dimensions)
 {
     uint64_t count = get_list(head, VARIABLES);
     for (uint64_t i = 0; i < count; i++) {
-        skip_name(head);
+        const bool wanted = get_name(head);
+        bool to_come = false; /* its first record is */
         uint64_t rank = get_count(head, 4);
         if (rank > NC_MAX_VAR_DIMS) damaged(head, "a variable of too many dimensions");
-        for (uint64_t d = 0; d < rank; d++)
-            if (get_number(head, head->width) >= dimensions) damaged(head, "an unknown dimension");
+        for (uint64_t d = 0; d < rank; d++) {
+            const uint64_t dimension = get_number(head, head->width);
+            if (dimension >= dimensions) damaged(head, "an unknown dimension");
+            to_come |= d == 0 && head->records == 0 && (int64_t)dimension == head->unlimited;
+        }
         check_attributes(head);
         get_type_size(head);
         get_number(head, head->width); /* size: too large a one is capped by the writers */
         uint64_t begin = get_number(head, head->offset);
-        if (begin > head->bytes) damaged(head, "a variable beyond its end");
+        if (begin > head->bytes && !to_come) damaged(head, "a variable beyond its end");
+        if (wanted) head->place = (int64_t)begin;
     }
 }
 
@@ -113,26 +126,49 @@ static bool check_head(struct head *head)
     uint64_t records = get_number(head, head->width);
     uint64_t streaming = head->width == 4 ? UINT32_MAX : UINT64_MAX;
     if (records != streaming && records > head->bytes / 4) damaged(head, "too many records");
+    head->records = records;
     uint64_t dimensions = get_list(head, DIMENSIONS);
     for (uint64_t i = 0; i < dimensions; i++) {
-        skip_name(head);
-        if (get_number(head, head->width) > INT64_MAX / 8) damaged(head, "a dimension too large");
+        get_name(head);
+        const uint64_t length = get_number(head, head->width);
+        if (length > INT64_MAX / 8) damaged(head, "a dimension too large");
+        if (length == 0) head->unlimited = (int64_t)i;
     }
     check_attributes(head);
     check_variables(head, dimensions);
     return true;
 }
 
-bool exodus_check_header(const char *path, const char *shown)
+/* Where the wanted variable begins; whether the file is a classic one. */
+static bool walk(const char *path, const char *shown, const char *wanted, int64_t *place)
 {
     struct stat status;
-    struct head head = {.stream = fopen(path, "rb"), .shown = shown};
+    struct head head = {.stream = fopen(path, "rb"),
+                        .shown = shown,
+                        .unlimited = -1,
+                        .wanted = wanted,
+                        .place = -1};
     if (head.stream == NULL || fstat(fileno(head.stream), &status) != 0)
         die_user("%s: cannot be opened", shown);
     head.bytes = (uint64_t)status.st_size;
     const bool classic = check_head(&head);
     fclose(head.stream);
+    *place = head.place;
     return classic;
+}
+
+bool exodus_check_header(const char *path, const char *shown)
+{
+    int64_t place;
+    return walk(path, shown, NULL, &place);
+}
+
+int64_t exodus_variable_place(const char *path, const char *shown, const char *name)
+{
+    int64_t place;
+    walk(path, shown, name, &place);
+    if (place < 0) die_user("%s: no variable %s in it", shown, name);
+    return place;
 }
 
 void exodus_set_records(const char *path, const char *shown, int64_t records)

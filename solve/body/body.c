@@ -1,10 +1,8 @@
 #include "body.h"
 
 #include "box_fields.h"
-#include "die.h"
 #include "memory.h"
 
-#include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -96,50 +94,4 @@ void body_free(struct body *body)
     grid_free(&body->grid);
     partition_free(&body->partition);
     *body = (struct body){0};
-}
-
-/* Owned values in site order, as this rank sends them. */
-static int64_t pack(const struct body *body, const double *field, double *values, int64_t *sites)
-{
-    int64_t n = 0;
-    for (int64_t s = 0; s < body->owned.count; s++)
-        for (int i = 0; i < body->owned.items[s].count; i++) {
-            values[n] = field[body->owned.items[s].site + i];
-            sites[n++] = body_number(body, body->owned.items[s].site + i);
-        }
-    return n;
-}
-
-void body_gather(const struct body *body, const double *field, double *out)
-{
-    const size_t n = (size_t)body->grid.n_owned;
-    double *values = memory_new(n, sizeof *values);
-    int64_t *sites = memory_new(n, sizeof *sites);
-    pack(body, field, values, sites);
-    if (body->ranks.rank != 0) {
-        MPI_Send(sites, (int)n, MPI_INT64_T, 0, 1, MPI_COMM_WORLD);
-        MPI_Send(values, (int)n, MPI_DOUBLE, 0, 2, MPI_COMM_WORLD);
-    } else {
-        const struct lattice *lattice = body->lattice;
-        double *all = memory_new((size_t)lattice->n_sites, sizeof *all);
-        for (size_t i = 0; i < n; i++) all[sites[i]] = values[i];
-        for (int r = 1; r < body->ranks.size; r++) {
-            MPI_Status status;
-            int count;
-            MPI_Probe(r, 1, MPI_COMM_WORLD, &status);
-            MPI_Get_count(&status, MPI_INT64_T, &count);
-            sites = realloc(sites, (size_t)count * sizeof *sites);
-            values = realloc(values, (size_t)count * sizeof *values);
-            if (!sites || !values) die_run("no memory to gather a field");
-            MPI_Recv(sites, count, MPI_INT64_T, r, 1, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-            MPI_Recv(values, count, MPI_DOUBLE, r, 2, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-            for (int i = 0; i < count; i++) all[sites[i]] = values[i];
-        }
-        int64_t node = 0;
-        for (int64_t site = 0; site < lattice->n_sites; site++)
-            if (lattice->phase[site] != ABSENT) out[node++] = all[site];
-        free(all);
-    }
-    free(values);
-    free(sites);
 }

@@ -75,10 +75,6 @@ void body_profile(struct body *body, struct profile *profile);
  */
 void body_need_gradient(struct body *body);
 
-/* Gathers an owned field of the particles to rank 0 in their order: out[n_particles] there (NULL
- * elsewhere). Collective. */
-void body_gather(const struct body *body, const double *field, double *out);
-
 /* Reference position of a site [m]. */
 static inline void body_position(const struct body *body, int64_t site, double x[3])
 {

@@ -10,7 +10,8 @@
 
 struct fields;
 
-/* domain: rank 0's, whose attributes come to say the units; elsewhere NULL.  Collective. */
+/* domain: rank 0's, whose attributes come to say the units; elsewhere NULL.  Rank 0 makes the file,
+ * and each writes the numbers of its own particles into it.  Collective. */
 struct fields *fields_open(const struct spool *output, struct domain *domain,
                            const struct scene_fields *wanted, const struct body *body,
                            const struct damage *damage);
