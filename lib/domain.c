@@ -88,8 +88,52 @@ void domain_alias_set(struct domain *domain, const char *alias)
     domain->sets[domain->n_sets - 1].alias = memory_text(alias);
 }
 
+bool domain_next(const struct domain *domain, struct domain_nodes *nodes)
+{
+    enum { AT_ONCE = 1 << 16 };
+    const int64_t first = nodes->first + nodes->count, left = domain->n_nodes - first;
+    *nodes = (struct domain_nodes){.first = first, .count = left < AT_ONCE ? left : AT_ONCE};
+    if (left <= 0) return false;
+    nodes->phase = domain->phase ? domain->phase + first : NULL;
+    if (domain->source) {
+        domain->source->read(domain->source, nodes);
+        return true;
+    }
+    nodes->x[0] = domain->x + first;
+    nodes->x[1] = domain->y + first;
+    nodes->x[2] = domain->z + first;
+    nodes->volume = domain->volume ? domain->volume + first : NULL;
+    nodes->grain = domain->grain ? domain->grain + first : NULL;
+    return true;
+}
+
+static double *hold(double *held, const struct domain *domain, const double *some,
+                    const struct domain_nodes *nodes)
+{
+    if (!some) return held;
+    if (!held) held = memory_new((size_t)domain->n_nodes, sizeof *held);
+    memcpy(held + nodes->first, some, (size_t)nodes->count * sizeof *some);
+    return held;
+}
+
+void domain_hold(struct domain *domain)
+{
+    struct domain_nodes nodes = {0};
+    if (!domain->source) return;
+    while (domain_next(domain, &nodes)) {
+        domain->x = hold(domain->x, domain, nodes.x[0], &nodes);
+        domain->y = hold(domain->y, domain, nodes.x[1], &nodes);
+        domain->z = hold(domain->z, domain, nodes.x[2], &nodes);
+        domain->volume = hold(domain->volume, domain, nodes.volume, &nodes);
+    }
+    domain->source->free(domain->source);
+    domain->source = NULL;
+}
+
 void domain_forget_nodes(struct domain *domain)
 {
+    if (domain->source) domain->source->free(domain->source);
+    domain->source = NULL;
     free(domain->x);
     free(domain->y);
     free(domain->z);

@@ -4,6 +4,7 @@
 #ifndef HS_DOMAIN_H
 #define HS_DOMAIN_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct node_set {
@@ -33,13 +34,29 @@ double attributes_number(const struct attributes *attributes, const char *name, 
 const char *attributes_text(const struct attributes *attributes, const char *name);
 void attributes_free(struct attributes *attributes);
 
+/* Nodes of a domain that follow each other, as many as are at hand at once. */
+struct domain_nodes {
+    int64_t first, count;
+    const double *x[3], *volume, *grain; /* [count], as in the domain */
+    const uint8_t *phase;
+};
+
+/* Gives what a domain does not hold. */
+struct domain_source {
+    /* Some nodes from the first one on; those before have been read.  The arrays last until the
+     * next call. */
+    void (*read)(struct domain_source *source, struct domain_nodes *nodes);
+    void (*free)(struct domain_source *source);
+};
+
 struct domain {
     int64_t n_nodes;
-    double *x, *y, *z; /* [n_nodes] m, reference positions */
-    double *volume;    /* [n_nodes] m^3 */
-    uint8_t *phase;    /* [n_nodes] index into phase_names */
-    double *grain;     /* [n_nodes] ids of grains, whole numbers; NULL: none are known */
-    int n_phases;      /* at most 16 */
+    double *x, *y, *z;            /* [n_nodes] m, reference positions */
+    double *volume;               /* [n_nodes] m^3 */
+    struct domain_source *source; /* in place of the four, which are then NULL */
+    uint8_t *phase;               /* [n_nodes] index into phase_names */
+    double *grain;                /* [n_nodes] ids of grains, whole numbers; NULL: none are known */
+    int n_phases;                 /* at most 16 */
     char **phase_names;
     int n_sets;
     struct node_set *sets;
@@ -50,6 +67,12 @@ struct domain {
     struct domain *corners;
     int64_t *hexahedra;
 };
+
+/* The next nodes, at first from {0}; false behind the last: how to go through a domain that need
+ * not be held. */
+bool domain_next(const struct domain *domain, struct domain_nodes *nodes);
+/* What its source gives becomes arrays of its own. */
+void domain_hold(struct domain *domain);
 
 /* NULL where there is no set of that name or alias. */
 const struct node_set *domain_set(const struct domain *domain, const char *name);

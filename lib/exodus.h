@@ -31,6 +31,12 @@ const char *exodus_phase_fault(const char *name);
  * sets. */
 struct domain exodus_read_domain(const struct spool *input);
 
+/* The same without its positions and volumes, which stay in the file and are read as they are asked
+ * for (domain_next): of a file with a spacing whose elements are spheres, one a node, numbered in
+ * the nodes' order within each block, as exodus_write_domain has them.  False, and the domain
+ * empty, where it is another one; what is wrong with that says exodus_read_domain. */
+bool exodus_stream_domain(const struct spool *input, struct domain *domain);
+
 /* Histories: an Exodus file without nodes, one global variable a column, one time step a record.
  * A column's name ends in its unit: force_left_N, extension_m. */
 struct history {

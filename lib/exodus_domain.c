@@ -11,55 +11,78 @@ enum { MOST_NODES = 200000000 };
 
 static char title[] = "hstools domain", radius[] = "RADIUS", volume[] = "VOLUME", grain[] = "GRAIN";
 
-/* The nodes of one phase, in lattice order, from 1. */
-static int64_t *nodes_of(const struct domain *domain, int phase, int64_t *count)
-{
-    int64_t *nodes = memory_new((size_t)domain->n_nodes, sizeof *nodes);
-    *count = 0;
-    for (int64_t i = 0; i < domain->n_nodes; i++)
-        if (domain->phase[i] == phase) nodes[(*count)++] = i + 1;
-    return nodes;
-}
-
 /* A third one where grains are known. */
 static int attributes_of(const struct domain *domain)
 {
     return domain->grain ? 3 : 2;
 }
 
-static void put_attributes(const struct exodus_file *file, const struct domain *domain, int block,
-                           int64_t count, const int64_t *nodes)
+static void put_block(const struct exodus_file *file, const struct domain *domain, int phase,
+                      int64_t count)
 {
+    const int block = phase + 1;
     char *names[] = {radius, volume, grain};
-    const int64_t each = attributes_of(domain);
-    double *values = memory_new((size_t)(each * count), sizeof *values);
-    for (int64_t i = 0; i < count; i++) {
-        double v = domain->volume[nodes[i] - 1];
-        values[each * i] = cbrt(0.75 * v / acos(-1));
-        values[each * i + 1] = v;
-        if (domain->grain) values[each * i + 2] = domain->grain[nodes[i] - 1];
-    }
-    exodus_wrote(file, ex_put_attr_names(file->id, EX_ELEM_BLOCK, block, names), "names");
-    exodus_wrote(file, ex_put_attr(file->id, EX_ELEM_BLOCK, block, values), "the volumes");
-    free(values);
-}
-
-static void put_block(const struct exodus_file *file, const struct domain *domain, int phase)
-{
-    int64_t count;
-    int block = phase + 1;
-    int64_t *nodes = nodes_of(domain, phase, &count);
     exodus_check_name(file, domain->phase_names[phase]);
     exodus_wrote(file,
                  ex_put_block(file->id, EX_ELEM_BLOCK, block, "SPHERE", count, 1, 0, 0,
                               attributes_of(domain)),
                  "a block");
-    if (count > 0) {
-        exodus_wrote(file, ex_put_conn(file->id, EX_ELEM_BLOCK, block, nodes, NULL, NULL),
-                     "a block");
-        put_attributes(file, domain, block, count, nodes);
+    if (count > 0)
+        exodus_wrote(file, ex_put_attr_names(file->id, EX_ELEM_BLOCK, block, names), "names");
+}
+
+/* Exodus has no call for a part of them. */
+static void put_connections(const struct exodus_file *file, int block, int64_t first, int64_t count,
+                            const long long *nodes)
+{
+    const size_t start[] = {(size_t)first, 0}, each[] = {(size_t)count, 1};
+    char *name = memory_print("connect%d", block);
+    int variable = 0;
+    exodus_wrote(file, nc_inq_varid(file->id, name, &variable), name);
+    exodus_wrote(file, nc_put_vara_longlong(file->id, variable, start, each, nodes), name);
+    free(name);
+}
+
+/* Those of some nodes that are of a phase, behind so many of before; how many they are. */
+static int64_t put_elements(const struct exodus_file *file, const struct domain_nodes *nodes,
+                            int phase, int each, int64_t before)
+{
+    long long *elements = memory_new((size_t)nodes->count, sizeof *elements);
+    int64_t count = 0;
+    double *values = memory_new((size_t)(each * nodes->count), sizeof *values);
+    for (int64_t i = 0; i < nodes->count; i++) {
+        if (nodes->phase[i] != phase) continue;
+        double *own = values + each * count;
+        own[0] = cbrt(0.75 * nodes->volume[i] / acos(-1));
+        own[1] = nodes->volume[i];
+        if (each > 2) own[2] = nodes->grain[i];
+        elements[count++] = nodes->first + i + 1;
     }
-    free(nodes);
+    if (count > 0) {
+        put_connections(file, phase + 1, before, count, elements);
+        exodus_wrote(
+            file,
+            ex_put_partial_attr(file->id, EX_ELEM_BLOCK, phase + 1, before + 1, count, values),
+            "the volumes");
+    }
+    free(elements);
+    free(values);
+    return count;
+}
+
+void exodus_put_nodes(const struct exodus_file *file, const struct domain *domain)
+{
+    int64_t *done = memory_new((size_t)domain->n_phases, sizeof *done);
+    struct domain_nodes nodes = {0};
+    while (domain_next(domain, &nodes)) {
+        exodus_wrote(file,
+                     ex_put_partial_coord(file->id, nodes.first + 1, nodes.count, nodes.x[0],
+                                          nodes.x[1], nodes.x[2]),
+                     "the positions");
+        for (int p = 0; p < domain->n_phases; p++)
+            done[p] += put_elements(file, &nodes, p, attributes_of(domain), done[p]);
+    }
+    free(done);
 }
 
 static void put_set(const struct exodus_file *file, const struct node_set *set, int number)
@@ -74,7 +97,7 @@ static void put_set(const struct exodus_file *file, const struct node_set *set, 
     free(nodes);
 }
 
-void exodus_put_domain(const struct exodus_file *file, const struct domain *domain)
+void exodus_define_domain(const struct exodus_file *file, const struct domain *domain)
 {
     char x[] = "x", y[] = "y", z[] = "z", *axes[] = {x, y, z};
     if (domain->n_nodes > MOST_NODES)
@@ -84,9 +107,11 @@ void exodus_put_domain(const struct exodus_file *file, const struct domain *doma
                  ex_put_init(file->id, title, 3, domain->n_nodes, domain->n_nodes, domain->n_phases,
                              domain->n_sets, 0),
                  "the sizes");
-    exodus_wrote(file, ex_put_coord(file->id, domain->x, domain->y, domain->z), "the positions");
+    int64_t *count = memory_new(UINT8_MAX + 1, sizeof *count);
+    for (int64_t i = 0; i < domain->n_nodes; i++) count[domain->phase[i]]++;
     exodus_wrote(file, ex_put_coord_names(file->id, axes), "the axes");
-    for (int i = 0; i < domain->n_phases; i++) put_block(file, domain, i);
+    for (int i = 0; i < domain->n_phases; i++) put_block(file, domain, i, count[i]);
+    free(count);
     exodus_wrote(file, ex_put_names(file->id, EX_ELEM_BLOCK, domain->phase_names), "the phases");
     for (int i = 0; i < domain->n_sets; i++) put_set(file, &domain->sets[i], i + 1);
 }
@@ -94,6 +119,7 @@ void exodus_put_domain(const struct exodus_file *file, const struct domain *doma
 void exodus_write_domain(const struct spool *output, const struct domain *domain)
 {
     struct exodus_file file = exodus_create(output, &domain->attributes);
-    exodus_put_domain(&file, domain);
+    exodus_define_domain(&file, domain);
+    exodus_put_nodes(&file, domain);
     exodus_finish(&file);
 }

@@ -87,8 +87,9 @@ struct exodus_fields *exodus_fields_open(const struct spool *output, const struc
                                          int n_variables, const char *const names[])
 {
     struct exodus_file file = exodus_create(output, &domain->attributes);
-    exodus_put_domain(&file, domain);
+    exodus_define_domain(&file, domain);
     put_variables(&file, n_variables, names);
+    exodus_put_nodes(&file, domain);
     exodus_let_go(&file);
     struct exodus_layout layout = {.n_nodes = domain->n_nodes, .n_variables = n_variables};
     layout.records = exodus_variable_place(file.path, file.shown, "time_whole");

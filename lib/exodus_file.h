@@ -57,8 +57,10 @@ void exodus_check_name(const struct exodus_file *file, const char *name);
 /* count buffers for names; freed as one block. */
 char **exodus_names(int64_t count);
 
-/* Coordinates, blocks and sets of a domain. */
-void exodus_put_domain(const struct exodus_file *file, const struct domain *domain);
+/* Blocks and sets of a domain; then its nodes and elements, as many at once as are at hand, when
+ * all that the file is to hold is defined: netCDF moves what is behind a growing head. */
+void exodus_define_domain(const struct exodus_file *file, const struct domain *domain);
+void exodus_put_nodes(const struct exodus_file *file, const struct domain *domain);
 
 /* Dies (exit 2) where the head of a classic netCDF file is damaged: libnetcdf 4.9 believes every
  * count it finds there and can hang on a wrong one.  False where it is netCDF-4. */

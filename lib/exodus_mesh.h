@@ -31,6 +31,11 @@ struct element_shape {
     int hexahedron[MOST_CORNERS]; /* its corners as those of a hexahedron, some of which coincide */
 };
 
+/* Name, shape, number of elements and of their attributes; the name is a new text. */
+ex_block exodus_read_block(const struct exodus_file *file, int64_t id, char **name);
+/* The place of the volume among the attributes of an element; dies (exit 2) where it has none. */
+int exodus_volume_attribute(const struct exodus_file *file, const ex_block *block);
+
 /* NULL: a surface or a line.  Dies (exit 2), naming the block, where it is none of what is known,
  * or has too few nodes. */
 const struct element_shape *element_shape(const struct exodus_file *file, const ex_block *block,

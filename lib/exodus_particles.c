@@ -34,7 +34,7 @@ static ex_init_params read_sizes(const struct exodus_file *file)
 
 /* --- blocks ----------------------------------------------------------------------------------- */
 
-static ex_block read_block_sizes(const struct exodus_file *file, int64_t id, char **name)
+ex_block exodus_read_block(const struct exodus_file *file, int64_t id, char **name)
 {
     ex_block block = {.id = id, .type = EX_ELEM_BLOCK};
     char given[EXODUS_NAME + 1] = "";
@@ -44,8 +44,7 @@ static ex_block read_block_sizes(const struct exodus_file *file, int64_t id, cha
     return block;
 }
 
-/* The place of the volume among the attributes of an element. */
-static int volume_attribute(const struct exodus_file *file, const ex_block *block)
+int exodus_volume_attribute(const struct exodus_file *file, const ex_block *block)
 {
     int found = -1;
     exodus_bound(file, block->num_attribute, 4, "attributes");
@@ -62,7 +61,7 @@ static int volume_attribute(const struct exodus_file *file, const ex_block *bloc
 /* All attributes at once: netCDF is slow at picking one out of the interleaved ones. */
 static double *read_volumes(const struct exodus_file *file, const ex_block *block)
 {
-    int64_t place = volume_attribute(file, block), each = block->num_attribute;
+    int64_t place = exodus_volume_attribute(file, block), each = block->num_attribute;
     exodus_bound(file, block->num_entry, 4 * each, "attributes");
     double *values = memory_new((size_t)(block->num_entry * each), sizeof *values);
     exodus_read(file, ex_get_attr(file->id, EX_ELEM_BLOCK, block->id, values), "the volumes");
@@ -153,7 +152,7 @@ static int64_t read_shapes(struct mesh *mesh, struct block blocks[], struct doma
     mesh->on_nodes = true;
     for (int i = 0; i < domain->n_phases; i++) {
         struct block *block = &blocks[i];
-        block->sizes = read_block_sizes(file, ids[i], &domain->phase_names[i]);
+        block->sizes = exodus_read_block(file, ids[i], &domain->phase_names[i]);
         exodus_bound(file, block->sizes.num_entry, 8, "elements");
         elements += block->sizes.num_entry;
         if (block->sizes.num_entry == 0) continue;

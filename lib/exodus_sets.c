@@ -55,9 +55,12 @@ static void free_entries(struct entries *set)
 static void add_set(struct domain *domain, const struct entries *set, const uint8_t *chosen,
                     int64_t n)
 {
-    int64_t *list = memory_new((size_t)n, sizeof *list), count = 0;
-    for (int64_t i = 0; i < n; i++)
-        if (chosen[i]) list[count++] = i;
+    int64_t *list = NULL, count = 0;
+    for (int64_t i = 0; i < n; i++) {
+        if (!chosen[i]) continue;
+        list = memory_grow(list, count, sizeof *list);
+        list[count++] = i;
+    }
     const bool taken = domain_set(domain, set->name) != NULL;
     domain_add_set(domain, taken ? set->alias : set->name, count, list);
     if (!taken) domain_alias_set(domain, set->alias);

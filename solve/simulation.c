@@ -32,7 +32,8 @@ static struct domain *own_domain(struct simulation *s)
 
 static void read_particles(struct simulation *s)
 {
-    if (lattice_recognise(&s->domain, &s->lattice)) return;
+    domain_input_read(s->arguments, &s->domain, &s->deck, &s->lattice);
+    if (s->lattice.n_sites > 0) return;
     double thickness = attributes_number(&s->domain.attributes, "thickness_m", 0);
     s->lattice = lattice_scattered(&s->domain, thickness);
 }
@@ -169,10 +170,9 @@ static void read_inputs(struct simulation *s)
     long length = 0;
     char *text = NULL;
     if (s->ranks.rank == 0) {
-        domain_input_read(s->arguments, &s->domain, &s->deck);
+        read_particles(s);
         if (s->arguments->input) s->input = open(s->arguments->input, O_RDONLY | O_CLOEXEC);
         s->scene = scene_read(s->deck);
-        read_particles(s);
         n_phases = s->domain.n_phases;
         read_model(s);
         take_corners(s);

@@ -52,25 +52,45 @@ struct lattice corners_lattice(const struct lattice *particles)
     return lattice;
 }
 
-struct domain corners_domain(const struct lattice *lattice)
+/* Positions of corners, as they are asked for. */
+struct corner_source {
+    struct domain_source source;
+    const struct lattice *lattice;
+    int64_t site; /* the next one */
+    double *x[3]; /* [AT_ONCE] */
+};
+enum { AT_ONCE = 1 << 16 };
+
+static void read_corners(struct domain_source *source, struct domain_nodes *nodes)
 {
-    const size_t n = (size_t)lattice->n_nodes;
-    struct domain domain = {.n_nodes = lattice->n_nodes,
-                            .x = memory_new(n, sizeof(double)),
-                            .y = memory_new(n, sizeof(double)),
-                            .z = memory_new(n, sizeof(double))};
-    double *const position[] = {domain.x, domain.y, domain.z};
-    int64_t node = 0;
-    for (int64_t site = 0; site < lattice->n_sites; site++) {
+    struct corner_source *own = (struct corner_source *)source;
+    if (nodes->first == 0) own->site = 0;
+    if (nodes->count > AT_ONCE) nodes->count = AT_ONCE;
+    for (int64_t i = 0; i < nodes->count; own->site++) {
         int at[3];
         double x[3];
-        if (!lattice->corner[site]) continue;
-        lattice_position(lattice, site, at);
-        lattice_coordinates(lattice, at, x);
-        for (int a = 0; a < 3; a++) position[a][node] = x[a];
-        node++;
+        if (!own->lattice->corner[own->site]) continue;
+        lattice_position(own->lattice, own->site, at);
+        lattice_coordinates(own->lattice, at, x);
+        for (int a = 0; a < 3; a++) own->x[a][i] = x[a];
+        i++;
     }
-    return domain;
+    for (int a = 0; a < 3; a++) nodes->x[a] = own->x[a];
+}
+
+static void free_corners(struct domain_source *source)
+{
+    struct corner_source *own = (struct corner_source *)source;
+    for (int a = 0; a < 3; a++) free(own->x[a]);
+    free(own);
+}
+
+struct domain corners_domain(const struct lattice *lattice)
+{
+    struct corner_source *source = memory_new(1, sizeof *source);
+    *source = (struct corner_source){.source = {read_corners, free_corners}, .lattice = lattice};
+    for (int a = 0; a < 3; a++) source->x[a] = memory_new(AT_ONCE, sizeof(double));
+    return (struct domain){.n_nodes = lattice->n_nodes, .source = &source->source};
 }
 
 int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *particles,
@@ -84,15 +104,15 @@ int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *part
             chosen[lattice_corner_site(lattice, site, k)] = 1;
         next++;
     }
-    int64_t *nodes = memory_new((size_t)lattice->n_nodes, sizeof *nodes);
+    int64_t *list = NULL;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
-        if (chosen[site]) nodes[found++] = node;
+        if (chosen[site]) {
+            list = memory_grow(list, found, sizeof *list);
+            list[found++] = node;
+        }
         node += lattice->corner[site];
     }
     free(chosen);
-    int64_t *list = memory_new((size_t)found, sizeof *list);
-    memcpy(list, nodes, (size_t)found * sizeof *list);
-    free(nodes);
     *count = found;
     return list;
 }

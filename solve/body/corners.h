@@ -13,7 +13,8 @@
 /* The lattice of the corners of particles that lie on one. */
 struct lattice corners_lattice(const struct lattice *particles);
 
-/* Positions [m] and numbers of the corners, as a domain without phases and sets. */
+/* Positions [m] and numbers of the corners, as a domain without phases and sets, which makes them
+ * of the lattice as they are asked for; that lives as long. */
 struct domain corners_domain(const struct lattice *lattice);
 
 /* Ascending numbers of the corners that these particles have, a new list; count: in, of particles,

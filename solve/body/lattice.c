@@ -45,12 +45,13 @@ static double plane_spacing(const struct domain *domain, const double span[3])
     return spacing > 0 ? spacing : layer_distance(domain->y, domain->n_nodes, threshold);
 }
 
-/* Dimensions, spacing, thickness and volume that the domain says or implies. */
-static void choose_scale(const struct domain *domain, const double span[3], struct lattice *lattice)
+/* Dimensions, spacing, thickness and volume that the domain says or implies; volume: its smallest
+ * one. */
+static void choose_scale(const struct domain *domain, const double span[3], double volume,
+                         struct lattice *lattice)
 {
     const struct attributes *facts = &domain->attributes;
     const double said = attributes_number(facts, "dimensions", 0);
-    const double volume = domain_smallest(domain->volume, domain->n_nodes);
     double spacing = attributes_number(facts, "spacing_m", 0);
     const bool given = spacing > 0;
     const double near = given ? spacing : plane_distance(span, domain->n_nodes);
@@ -75,13 +76,18 @@ static void choose_scale(const struct domain *domain, const double span[3], stru
 /* Size and origin; false where they are none of a lattice. */
 static bool fit_box(const struct domain *domain, struct lattice *lattice)
 {
-    const double *const position[3] = {domain->x, domain->y, domain->z};
-    double span[3];
-    for (int a = 0; a < 3; a++) {
-        lattice->origin[a] = domain_smallest(position[a], domain->n_nodes);
-        span[a] = domain_largest(position[a], domain->n_nodes) - lattice->origin[a];
+    struct domain_nodes nodes = {0};
+    double high[3], span[3], volume = INFINITY;
+    for (int a = 0; a < 3; a++) high[a] = -(lattice->origin[a] = INFINITY);
+    while (domain_next(domain, &nodes)) {
+        volume = fmin(volume, domain_smallest(nodes.volume, nodes.count));
+        for (int a = 0; a < 3; a++) {
+            lattice->origin[a] = fmin(lattice->origin[a], domain_smallest(nodes.x[a], nodes.count));
+            high[a] = fmax(high[a], domain_largest(nodes.x[a], nodes.count));
+        }
     }
-    choose_scale(domain, span, lattice);
+    for (int a = 0; a < 3; a++) span[a] = high[a] - lattice->origin[a];
+    choose_scale(domain, span, volume, lattice);
     lattice->n_sites = 1;
     for (int a = 0; a < 3; a++) {
         double steps = span[a] / lattice->edge[a];
@@ -126,18 +132,22 @@ double lattice_whole_volume(const struct lattice *lattice)
     return particles;
 }
 
-/* Whether a node lies on a site of its own, with the volume of a site; it takes the site. */
-static bool fit_node(const struct domain *domain, struct lattice *lattice, int64_t node)
+/* Whether the nodes lie on sites of their own, with the volume of a site; they take them. */
+static bool fit_nodes(const struct domain_nodes *nodes, struct lattice *lattice, int64_t *last)
 {
-    const double x[3] = {domain->x[node], domain->y[node], domain->z[node]};
-    int at[3];
-    if (!place(lattice, x, at)) return false;
-    const double share = domain->volume[node] / lattice->node_volume;
-    if (lattice->volume ? !(share > 0) : !(fabs(share - 1) <= 1e-6)) return false;
-    const int64_t site = lattice_site(lattice, at[0], at[1], at[2]);
-    if (lattice->phase[site] != ABSENT) return false;
-    lattice->phase[site] = domain->phase[node];
-    if (lattice->volume) lattice->volume[site] = domain->volume[node];
+    for (int64_t i = 0; i < nodes->count; i++) {
+        const double x[3] = {nodes->x[0][i], nodes->x[1][i], nodes->x[2][i]};
+        int at[3];
+        if (!place(lattice, x, at)) return false;
+        const double share = nodes->volume[i] / lattice->node_volume;
+        if (lattice->volume ? !(share > 0) : !(fabs(share - 1) <= 1e-6)) return false;
+        const int64_t site = lattice_site(lattice, at[0], at[1], at[2]);
+        if (lattice->phase[site] != ABSENT) return false;
+        lattice->phase[site] = nodes->phase[i];
+        if (lattice->volume) lattice->volume[site] = nodes->volume[i];
+        lattice->sorted = lattice->sorted && site > *last;
+        *last = site;
+    }
     return true;
 }
 
@@ -174,7 +184,10 @@ static void find_symmetry(const struct domain *domain, struct lattice *lattice)
 
 bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
 {
-    *lattice = (struct lattice){.n_nodes = domain->n_nodes, .n_particles = domain->n_nodes};
+    *lattice = (struct lattice){
+        .n_nodes = domain->n_nodes, .n_particles = domain->n_nodes, .sorted = true};
+    struct domain_nodes nodes = {0};
+    int64_t last = -1;
     bool fits = fit_box(domain, lattice);
     if (fits) find_symmetry(domain, lattice);
     if (fits) {
@@ -184,7 +197,7 @@ bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
         if (volumes && strcmp(volumes, "cut") == 0)
             lattice->volume = memory_new((size_t)lattice->n_sites, sizeof(double));
     }
-    for (int64_t i = 0; fits && i < domain->n_nodes; i++) fits = fit_node(domain, lattice, i);
+    while (fits && domain_next(domain, &nodes)) fits = fit_nodes(&nodes, lattice, &last);
     if (!fits) lattice_free(lattice);
     return fits;
 }

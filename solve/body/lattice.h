@@ -44,6 +44,7 @@ struct lattice {
     double extent[3];    /* m, between the outermost positions, likewise */
     int32_t *hexahedron; /* [8 n_sites] of a mesh: sites of the corners of the particle at a site,
                           * in the order of Exodus; else NULL */
+    bool sorted;         /* the domain's nodes were in the order of their sites */
     int axis;            /* of the test: grips, gauge and what is measured along it */
     double finest; /* m, of a mesh: edge of the cube that is as stiff as its stiffest element */
 };

@@ -131,7 +131,19 @@ static struct deck *deck_beside(const char *path)
     return deck;
 }
 
-void domain_input_read(const struct arguments *a, struct domain *domain, struct deck **deck)
+/* Of a file such as hsgen's, in order: then its nodes stay there. */
+static bool stream(const struct spool *input, struct domain *domain, struct lattice *lattice)
+{
+    if (!exodus_stream_domain(input, domain)) return false;
+    const bool good = lattice_recognise(domain, lattice);
+    if (good && lattice->sorted) return true;
+    if (good) lattice_free(lattice);
+    domain_free(domain);
+    return false;
+}
+
+void domain_input_read(const struct arguments *a, struct domain *domain, struct deck **deck,
+                       struct lattice *lattice)
 {
     struct spool input = spool_input(a->input);
     bool piped = !a->input || strncmp(a->input, "/proc/", strlen("/proc/")) == 0;
@@ -142,7 +154,9 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
         die_user("%s is text: a deck goes through hsgen first; particles in Peridigm's text format "
                  "need the deck beside them (--deck)",
                  shown);
-    *domain = text ? domain_text_read(&input, shown, *deck) : exodus_read_domain(&input);
+    const bool streamed = !text && stream(&input, domain, lattice);
+    if (!streamed)
+        *domain = text ? domain_text_read(&input, shown, *deck) : exodus_read_domain(&input);
     spool_close(&input);
     if (!*deck) *deck = deck_inside(domain, shown);
     const struct domain_facts facts = domain_facts_read(*deck);
@@ -151,14 +165,15 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     take_dimensions(domain, &facts);
     if (text) take_axes(domain, facts.periodic, "periodic");
     if (text) take_axes(domain, facts.symmetry, "symmetry");
-    const bool cells = text && take_cells(domain, &facts), lattice = domain_sort(domain);
-    if (cells && !lattice)
+    const bool cells = text && take_cells(domain, &facts),
+               sites = streamed || domain_sort(domain, lattice);
+    if (cells && !sites)
         deck_error(facts.spacing,
                    "the particles of %s lie on no lattice of such cells, each in one of its own: "
                    "say which "
                    "spacing they have, or leave 'volumes: cut' and the list of edges out",
                    shown);
-    if (!lattice) take_spacing(domain, &facts);
-    domain_facts_planes(&facts, lattice, domain);
+    if (!sites) take_spacing(domain, &facts);
+    domain_facts_planes(&facts, sites, domain);
     if (facts.axis > 0) attributes_set_number(&domain->attributes, "axis", facts.axis);
 }

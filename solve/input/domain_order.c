@@ -1,7 +1,6 @@
 #include "domain_order.h"
 
 #include "die.h"
-#include "lattice.h"
 #include "memory.h"
 #include "neighbours.h"
 
@@ -147,20 +146,16 @@ static void check_plane(const struct domain *domain)
             low, high);
 }
 
-bool domain_sort(struct domain *domain)
+static void sort(struct domain *domain, const struct lattice *lattice)
 {
     const int64_t n = domain->n_nodes;
-    struct lattice lattice;
-    check_plane(domain);
-    const bool found = lattice_recognise(domain, &lattice);
-    if (!found) refuse_coincident(domain);
     struct cube cube = cube_about(domain);
     struct place *order = memory_new((size_t)n, sizeof *order);
     bool sorted = true;
     for (int64_t i = 0; i < n; i++) {
         order[i] = (struct place){0, {domain->x[i], domain->y[i], domain->z[i]}, i};
-        order[i].key = found ? (uint64_t)lattice_nearest(&lattice, order[i].x)
-                             : curve_number(&cube, order[i].x);
+        order[i].key = lattice ? (uint64_t)lattice_nearest(lattice, order[i].x)
+                               : curve_number(&cube, order[i].x);
         sorted = sorted && (i == 0 || compare_places(&order[i - 1], &order[i]) < 0);
     }
     if (!sorted) {
@@ -168,10 +163,18 @@ bool domain_sort(struct domain *domain)
         reorder(domain, order);
     }
     free(order);
-    if (found)
-        complete_facts(&domain->attributes, &lattice);
-    else
-        attributes_set_number(&domain->attributes, "mean_spacing_m", domain_spacing(domain));
-    lattice_free(&lattice);
-    return found;
+}
+
+bool domain_sort(struct domain *domain, struct lattice *lattice)
+{
+    check_plane(domain);
+    if (lattice_recognise(domain, lattice)) {
+        if (!lattice->sorted) sort(domain, lattice);
+        complete_facts(&domain->attributes, lattice);
+        return true;
+    }
+    refuse_coincident(domain);
+    sort(domain, NULL);
+    attributes_set_number(&domain->attributes, "mean_spacing_m", domain_spacing(domain));
+    return false;
 }

@@ -168,11 +168,14 @@ static bool has(const struct domain *domain, const char *left, const char *right
 
 void domain_facts_planes(const struct domain_facts *facts, bool lattice, struct domain *domain)
 {
-    const struct extent e = extent_of(domain, facts->axis);
-    if (facts->grips.index && !has(domain, "grip_left", "grip_right"))
-        add_grips(domain, facts->grips, &e);
-    if (facts->gauge.index && !has(domain, "gauge_left", "gauge_right"))
-        add_gauge(facts, lattice, &e, domain);
+    const bool grips = facts->grips.index && !has(domain, "grip_left", "grip_right"),
+               gauge = facts->gauge.index && !has(domain, "gauge_left", "gauge_right");
+    if (grips || gauge) {
+        domain_hold(domain);
+        const struct extent e = extent_of(domain, facts->axis);
+        if (grips) add_grips(domain, facts->grips, &e);
+        if (gauge) add_gauge(facts, lattice, &e, domain);
+    }
     if (facts->section > 0)
         attributes_set_number(&domain->attributes, "section_m2", facts->section);
 }

@@ -203,18 +203,24 @@ void scene_resolve(struct scene *scene, const struct domain *domain, const struc
 static void try_entries(const struct scene_entry *entries, int count, const struct domain *domain,
                         double end_time)
 {
-    const double *const x[] = {domain->x, domain->y, domain->z};
-    for (int i = 0; i < count; i++)
-        value_try(&entries[i].value, entries[i].nodes.count, entries[i].nodes.numbers, x, end_time);
+    for (int i = 0; i < count; i++) {
+        const int64_t *number = entries[i].nodes.numbers, *end = number + entries[i].nodes.count;
+        struct domain_nodes nodes = {0};
+        while (entries[i].value.expression && number < end && domain_next(domain, &nodes))
+            for (; number < end && *number < nodes.first + nodes.count; number++) {
+                const int64_t k = *number - nodes.first;
+                const double x[] = {nodes.x[0][k], nodes.x[1][k], nodes.x[2][k]};
+                value_try(&entries[i].value, x, end_time);
+            }
+    }
 }
 
 void scene_try(const struct scene *scene, const struct domain *nodes, double end_time)
 {
     try_entries(scene->boundary, scene->n_boundary, nodes, end_time);
     try_entries(scene->initial, scene->n_initial, nodes, end_time);
-    const double zero = 0, *const anywhere[] = {&zero, &zero, &zero};
     for (int i = 0; i < scene->n_components; i++)
-        value_try(&scene->components[i].value, 1, NULL, anywhere, end_time);
+        value_try(&scene->components[i].value, (const double[]){0, 0, 0}, end_time);
 }
 
 static void free_nodes(struct scene_nodes *nodes)

@@ -65,11 +65,15 @@ char *selection_name(const struct selection *selection)
 /* "x = -0.1 to 0.1 m, y = ..." of the nodes. */
 static char *extent(const struct domain *domain)
 {
-    const int64_t n = domain->n_nodes;
-    return memory_print("x = %g to %g m, y = %g to %g m, z = %g to %g m",
-                        domain_smallest(domain->x, n), domain_largest(domain->x, n),
-                        domain_smallest(domain->y, n), domain_largest(domain->y, n),
-                        domain_smallest(domain->z, n), domain_largest(domain->z, n));
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    struct domain_nodes nodes = {0};
+    while (domain_next(domain, &nodes))
+        for (int a = 0; a < 3; a++) {
+            low[a] = fmin(low[a], domain_smallest(nodes.x[a], nodes.count));
+            high[a] = fmax(high[a], domain_largest(nodes.x[a], nodes.count));
+        }
+    return memory_print("x = %g to %g m, y = %g to %g m, z = %g to %g m", low[0], high[0], low[1],
+                        high[1], low[2], high[2]);
 }
 
 static const struct node_set *find_set(const struct selection *selection,
@@ -134,30 +138,38 @@ static _Noreturn void refuse_empty(const struct selection *selection, const stru
                deck_string(selection->where), extent(domain));
 }
 
+/* Whether a node that no set lists is meant. */
+static bool is_meant(const struct selection *selection, int phase, double corner[2][3],
+                     const struct domain_nodes *nodes, int64_t i)
+{
+    const double x[] = {nodes->x[0][i], nodes->x[1][i], nodes->x[2][i]};
+    if (selection->kind == SELECT_BLOCK) return nodes->phase[i] == phase;
+    if (selection->kind == SELECT_BOX) return lies_between(corner, x);
+    return expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0;
+}
+
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
                          double spacing, int64_t *count)
 {
     const enum selection_kind kind = selection->kind;
     const struct node_set *set = kind == SELECT_SET ? find_set(selection, domain) : NULL;
     const int phase = kind == SELECT_BLOCK ? find_phase(selection, domain) : 0;
-    int64_t *all = memory_new((size_t)domain->n_nodes, sizeof *all);
+    int64_t *all = NULL;
     double corner[2][3];
+    struct domain_nodes nodes = {0};
     if (kind == SELECT_BOX) find_corners(selection->where, spacing, corner);
     *count = 0;
-    for (int64_t i = 0; !set && i < domain->n_nodes; i++) {
-        const double x[] = {domain->x[i], domain->y[i], domain->z[i]};
-        if (kind == SELECT_BLOCK ? domain->phase[i] == phase
-            : kind == SELECT_BOX
-                ? lies_between(corner, x)
-                : expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0)
-            all[(*count)++] = i;
-    }
-    if (set) *count = set->count;
-    if (*count == 0) refuse_empty(selection, domain);
-    int64_t *nodes = memory_new((size_t)*count, sizeof *nodes);
-    memcpy(nodes, set ? set->nodes : all, (size_t)*count * sizeof *nodes);
-    free(all);
-    return nodes;
+    while (!set && domain_next(domain, &nodes))
+        for (int64_t i = 0; i < nodes.count; i++) {
+            if (!is_meant(selection, phase, corner, &nodes, i)) continue;
+            all = memory_grow(all, *count, sizeof *all);
+            all[(*count)++] = nodes.first + i;
+        }
+    if (!set && *count == 0) refuse_empty(selection, domain);
+    if (!set) return all;
+    *count = set->count;
+    all = memory_new((size_t)set->count, sizeof *all);
+    return memcpy(all, set->nodes, (size_t)set->count * sizeof *all);
 }
 
 int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing)
@@ -167,13 +179,15 @@ int64_t selection_nearest(struct deck_node place, const struct domain *domain, d
     double x[3], best = INFINITY;
     int64_t node = 0;
     keys_list(&row, place, spacing, x);
-    for (int64_t i = 0; i < domain->n_nodes; i++) {
-        const double away =
-            hypot(hypot(domain->x[i] - x[0], domain->y[i] - x[1]), domain->z[i] - x[2]);
-        if (away >= best - slack * spacing) continue;
-        best = away;
-        node = i;
-    }
+    struct domain_nodes nodes = {0};
+    while (domain_next(domain, &nodes))
+        for (int64_t i = 0; i < nodes.count; i++) {
+            const double away =
+                hypot(hypot(nodes.x[0][i] - x[0], nodes.x[1][i] - x[1]), nodes.x[2][i] - x[2]);
+            if (away >= best - slack * spacing) continue;
+            best = away;
+            node = nodes.first + i;
+        }
     if (best > 2 * spacing)
         deck_error(place, "the nearest node is %g m away, over 2 spacings; the nodes are at %s",
                    best, extent(domain));

@@ -295,17 +295,12 @@ double value_at(const struct value *value, const double x[3], double time)
     return value->number;
 }
 
-void value_try(const struct value *value, int64_t count, const int64_t *nodes,
-               const double *const x[3], double end_time)
+void value_try(const struct value *value, const double x[3], double end_time)
 {
     enum { TIMES = 3 };
-    if (!value->expression) return;
-    for (int64_t i = 0; i < count; i++) {
-        const int64_t node = nodes ? nodes[i] : i;
-        for (int k = 0; k < TIMES; k++) {
-            const double at[] = {x[0][node], x[1][node], x[2][node], 0.5 * k * end_time};
-            expression_try(value->expression, at, value->unit, value->low, value->high);
-        }
+    for (int k = 0; value->expression && k < TIMES; k++) {
+        const double at[] = {x[0], x[1], x[2], 0.5 * k * end_time};
+        expression_try(value->expression, at, value->unit, value->low, value->high);
     }
 }
 

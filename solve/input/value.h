@@ -59,11 +59,10 @@ bool value_depends_on_time(const struct value *value);
 /* Value at a reference position [m] and time [s], a stepped one as raised so far. */
 double value_at(const struct value *value, const double x[3], double time);
 
-/* Evaluates an expression at these nodes of the positions x[3][...] (nodes = NULL: at the first
- * count) at the start, in the middle and at the end of a run, and dies where it is not finite or
- * out of range.  Sound in time for a stepped load: its increments are numbers. */
-void value_try(const struct value *value, int64_t count, const int64_t *nodes,
-               const double *const x[3], double end_time);
+/* Evaluates an expression at a place [m] at the start, in the middle and at the end of a run, and
+ * dies where it is not finite or out of range.  Sound in time for a stepped load: its increments
+ * are numbers. */
+void value_try(const struct value *value, const double x[3], double end_time);
 
 /* Smooth rise from 0 at 0 to 1 at 1, where its first and second derivatives vanish: 10 s^3 - 15
  * s^4 + 6 s^5. */

@@ -136,11 +136,11 @@ static void look_at(struct domain *domain, bool text)
     static const char deck_of[] = "domain: {grips: {length: 3 spacings}, gauge: {length: 0.2 mm}}\n"
                                   "materials:\n  CG: {}\n  UFG: {}\n";
     struct lattice lattice;
-    const bool regular = domain_sort(domain);
+    const bool regular = domain_sort(domain, &lattice);
     struct deck *deck = deck_parse(deck_of, strlen(deck_of), "deck");
     const struct domain_facts facts = domain_facts_read(deck);
     if (text) domain_facts_planes(&facts, regular, domain);
-    if (!lattice_recognise(domain, &lattice)) lattice = lattice_scattered(domain, 0);
+    if (!regular) lattice = lattice_scattered(domain, 0);
     lattice_free(&lattice);
     deck_free(deck);
     domain_free(domain);
@@ -204,7 +204,13 @@ static void read_genesis(const char *text, size_t size)
 {
     (void)text, (void)size;
     struct spool input = spool_input(fuzz.path);
-    struct domain domain = exodus_read_domain(&input);
+    struct domain domain;
+    if (exodus_stream_domain(&input, &domain)) {
+        struct lattice lattice;
+        if (lattice_recognise(&domain, &lattice)) lattice_free(&lattice);
+        domain_free(&domain);
+    }
+    domain = exodus_read_domain(&input);
     look_at(&domain, false);
     spool_close(&input);
 }

@@ -112,8 +112,9 @@ static struct lattice mesh_of(const struct lattice *particles, double jitter)
     static const int of_exodus[8] = {0, 1, 3, 2, 4, 5, 7, 6};
     struct lattice cells = corners_lattice(particles);
     const int64_t n = cells.n_particles;
-    struct domain nodes = corners_domain(&cells),
-                  domain = {.n_nodes = n,
+    struct domain nodes = corners_domain(&cells);
+    domain_hold(&nodes);
+    struct domain domain = {.n_nodes = n,
                             .x = memory_new((size_t)n, sizeof(double)),
                             .y = memory_new((size_t)n, sizeof(double)),
                             .z = memory_new((size_t)n, sizeof(double)),

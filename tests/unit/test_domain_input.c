@@ -20,7 +20,9 @@ static struct domain read_text(void)
     struct arguments arguments = {.input = "particles.txt", .deck = "study.yaml"};
     struct domain domain = {0};
     struct deck *deck;
-    domain_input_read(&arguments, &domain, &deck);
+    struct lattice lattice = {0};
+    domain_input_read(&arguments, &domain, &deck, &lattice);
+    lattice_free(&lattice);
     deck_free(deck);
     return domain;
 }

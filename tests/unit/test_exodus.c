@@ -104,6 +104,42 @@ static void test_domain_comes_back(void **state)
     domain_free(&read);
 }
 
+/* Positions and volumes that stay in the file are those that are read from it. */
+static void test_domain_is_streamed(void **state)
+{
+    (void)state;
+    struct domain written = small_domain(), read;
+    write_domain("domain.g");
+    struct spool input = spool_input("domain.g");
+    assert_true(exodus_stream_domain(&input, &read));
+    spool_close(&input);
+    assert_null(read.x);
+    for (int pass = 0; pass < 2; pass++) {
+        struct domain_nodes nodes = {0};
+        int64_t count = 0;
+        while (domain_next(&read, &nodes))
+            for (int64_t i = 0; i < nodes.count; i++, count++)
+                assert_true(nodes.volume[i] == written.volume[nodes.first + i]);
+        assert_int_equal(count, NODES);
+    }
+    domain_hold(&read);
+    expect_same(&read, &written);
+    domain_free(&read);
+    domain_free(&written);
+    /* Of one without a spacing it is not known that it has an order. */
+    struct domain foreign = small_domain();
+    attributes_free(&foreign.attributes);
+    taken_forget();
+    struct spool output = spool_output("foreign.g");
+    exodus_write_domain(&output, &foreign);
+    spool_finish(&output);
+    domain_free(&foreign);
+    input = spool_input("foreign.g");
+    assert_false(exodus_stream_domain(&input, &read));
+    assert_null(read.phase);
+    spool_close(&input);
+}
+
 static char *read_bytes(const char *name, size_t *length)
 {
     struct stat status;
@@ -433,6 +469,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_domain_comes_back),
+        cmocka_unit_test(test_domain_is_streamed),
         cmocka_unit_test(test_same_domain_same_bytes),
         cmocka_unit_test(test_history_comes_back),
         cmocka_unit_test(test_fields_carry_the_domain_and_frames),
