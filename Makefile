@@ -8,6 +8,7 @@
 #   make stress          numerical stability, the long form (minutes)
 #   make faults          disks that fail and kills at each call of small runs (some ten minutes)
 #   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
+#   make check-report    reports in a browser: errors, overflow, contrast (chromium)
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
 #   make bench-compare REV=...  kernels beside those of an earlier commit
@@ -87,7 +88,7 @@ SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
-.PHONY: all check check-unit check-cli check-physics check-format docs html deb install uninstall clean format help \
+.PHONY: all check check-unit check-cli check-physics check-report check-format docs html deb install uninstall clean format help \
         stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -210,6 +211,10 @@ fuzz-runs:
 	+$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=1 all
 	PATH=$(abspath $(BUILD)/sanitize/bin):$$PATH tests/fuzz/runs 10000 $(BUILD)/results/fuzz-runs
 
+# Reports in a browser (chromium): console, overflow, contrast; the pages stay in $(BUILD)/results/report.
+check-report: all
+	PATH=$(abspath $(BUILD)/bin):$$PATH tests/report/check $(BUILD)/results/report
+
 # Numerical stability: the long form of what check has in short.
 stress: all
 	LONG=1 $(PROVE) $(sort $(wildcard tests/stress/*.bats))
@@ -281,7 +286,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,23s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,24s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -26,7 +26,8 @@ static const struct format {
 enum { FORMATS = sizeof formats / sizeof *formats };
 /* On a page: on a telephone its letters are still those of small print. */
 static const struct format inlined = {
-    "", "svg", 440, 340, "", "font 'sans-serif,13' linewidth 1.2 background 'white' enhanced"};
+    "", "svg", 440, 310, "", "font 'sans-serif,13' linewidth 1.2 background 'white' enhanced"};
+static const double row = 20;          /* of its legend */
 static const double panel_share = 0.4; /* of the height, that a row of panels has */
 
 static const struct format *format_of(const char *name)
@@ -166,7 +167,9 @@ static void draw_inline(FILE *page, const char *id, const struct drawing *drawin
     size_t length;
     FILE *figure = open_memstream(&text, &length);
     if (!figure) die_run("%s: %s", id, strerror(errno));
-    draw(id, figure, &inlined, drawing);
+    struct format format = inlined;
+    if (drawing->series) format.height += row * figure_legend_rows(drawing->series, drawing->count);
+    draw(id, figure, &format, drawing);
     if (fclose(figure) != 0) die_run("%s: %s", id, strerror(errno));
     const char *start = strstr(text, "viewBox"), *body = strstr(text, end_of_description);
     if (!start || !body) die_run("%s: this is no figure of gnuplot's", id);

@@ -14,7 +14,7 @@ static const double mega = 1e6, percent = 100;
 /* Distinguishable for all readers: Okabe and Ito (2008). */
 static const char *const colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
                                       "#CC79A7", "#56B4E9", "#E69F00"};
-static const char *const dashes[] = {"1", "'_ '", "'_. '", "'. '"};
+static const char *const dashes[] = {"1", "(10,4)", "(10,4,2,4)", "(2,4)"};
 static const char mixture_dash[] = "2";
 enum {
     COLOURS = sizeof colours / sizeof *colours,
@@ -282,6 +282,18 @@ static void write_panels(FILE *gnuplot, const struct figure_series series[], int
     fputs("unset multiplot\n", gnuplot);
 }
 
+static int legend_columns(const struct figure_series series[], int count)
+{
+    return longest_title(series, count) > shared_words(series, count) + SHORT_TITLE ? 1 : 2;
+}
+
+int figure_legend_rows(const struct figure_series series[], int count)
+{
+    if (figure_rows(count)) return 0;
+    const int columns = legend_columns(series, count), titled = shared_words(series, count) > 0;
+    return (count + columns - 1) / columns + titled;
+}
+
 /* All of them in one plot. */
 static void write_together(FILE *gnuplot, const struct figure_series series[], int count,
                            const struct figure_style *style)
@@ -290,8 +302,7 @@ static void write_together(FILE *gnuplot, const struct figure_series series[], i
     find_ends(series, count, style, ends);
     bool marks = write_marks(gnuplot, series, count, style->true_curve);
     const size_t shared = shared_words(series, count);
-    write_axes(gnuplot, style->true_curve,
-               shared && longest_title(series, count) > shared + SHORT_TITLE ? 1 : 2);
+    write_axes(gnuplot, style->true_curve, legend_columns(series, count));
     if (shared) write_heading(gnuplot, series, shared);
     write_range(gnuplot, "x", style->x_range);
     write_range(gnuplot, "y", style->y_range);

@@ -9,6 +9,9 @@
 /* Rows of panels, in which more series than FIGURE_MOST_LINES stand; 0: all are in one plot. */
 int figure_rows(int count);
 
+/* Rows of the legend above a plot. */
+int figure_legend_rows(const struct figure_series series[], int count);
+
 void figure_write_curves(FILE *gnuplot, const struct figure_series series[], int count,
                          const struct figure_style *style);
 void figure_write_loops(FILE *gnuplot, const struct figure_loops series[], int count);

@@ -87,7 +87,7 @@ static void check_all(const struct request *request)
 {
     const char *files[OUTPUTS];
     outputs_of(request, files);
-    if (request->view.frames)
+    if (request->view.frames && !request->report)
         check_frames(&request->view);
     else if (request->columns && request->n_files > 0)
         check_columns(request->files[0]);
@@ -106,7 +106,7 @@ int main(int argc, char **argv)
     char *maker = describe_maker(argc, argv);
     if (request.check)
         check_all(&request);
-    else if (request.view.frames)
+    else if (request.view.frames && !request.report)
         view_write(&request.view, request.output, maker);
     else if (request.columns)
         columns_write(request.files[0], request.output, maker);

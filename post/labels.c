@@ -120,6 +120,19 @@ struct label *labels_make(const char *const titles[], const char *const files[],
     return labels;
 }
 
+size_t labels_shared(const struct label labels[], int count)
+{
+    const char *first = labels[0].title;
+    size_t shared = count > 1 ? strlen(first) : 0;
+    for (int k = 1; k < count; k++) {
+        size_t same = 0;
+        while (same < shared && labels[k].title[same] == first[same]) same++;
+        shared = same;
+    }
+    while (shared > 1 && strncmp(first + shared - 2, ", ", 2) != 0) shared--;
+    return shared > 1 ? shared : 0;
+}
+
 void labels_free(struct label labels[], int count)
 {
     for (int k = 0; k < count; k++) {

@@ -4,6 +4,8 @@
 
 #include "varied.h"
 
+#include <stddef.h>
+
 struct label {
     /* In legends and tables: the title, where it is alone; else with what varied, or the file. */
     char *curve;
@@ -14,6 +16,10 @@ struct label {
     char *varied;
     struct varied values; /* of a study: all that varied, and the values here */
 };
+
+/* Length of what the titles of all begin with, to a comma and a blank behind it; 0 where they do
+ * not, or where one title has nothing more. */
+size_t labels_shared(const struct label labels[], int count);
 
 /* titles, files and decks (text, NULL where there is none) of count curves, which live longer,
  * and what their decks say varied, which goes over to the labels.  The caller frees them. */

@@ -1,53 +1,49 @@
 #include "page.h"
 
+#include "die.h"
 #include "html.h"
 #include "memory.h"
+#include "page_fields.h"
 #include "page_origin.h"
 #include "page_style.h"
 #include "page_values.h"
 #include "study_figure.h"
 #include "text_output.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* --- head ------------------------------------------------------------------------------------- */
 
-/* What all titles begin with, up to a comma. */
 static char *title_of(const struct study *study)
 {
     const char *first = study->labels[0].title;
-    size_t shared = strlen(first);
-    for (int k = 1; k < study->count; k++) {
-        size_t same = 0;
-        while (same < shared && study->labels[k].title[same] == first[same]) same++;
-        shared = same;
-    }
-    if (first[shared] != '\0')
-        while (shared > 0 && first[shared] != ',') shared--;
-    return shared > 0 ? memory_print("%.*s", (int)shared, first)
-                      : memory_print("%d curves", study->count);
+    const size_t shared = labels_shared(study->labels, study->count);
+    for (int k = 0; k < study->count && shared == 0; k++)
+        if (strcmp(study->labels[k].title, first) != 0)
+            return memory_print("%d curves", study->count);
+    return shared > 0 ? memory_print("%.*s", (int)shared - 2, first) : memory_text(first);
 }
 
-static void write_links(FILE *page, bool phases)
+/* To each section of the page. */
+static void write_links(FILE *page, const char *body)
 {
-    static const char *const sections[][2] = {
-        {"curves", "Curves"},   {"properties", "Properties"}, {"phases", "Phases"},
-        {"quality", "Quality"}, {"provenance", "Provenance"}, {"deck", "Deck"},
-        {"cite", "How to cite"}};
+    static const char section[] = "<section id=\"", heading[] = "<h2>";
     fputs("<nav>", page);
-    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
-        if (phases || strcmp(sections[i][0], "phases") != 0)
-            fprintf(page, "<a href=\"#%s\">%s</a> ", sections[i][0], sections[i][1]);
+    while ((body = strstr(body, section))) {
+        const char *id = body += strlen(section);
+        const char *words = body = strstr(body, heading) + strlen(heading);
+        fprintf(page, "<a href=\"#%.*s\">%.*s</a> ", (int)strcspn(id, "\""), id,
+                (int)strcspn(words, "<"), words);
+    }
     fputs("</nav>\n", page);
 }
 
-static void write_head(FILE *page, const struct study *study)
+static void write_head(FILE *page, const struct study *study, const char *body)
 {
     char *title = title_of(study);
-    bool phases = false;
-    for (int k = 0; k < study->count; k++) phases = phases || study->curves[k].n_phases >= 2;
     fputs("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
           "<meta charset=\"utf-8\"/>\n"
           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>",
@@ -62,7 +58,7 @@ static void write_head(FILE *page, const struct study *study)
         fputs("</p>\n", page);
     }
     if (study->count == 1) page_cards(page, &study->properties[0]);
-    write_links(page, phases);
+    write_links(page, body);
     fputs("</header>\n<main>\n", page);
     free(title);
 }
@@ -108,7 +104,7 @@ static void write_loops(FILE *page, const struct study *study)
 {
     long loops = 0;
     for (int k = 0; k < study->count; k++) loops += study->loops[k].count;
-    if (loops == 0 || study->count > FIGURE_MOST_LINES) return;
+    if (loops < 2 || study->count > FIGURE_MOST_LINES) return;
     fputs("<figure>\n", page);
     figure_inline_loops(page, "loops", study->loops, study->count);
     fputs("<figcaption id=\"loops-words\">Flow stress, and back and effective stress of the loops "
@@ -122,7 +118,9 @@ static void write_curves(FILE *page, const struct request *request, const struct
                                  request->whole,
                                  {request->x_range[0], request->x_range[1]},
                                  {request->y_range[0], request->y_range[1]}};
-    struct study_figure figure = study_figure_make(request, study, NULL, 0);
+    struct request asked = *request;
+    asked.band = page_groups(study) < study->count;
+    struct study_figure figure = study_figure_make(&asked, study, NULL, 0);
     const bool bands = figure.series[0].group;
     html_section(page, "curves", "Curves");
     write_figure(page, "engineering", figure.series, figure.count, &style,
@@ -142,20 +140,33 @@ static void write_curves(FILE *page, const struct request *request, const struct
 
 /* --- all -------------------------------------------------------------------------------------- */
 
-void page_write(const struct request *request, const struct study *study)
+/* The caller frees it. */
+static char *body_of(const struct request *request, const struct study *study)
 {
-    struct text_output output = text_output_open(request->report);
-    FILE *page = output.file;
-    write_head(page, study);
+    char *text;
+    size_t length;
+    FILE *page = open_memstream(&text, &length);
+    if (!page) die_run("%s: %s", request->report, strerror(errno));
     page_varied(page, study);
     write_curves(page, request, study);
     if (has_resolution(study)) write_extrapolation(page, request, study);
     page_properties(page, study);
     page_phases(page, study);
+    page_fields(page, request, study);
     page_quality(page, study);
     page_provenance(page, study);
     page_decks(page, study);
     page_citation(page, study);
-    fputs("</main>\n</body>\n</html>\n", page);
+    if (fclose(page) != 0) die_run("%s: %s", request->report, strerror(errno));
+    return text;
+}
+
+void page_write(const struct request *request, const struct study *study)
+{
+    char *body = body_of(request, study);
+    struct text_output output = text_output_open(request->report);
+    write_head(output.file, study, body);
+    fprintf(output.file, "%s</main>\n</body>\n</html>\n", body);
     text_output_close(&output);
+    free(body);
 }

@@ -23,7 +23,7 @@ static const char *const quality[] = {"force_imbalance",
                                       "spikes",
                                       NULL};
 
-enum { MOST_CURVES = FIGURE_MOST_LINES, MOST_FULL_LISTS = 20 };
+enum { MOST_FULL_LISTS = 20 };
 
 static const struct property *find(const struct properties *list, const char *name)
 {
@@ -42,6 +42,23 @@ static bool is_quality(const char *name)
 static bool says_something(const struct property *property)
 {
     return property && (!isnan(property->value) || property->flag);
+}
+
+int page_groups(const struct study *study)
+{
+    int *numbers = memory_new((size_t)study->count, sizeof *numbers), groups = 0;
+    for (int k = 0; k < study->count; k++) {
+        group_members(study->labels, study->count, study->labels[k].title, numbers);
+        groups += numbers[0] == k;
+    }
+    free(numbers);
+    return groups;
+}
+
+/* What tells a curve from the others: the page's title says what they share. */
+static void write_label(FILE *page, const struct study *study, const char *label)
+{
+    html_text(page, label + labels_shared(study->labels, study->count));
 }
 
 static void write_flag(FILE *page, const char *flag)
@@ -97,9 +114,26 @@ static void write_curve(FILE *page, const struct study *study, int k, const char
     const struct property *property = find(&study->properties[k], name);
     if (!says_something(property)) return;
     fputs("<tr class=\"curve\"><th scope=\"row\">", page);
-    html_text(page, study->labels[k].curve);
+    write_label(page, study, study->labels[k].curve);
     fputs("</th>", page);
     write_value(page, property);
+}
+
+/* The first flag among some curves, and how many have one. */
+static void write_flags(FILE *page, const struct study *study, const int numbers[], int n,
+                        const char *name)
+{
+    const char *first = NULL;
+    int count = 0;
+    for (int k = 0; k < n; k++) {
+        const struct property *property = find(&study->properties[numbers[k]], name);
+        if (!property || !property->flag) continue;
+        if (count++ == 0) first = property->flag;
+    }
+    if (count == 0) return;
+    char *words = memory_print("%s: %d of %d", first, count, n);
+    write_flag(page, words);
+    free(words);
 }
 
 static void write_group(FILE *page, const struct study *study, const int numbers[], int n,
@@ -107,7 +141,7 @@ static void write_group(FILE *page, const struct study *study, const int numbers
 {
     const struct statistic s = group_statistic(study->properties, numbers, n, property->name);
     fputs("<tr class=\"curve\"><th scope=\"row\">", page);
-    html_text(page, study->labels[numbers[0]].title);
+    write_label(page, study, study->labels[numbers[0]].title);
     fprintf(page, "<small>%d of %d</small></th><td class=\"value\">", s.count, n);
     html_quantity(page, s.mean, s.deviation, property->unit);
     if (s.count > 1) {
@@ -117,6 +151,7 @@ static void write_group(FILE *page, const struct study *study, const int numbers
         html_number(page, s.largest, s.deviation);
         fputs("</small>", page);
     }
+    write_flags(page, study, numbers, n, property->name);
     fputs("</td></tr>\n", page);
 }
 
@@ -133,24 +168,48 @@ static void write_groups(FILE *page, const struct study *study, const struct pro
     free(numbers);
 }
 
+/* The first curve's that has a value; NULL where none has. */
+static const struct property *find_value(const struct study *study, const char *name)
+{
+    for (int k = 0; k < study->count; k++) {
+        const struct property *property = find(&study->properties[k], name);
+        if (property && !isnan(property->value)) return property;
+    }
+    return NULL;
+}
+
 /* A property of all curves. */
 static void write_property(FILE *page, const struct study *study, const char *name)
 {
-    const struct property *first = NULL;
-    for (int k = 0; k < study->count && !says_something(first); k++)
-        first = find(&study->properties[k], name);
-    if (!says_something(first)) return;
+    const struct property *first = find_value(study, name);
+    if (!first) return;
     if (study->count == 1) {
         write_row(page, first);
         return;
     }
     fputs("<tbody>\n", page);
     write_heading(page, first);
-    if (study->count > MOST_CURVES)
+    if (page_groups(study) < study->count)
         write_groups(page, study, first);
     else
         for (int k = 0; k < study->count; k++) write_curve(page, study, k, name);
     fputs("</tbody>\n", page);
+}
+
+/* Which properties no curve has, and why. */
+static void write_missing(FILE *page, const struct study *study, const char *const names[])
+{
+    int count = 0;
+    for (int i = 0; names[i]; i++) {
+        const struct property *first = find(&study->properties[0], names[i]);
+        if (!first || !first->flag || find_value(study, names[i])) continue;
+        fputs(count++ ? ", " : "<p class=\"quiet\">Without a value: ", page);
+        html_text(page, *first->symbol ? first->symbol : first->name);
+        fputs(" (", page);
+        html_words(page, first->flag);
+        fputs(")", page);
+    }
+    if (count) fputs(".</p>\n", page);
 }
 
 static void write_properties(FILE *page, const struct study *study, const char *const names[])
@@ -160,6 +219,7 @@ static void write_properties(FILE *page, const struct study *study, const char *
     for (int i = 0; names[i]; i++) write_property(page, study, names[i]);
     if (study->count == 1) fputs("</tbody>\n", page);
     fputs("</table>\n", page);
+    write_missing(page, study, names);
 }
 
 /* --- sections --------------------------------------------------------------------------------- */
@@ -207,7 +267,7 @@ void page_properties(FILE *page, const struct study *study)
     html_section(page, "properties", "Properties");
     fputs("<p class=\"quiet\">Behind ± stands a standard error; a word below a value limits it.",
           page);
-    if (study->count > MOST_CURVES)
+    if (page_groups(study) < study->count)
         fputs(" Values are means over the curves of one title, ± their standard deviation, and "
               "from the least to the largest.",
               page);

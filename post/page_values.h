@@ -9,8 +9,11 @@
 /* The four numbers that people look at first; of one curve. */
 void page_cards(FILE *page, const struct properties *list);
 
-/* Values with errors and flags, of each curve, or, where there are too many of them, of the curves
- * of one title; and the full list of each curve. */
+/* Number of titles: where curves share them, means are shown. */
+int page_groups(const struct study *study);
+
+/* Values with errors and flags, of each curve, or means over the curves of one title; and the full
+ * list of each curve. */
 void page_properties(FILE *page, const struct study *study);
 
 /* Values of each body at its finest spacing and at the spacing 0, of the figure's extrapolations.

@@ -15,6 +15,8 @@
 /* Points. */
 enum {
     MARGIN = 24,
+    SMALL_MARGIN = 14, /* and legend, of a picture whose size is given */
+    SMALL_LEGEND = 76,
     TITLE = 22,
     BAR_GAP = 12,
     LEAST_HEIGHT = 100,
@@ -64,11 +66,14 @@ static bool has_marks(const struct snapshot *snapshot, const struct panels *pane
 
 static void find_size(struct panels *panels, const struct snapshot *snapshot, bool whole)
 {
+    panels->margin = whole ? MARGIN : SMALL_MARGIN;
+    panels->legend = BAR_GAP + (whole ? LEGEND_WIDTH : SMALL_LEGEND);
     panels->height = fmax(fmax(panels->body[1], LEAST_HEIGHT), legend_least_height(snapshot));
-    const double panel[2] = {panels->body[0] + BAR_GAP + LEGEND_WIDTH,
+    const double panel[2] = {panels->body[0] + panels->legend,
                              TITLE + panels->height + ROW_GAP + (panels->marked ? MARKS : 0)};
-    panels->size[0] = fmax(panels->columns * panel[0], whole ? LEAST_WIDTH : 0) + 2 * MARGIN;
-    panels->size[1] = panels->rows * panel[1] + CAPTION + 2 * MARGIN;
+    panels->size[0] =
+        fmax(panels->columns * panel[0], whole ? LEAST_WIDTH : 0) + 2 * panels->margin;
+    panels->size[1] = panels->rows * panel[1] + CAPTION + 2 * panels->margin;
 }
 
 /* --- ranges ----------------------------------------------------------------------------------- */
@@ -285,10 +290,10 @@ static char *describe(const struct panels *panels, const struct snapshot *snapsh
 void panels_draw(const struct panels *panels, const struct snapshot *snapshot,
                  const struct view_request *request, struct canvas *canvas, const char *words)
 {
-    const double panel[2] = {panels->body[0] + BAR_GAP + LEGEND_WIDTH,
+    const double panel[2] = {panels->body[0] + panels->legend,
                              TITLE + panels->height + ROW_GAP + (panels->marked ? MARKS : 0)};
     const double size = panels->high[0] - panels->low[0];
-    canvas_move(canvas, MARGIN, MARGIN + TITLE);
+    canvas_move(canvas, panels->margin, panels->margin + TITLE);
     for (int i = 0; i < snapshot->n_fields; i++) {
         double right = i % panels->columns * panel[0], down = i / panels->columns * panel[1];
         canvas_move(canvas, right, down);
@@ -299,6 +304,6 @@ void panels_draw(const struct panels *panels, const struct snapshot *snapshot,
     canvas_scale_bar(canvas, size, panels->scale);
     char *text = words ? memory_text(words) : describe(panels, snapshot, request->factor);
     canvas_text(canvas, canvas_bar_length(size) * panels->scale + 90, 8, ALIGN_LEFT, text);
-    canvas_move(canvas, -MARGIN, -MARGIN - panels->rows * panel[1]);
+    canvas_move(canvas, -panels->margin, -panels->margin - panels->rows * panel[1]);
     free(text);
 }

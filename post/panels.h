@@ -15,9 +15,10 @@ struct panels {
     double body[2];         /* points, right and up */
     double height;          /* of body or colour bar */
     int columns, rows;
-    bool marked;         /* grips and gauge planes, below the body */
-    double (*ranges)[2]; /* SI, of each field */
-    double size[2];      /* points, of the whole picture */
+    bool marked;           /* grips and gauge planes, below the body */
+    double (*ranges)[2];   /* SI, of each field */
+    double margin, legend; /* points, around all and beside each body */
+    double size[2];        /* points, of the whole picture */
 };
 
 /* Of the frames first to last (from 1), for which the snapshot goes through them: bounds, and the

@@ -237,8 +237,8 @@ struct request request_read(int argc, char **argv)
     r.n_files = argc > first || r.check ? argc - first : 1;
     r.files = argc > first ? (const char *const *)(argv + first) : standard_input;
     if (r.files_from) add_files(&r, argc - first);
-    view_request_check(&r.view);
-    if (r.view.frames)
+    view_request_check(&r.view, r.report);
+    if (r.view.frames && !r.report)
         check_view(&r, argc > first);
     else
         check(&r);

@@ -58,7 +58,7 @@ static void read_slice(struct view_request *r)
     if (r->slice[1] == '=') r->position = read_number("slice", r->slice + 2, "m");
 }
 
-void view_request_check(struct view_request *r)
+void view_request_check(struct view_request *r, bool report)
 {
     r->at_time = r->position = NAN;
     r->normal = 2;
@@ -75,7 +75,10 @@ void view_request_check(struct view_request *r)
     }
     if (r->picture) canvas_check_name("picture", r->picture);
     if (r->picture && !r->variables) die_user("--picture needs --variables: what to draw");
-    if (!r->picture && (r->deformed || r->range))
+    if (report && (r->picture || r->csv || r->frame || r->time || r->isometric))
+        die_user(
+            "--picture, --csv, --frame, --time and --isometric are for a call without --report");
+    if (!r->picture && !report && (r->deformed || r->range))
         die_user("--deformed and --range are about a picture; give --picture FILE");
     if (r->isometric && (!r->picture || r->slice || r->deformed || strchr(r->variables, ',')))
         die_user("--isometric is for a picture of one variable at rest; do without --slice and "

@@ -29,7 +29,8 @@ struct view_request {
 /* Fills VIEW_OPTION_COUNT rows of the option table. */
 void view_request_options(struct option_row rows[], struct view_request *request);
 
-/* Reads the texts; dies (exit 2) at what is wrong or does not go together. */
-void view_request_check(struct view_request *request);
+/* Reads the texts; dies (exit 2) at what is wrong or does not go together.  report: for a page,
+ * which has pictures of its own. */
+void view_request_check(struct view_request *request, bool report);
 
 #endif

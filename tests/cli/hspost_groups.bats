@@ -97,7 +97,7 @@ keep_script() {
     specimens 9
     keep_script
     hspost -q s[1-8].csv --plot f.svg
-    [ "$(grep -o 'dt .* lw 1.5 lc rgb .[#0-9A-F]*' script | tr , '\n' | grep lw | sort -u | wc -l)" -eq 8 ]
+    [ "$(grep -oE 'dt [0-9(),]* lw 1.5 lc rgb .[#0-9A-F]*' script | sort -u | wc -l)" -eq 8 ]
     run ! grep -q 'linespoints\|multiplot' script
     hspost -q s?.csv --plot f.svg
     grep -q '^set multiplot layout 3,3' script

@@ -5,8 +5,10 @@ bats_require_minimum_version 1.5.0
 
 setup_file() {
     cd "$BATS_FILE_TMPDIR" || return 1
-    sed 's/^post:/&\n  question: Is A < B \& "C" > D?/' "$BATS_TEST_DIRNAME/../../pipelines/first/study.yaml" >study.yaml
-    hsgen -q study.yaml | hssolve -q | tee run.e | hspost -q --report run.html -p run.csv >curve.csv
+    sed 's/^post:/&\n  question: Is A < B \& "C" > D?/
+        s/^solver:/output: {fields: {frames: 4, variables: [displacement, von_mises, equivalent_plastic_strain, damage]}}\n&/' \
+        "$BATS_TEST_DIRNAME/../../pipelines/first/study.yaml" >study.yaml
+    hsgen -q study.yaml | hssolve -q -o fields.e | tee run.e | hspost -q --report run.html --frames fields.e -p run.csv >curve.csv
 }
 
 setup() {
@@ -53,7 +55,7 @@ PERL
 
 @test "a run at the end of a pipe: the curve goes on, the page has all sections and every number" {
     whole "$run.html"
-    has "$run.html" curves properties phases quality provenance deck cite
+    has "$run.html" curves properties phases structure fields quality provenance deck cite
     grep -q '^time_s,' "$BATS_FILE_TMPDIR/curve.csv"
     [ -z "$(missing "$run.html" "$run.csv" value uncertainty)" ] || { missing "$run.html" "$run.csv" value uncertainty; return 1; }
     # what the eye sees of the strength and of the slope, rounded
@@ -90,6 +92,26 @@ PERL
     [ -z "$(missing nine.html strength.csv mean standard_deviation least largest)" ]
     grep -q '9 of 9' nine.html
     grep -q 'within a band of one standard deviation' nine.html
+}
+
+@test "films: as many frames as there are, below each other, of what is there and not 0" {
+    frames=$(hspost --frames "$BATS_FILE_TMPDIR/fields.e" | grep -c '^[0-9]')
+    [ "$(grep -c '<figure class="film"' "$run.html")" -eq 2 ]
+    [ "$(grep -c "style=\"--n:$frames;" "$run.html")" -eq 2 ]
+    grep -q 'alt="EquivalentPlasticStrain in a layer' "$run.html"
+    run ! grep -q 'alt="Damage' "$run.html"
+    # width and height of the first film's PNG [bytes 17 to 24], which are those of its frame times their number
+    perl -MMIME::Base64 -ne 'next unless m{--n:(\d+);aspect-ratio:([\d.]+)/([\d.]+)"><img src="data:image/png;base64,([^"]*)"};
+        my $png = decode_base64($4); my ($w, $h) = unpack "x16NN", $png; $count++;
+        die "$w $h" unless substr($png, 1, 3) eq "PNG" && abs($w - 2 * $2) < 1.1 && abs($h - 2 * $3 * $1) < 1.1;
+        END { exit !($count == 2) }' "$run.html"
+    hspost -q "$run.e" --report one.html --frames "$BATS_FILE_TMPDIR/fields.e" --variables Damage --deformed 5 --slice x >/dev/null
+    [ "$(grep -c '<figure class="film"' one.html)" -eq 1 ]
+    grep -q 'displacements × 5' one.html
+    whole one.html
+    hspost -q "$run.e" --report none.html >/dev/null
+    has none.html curves properties phases quality provenance deck cite
+    run -2 hspost "$run.e" --report r.html --frames "$BATS_FILE_TMPDIR/fields.e" --picture a.png
 }
 
 @test "the page is the same however often it is made" {

@@ -41,7 +41,7 @@ static void write_body(const char *name, double height, double spacing, double t
 static struct snapshot read_body(const char *name)
 {
     struct view_request request = {.frames = name, .csv = true, .variables = "Displacement,Damage"};
-    view_request_check(&request);
+    view_request_check(&request, false);
     request.factor = 1;
     return snapshot_read(&request);
 }
