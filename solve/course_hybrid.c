@@ -85,6 +85,7 @@ static void begin_static(struct simulation *s)
     integration->moving = false;
     body_clear(&s->body, s->body.v, 3);
     boundary_stop(&s->boundary);
+    if (s->boundary.macroscopic) macroscopic_rest(s->boundary.macroscopic, &s->body);
     balance_motion(integration, &s->body, &s->boundary);
     const double lost = quasi_static_settle(s->load_steps.quasi_static);
     if (!isfinite(lost)) {

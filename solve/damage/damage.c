@@ -33,7 +33,8 @@ struct damage {
      * test to the next. */
     double travelled, *due, soonest; /* travelled: the way at the last test */
     double *last[3];                 /* box fields: u at the last test */
-    double reach;                    /* bound on the distance of any node from last, m */
+    double last_mean[9];
+    double reach; /* bound on the distance of any node from last, m */
     double moved; /* bound on the motion of any node since damage_find, m; below 0: unknown */
     /* What damage_find has found: bond number place of a strip, or, strip being -1, the node at
      * that site; how far it is beyond its limit, as a stretch or a share of it; 1 where this rank
@@ -143,6 +144,18 @@ HS_SIMD static void longer_ways(int count, const double *restrict x, const doubl
     }
 }
 
+/* Half of what the mean gradient may have moved the ends of a bond apart since then. */
+static double mean_distance(const struct damage *damage)
+{
+    const struct body *body = damage->body;
+    double square = 0;
+    for (int k = 0; k < 9; k++) {
+        const double change = body->mean_gradient[k] - damage->last_mean[k];
+        square += change * change;
+    }
+    return 0.5 * sqrt(square) * body->family->horizon * body->lattice->spacing;
+}
+
 /* How far any node that this rank knows is from where it was at the last test. */
 static double distance(const struct damage *damage)
 {
@@ -153,7 +166,7 @@ static double distance(const struct damage *damage)
         longer_ways((int)(sites - i < LANES ? sites - i : LANES), u[0] + i, u[1] + i, u[2] + i,
                     last[0] + i, last[1] + i, last[2] + i, most);
     for (int k = 0; k < LANES; k++) square = fmax(square, most[k]);
-    return sqrt(square) * (1 + 0x1p-48);
+    return (sqrt(square) + mean_distance(damage)) * (1 + 0x1p-48);
 }
 
 /* The way at a distance far from the last test.  The factors outweigh the rounding: it never grows
@@ -251,6 +264,7 @@ static int64_t test_bonds(struct damage *damage)
     damage->soonest = INFINITY;
     for (int a = 0; a < 3; a++)
         memcpy(damage->last[a], body->u[a], (size_t)body->grid.n_sites * sizeof(double));
+    memcpy(damage->last_mean, body->mean_gradient, sizeof damage->last_mean);
     for (int64_t s = 0; s < damage->bonds->count; s++) {
         if (travelled > damage->due[s] || damage->test_all) {
             test_strip(damage, s);

@@ -20,8 +20,10 @@ HS_SIMD static void speed_squared(int count, const double *restrict x, const dou
 }
 
 static void sum_kinetic(const struct integration *integration, const struct body *body,
-                        struct exact_sum *kinetic)
+                        const struct boundary *boundary, struct exact_sum *kinetic)
 {
+    if (body->ranks.rank == 0 && integration->moving && boundary->macroscopic)
+        exact_sum_add(kinetic, macroscopic_kinetic(boundary->macroscopic, body));
     for (int64_t s = 0; s < body->owned.count; s++) {
         const struct strip *strip = &body->owned.items[s];
         double inverse_density[LANES], terms[LANES];
@@ -185,10 +187,8 @@ static void finish(struct integration *integration, const struct body *body,
     sums[WORK] = known->work;
     sum_held(integration, body, boundary, &sums[HELD]);
     if (energy) {
-        sum_kinetic(integration, body, &sums[KINETIC]);
+        sum_kinetic(integration, body, boundary, &sums[KINETIC]);
         sum_staggered(integration, body, boundary, &sums[STAGGERED]);
-        if (body->ranks.rank == 0 && integration->moving && boundary->macroscopic)
-            exact_sum_add(&sums[KINETIC], macroscopic_kinetic(boundary->macroscopic, body));
         sums[STORED] = energy->stored;
         sums[PLASTIC] = energy->plastic;
         sums[STABILISATION] = energy->stabilisation;
@@ -275,7 +275,7 @@ void balance_motion(struct integration *integration, const struct body *body,
     struct exact_sum sums[] = {integration->kinetic_zero, integration->kinetic_zero,
                                integration->kinetic_zero};
     double values[3];
-    sum_kinetic(integration, body, &sums[0]);
+    sum_kinetic(integration, body, boundary, &sums[0]);
     sum_held(integration, body, boundary, &sums[1]);
     sum_staggered(integration, body, boundary, &sums[2]);
     exact_sum_finish(sums, 3, values);

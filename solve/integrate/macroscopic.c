@@ -186,6 +186,24 @@ double macroscopic_take_work(struct macroscopic *m, const struct body *body, boo
     return work * m->volume;
 }
 
+double macroscopic_step_work(const struct macroscopic *m, const struct body *body, double dt)
+{
+    double work = 0;
+    for (int k = 0; k < COMPONENTS; k++)
+        work += body->mean_stress[k] *
+                (m->component[k].given ? m->way[k] : dt * body->mean_rate[k]) * m->volume;
+    return work;
+}
+
+void macroscopic_rest(struct macroscopic *m, struct body *body)
+{
+    for (int k = 0; k < COMPONENTS; k++) {
+        if (m->component[k].given) continue;
+        body->mean_rate[k] = 0;
+        m->stress_before[k] = m->target[k];
+    }
+}
+
 double macroscopic_full_rate(const struct macroscopic *m)
 {
     const struct value *value = m->component[0].value;

@@ -88,6 +88,13 @@ double macroscopic_reactions(const struct macroscopic *macroscopic, const struct
  * given stress [J]. */
 double macroscopic_take_work(struct macroscopic *macroscopic, const struct body *body, bool moving);
 
+/* Of the mean stress of now in a step as long as this one, of explicit steps [J]. */
+double macroscopic_step_work(const struct macroscopic *macroscopic, const struct body *body,
+                             double dt);
+
+/* Explicit steps end: unknown components rest, under the stress that is given. */
+void macroscopic_rest(struct macroscopic *macroscopic, struct body *body);
+
 /* Rate of F_xx that is given as a number, at full speed [1/s]; else 0. */
 double macroscopic_full_rate(const struct macroscopic *macroscopic);
 /* Time in which it is reached [s]. */

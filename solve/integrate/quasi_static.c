@@ -231,7 +231,7 @@ void quasi_static_velocities(const struct quasi_static *q)
 double quasi_static_settle(struct quasi_static *q)
 {
     struct equilibrium *e = q->equilibrium;
-    const double before = energy_internal(&e->integration->balance);
+    const double before = energy_internal(&e->integration->balance) - e->integration->balance.work;
     vector_take(&e->unknowns, e->body->u, 1, e->x);
     vector_take_mean(&e->unknowns, e->body->mean_gradient, e->x);
     /* There is no smaller step to take: more evaluations are all that helps, as long as they do. */
@@ -242,7 +242,7 @@ double quasi_static_settle(struct quasi_static *q)
     for (int b = 0; b < e->boundary->count; b++) e->boundary->sets[b].way = 0;
     balance_step(e->integration, e->body, e->boundary, &energy, &none);
     step_error_forget(&q->error);
-    return before - energy_internal(&e->integration->balance);
+    return before + e->integration->balance.work - energy_internal(&e->integration->balance);
 }
 
 bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *record)

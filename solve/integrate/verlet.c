@@ -71,7 +71,8 @@ static double move(const struct integration *integration, struct body *body)
 }
 
 /* dt/2 sum V v . f at owned nodes, v in the middle of the step [J]. */
-static double half_step_power(const struct integration *integration, const struct body *body)
+static double half_step_power(const struct integration *integration, const struct body *body,
+                              const struct macroscopic *macroscopic)
 {
     struct exact_sum sum = integration->kinetic_zero;
     for (int64_t s = 0; s < body->owned.count; s++)
@@ -83,6 +84,7 @@ static double half_step_power(const struct integration *integration, const struc
         }
     double value;
     exact_sum_finish(&sum, 1, &value);
+    if (macroscopic) value -= 0.5 * macroscopic_step_work(macroscopic, body, integration->dt);
     return value;
 }
 
@@ -91,21 +93,23 @@ static double half_step_power(const struct integration *integration, const struc
  * one: the bonds broke in the middle of the step, and the energy of fracture is the difference of
  * the energies there, dt v/2 back. known: energy has been found with the force. */
 static void break_bonds(struct integration *integration, struct body *body, struct model *model,
-                        bool record, bool known, struct force_energy *energy)
+                        const struct macroscopic *macroscopic, bool record, bool known,
+                        struct force_energy *energy)
 {
     if (!integration->damage || !damage_find(integration->damage)) return;
     if (!known) {
         *energy = integration->zero;
         integration_force(integration, model, body, (struct force_mode){.energy = true}, energy);
     }
-    const double before = integration_internal_energy(energy) + half_step_power(integration, body);
+    const double before =
+        integration_internal_energy(energy) + half_step_power(integration, body, macroscopic);
     damage_break(integration->damage);
     *energy = integration->zero;
     integration_force(integration, model, body,
                       (struct force_mode){.commit = true, .energy = true, .record = record},
                       energy);
-    integration->balance.fracture +=
-        before - integration_internal_energy(energy) - half_step_power(integration, body);
+    integration->balance.fracture += before - integration_internal_energy(energy) -
+                                     half_step_power(integration, body, macroscopic);
 }
 
 void verlet_step(struct integration *integration, struct body *body, struct boundary *boundary,
@@ -136,7 +140,7 @@ void verlet_step(struct integration *integration, struct body *body, struct boun
     integration_force(integration, model, body,
                       (struct force_mode){.commit = true, .energy = energies, .record = record},
                       &energy);
-    break_bonds(integration, body, model, record, energies, &energy);
+    break_bonds(integration, body, model, boundary->macroscopic, record, energies, &energy);
     if (integration->damage) damage_grow(integration->damage);
     boundary_add_work(boundary, body, 0.5 * integration->dt, &sums.work);
     half_kick(integration, body);
