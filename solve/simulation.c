@@ -34,6 +34,11 @@ static void read_particles(struct simulation *s)
 {
     domain_input_read(s->arguments, &s->domain, &s->deck, &s->lattice);
     if (s->lattice.n_sites > 0) return;
+    const char *periodic = attributes_text(&s->domain.attributes, "periodic");
+    if (periodic && *periodic)
+        die_user("the domain is periodic along %s, and its particles lie on no lattice: periodic "
+                 "bodies need one",
+                 periodic);
     double thickness = attributes_number(&s->domain.attributes, "thickness_m", 0);
     s->lattice = lattice_scattered(&s->domain, thickness);
 }
@@ -313,6 +318,19 @@ static void refuse_lost(const struct simulation *s)
                s->scene.horizon, 100 * MOST_LOST);
 }
 
+/* Where a node's family, and that of its neighbours, reaches, nothing is more than a period away.
+ */
+static void check_thickness(const struct simulation *s)
+{
+    const struct lattice *lattice = &s->lattice;
+    const int least = s->materials.formulation->corners ? 1 : 2 * s->family.reach;
+    for (int a = 0; a < 3; a++)
+        if (lattice->periodic[a] && lattice->size[a] < least)
+            die_user("the body is periodic along %c after %d layers, thinner than twice the "
+                     "horizon: it needs %d; take more cells, a finer spacing or a shorter horizon",
+                     'x' + a, lattice->size[a], least);
+}
+
 static void check_periods(struct simulation *s)
 {
     const struct lattice *lattice = &s->lattice;
@@ -328,11 +346,7 @@ static void check_periods(struct simulation *s)
                                 "body of hsgen is");
         return;
     }
-    if (!s->materials.formulation->mean_stress)
-        deck_error(deck_get(deck_root(s->deck), "materials"),
-                   "%s materials cannot be periodic: take corner", s->materials.formulation->name);
-    if (s->scene.type == SOLVER_hybrid)
-        deck_error(s->scene.solver, "a periodic body takes load steps or explicit ones, not both");
+    check_thickness(s);
     if (lattice->periodic[0] && s->ranks.rank == 0)
         attributes_set_number(&s->domain.attributes, "section_m2",
                               lattice_whole_volume(lattice) / lattice_period(lattice, 0));

@@ -6,6 +6,20 @@
  * costs more than a call. */
 #include "bond_loop.h"
 
+void bond_move_apart(const struct bond_view *view, const struct body *body, struct bond_pass *pass,
+                     double *const moved[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const double *H = body->mean_gradient + 3 * a, *u = pass->u[1][a];
+        for (int k = 0; k < view->count; k++) {
+            const int g = k * view->geometry_step;
+            moved[a][k] =
+                u[k] + (H[0] * view->xi[0][g] + H[1] * view->xi[1][g] + H[2] * view->xi[2][g]);
+        }
+        pass->u[1][a] = moved[a];
+    }
+}
+
 void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,
                         const struct bond_strip *strip, struct bond_fields fields,
                         struct bond_pass *pass)
@@ -26,6 +40,8 @@ void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,
         for (int a = 0; a < fields.sums; a++)
             pass->sum[end][a] = bond_target(&view, end, fields.sum[a], sum[end][a]);
     }
+    if (lattice_is_periodic(bonds->body->lattice))
+        bond_move_apart(&view, bonds->body, pass, (double *const[]){u[1][0], u[1][1], u[1][2]});
     kernel(pass);
     for (int a = 0; a < fields.sums; a++)
         for (int end = 0; end < 2; end++) bond_scatter(&view, end, fields.sum[a], sum[end][a]);

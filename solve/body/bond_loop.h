@@ -132,6 +132,12 @@ struct bond_fields {
     double *const *node, *const *sum;
 };
 
+/* The displacements at the upper ends, for the kernel to read, become moved: by the mean gradient
+ * of a periodic body over xi.  By xi, not by where the ends are, so that a bond and its images have
+ * the same bits. */
+void bond_move_apart(const struct bond_view *view, const struct body *body, struct bond_pass *pass,
+                     double *const moved[3]);
+
 /* bond_run between scattered particles. */
 void bond_run_scattered(bond_kernel *kernel, const struct bonds *bonds,
                         const struct bond_strip *strip, struct bond_fields fields,
@@ -167,7 +173,7 @@ HS_INLINE void bond_run(bond_kernel *const kernel[BOND_VARIANTS], const struct b
     }
     const struct bond_geometry *g = &bonds->geometry[strip->offset];
     const int64_t i = strip->i, j = i + g->shift;
-    double buffer[BOND_SUMS][BOND_LANES];
+    double buffer[BOND_SUMS][BOND_LANES], moved[3][BOND_LANES];
     pass->count = strip->count;
     pass->length = &g->length;
     pass->weight = strip->weight ? strip->weight : &g->weight;
@@ -184,6 +190,10 @@ HS_INLINE void bond_run(bond_kernel *const kernel[BOND_VARIANTS], const struct b
     for (int a = 0; a < fields.sums; a++) {
         pass->sum[0][a] = fields.sum[a] + i;
         pass->sum[1][a] = fields.sum[a] + j;
+    }
+    if (lattice_is_periodic(bonds->body->lattice)) {
+        const struct bond_view view = bonds_view(bonds, strip);
+        bond_move_apart(&view, bonds->body, pass, (double *const[]){moved[0], moved[1], moved[2]});
     }
     if (!g->apart) bond_detour(fields.sums, buffer, strip->count, pass->sum[1]);
     kernel[strip->weight ? BONDS_WEIGHTED : BONDS_ALIKE](pass);

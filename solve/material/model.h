@@ -50,8 +50,6 @@ struct formulation {
     const char *influence; /* the function it takes where the deck names none */
     double horizon;        /* the same, in spacings; 0: a deck names one */
     double scattered;      /* the same among scattered particles */
-    bool mean_stress; /* its force adds to stress_sums what the mean stress of a periodic body is
-                         made of */
     bool corners; /* the corners of the particles' cells are the nodes (corners.h); it has no bonds
                    */
     const char *const *keys; /* of the deck's solver section that only some formulations have */
@@ -63,8 +61,10 @@ struct formulation {
     int (*near)(const void *self, const struct family *family, const struct offset **offsets);
     /* bonds: of the body, with their weights as they stand at any time. */
     void (*start)(void *self, const struct body *body, struct bonds *bonds);
-    /* Internal force density body->f at owned nodes from body->u; brings the ghosts of u up to
-     * date. energy may be NULL where mode.energy is false.  Collective. */
+    /* Internal force density body->f at owned nodes from body->u, of a periodic body with the mean
+     * gradient on top, whose conjugate it adds to body->stress_sums where these are
+     * (macroscopic.2); brings the ghosts of u up to date.  energy may be NULL where mode.energy is
+     * false. Collective. */
     void (*force)(void *self, struct body *body, struct force_mode mode,
                   struct force_energy *energy);
     /* Makes the nodes' states ready to be seen; rows: of the stress, 1 where only xx will be looked

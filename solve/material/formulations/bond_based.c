@@ -163,6 +163,15 @@ static void bond_based_bond_energy(const void *self, const struct body *body,
     run(find_states, self, strip, 0, NULL, &pass);
 }
 
+static void sum_stress(const struct bond_based *model, const struct body *body,
+                       const struct bond_strip *strip)
+{
+    double e[BOND_LANES], half[BOND_LANES], energy[BOND_LANES];
+    struct bond_pass pass = {.each = {e, half, energy}};
+    run(find_states, model, strip, 0, NULL, &pass);
+    bond_stress_sum(model->bonds, strip, e, half, half, body);
+}
+
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
                              struct force_energy *energy)
 {
@@ -176,6 +185,7 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
         struct bond_pass pass;
         pass.each[0] = terms;
         run(kernel, model, &bonds->strips[s], 3, body->f, &pass);
+        if (body->stress_sums) sum_stress(model, body, &bonds->strips[s]);
         if (!mode.energy) continue;
         bonds_only_owned(bonds, &bonds->strips[s], terms);
         exact_sum_add_strip(&energy->stored, bonds->strips[s].count, terms, 1);

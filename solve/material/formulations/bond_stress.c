@@ -35,15 +35,21 @@ HS_SIMD static void add_scattered(int count, const double *restrict pull, const 
     for (int k = 0; k < count; k++) S[k] += pull[k] * (y[k] * xi[k]);
 }
 
+static void find(const struct bonds *bonds, const struct bond_strip *strip, const double *extension,
+                 const double *lower, const double *upper, double found[FOUND][BOND_LANES])
+{
+    struct bond_pass pass = {.given = {extension, lower, upper}};
+    for (int k = 0; k < FOUND; k++) pass.each[k] = found[k];
+    bond_run(find_directions, bonds, strip, (struct bond_fields){0}, &pass);
+}
+
 void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
                      const double *extension, const double *lower, const double *upper, int rows,
                      struct body *body)
 {
     const struct bond_view view = bonds_view(bonds, strip);
     double found[FOUND][BOND_LANES], buffer[BOND_LANES];
-    struct bond_pass pass = {.given = {extension, lower, upper}};
-    for (int k = 0; k < FOUND; k++) pass.each[k] = found[k];
-    bond_run(find_directions, bonds, strip, (struct bond_fields){0}, &pass);
+    find(bonds, strip, extension, lower, upper, found);
     for (int end = 0; end < 2; end++)
         for (int a = 0; a < rows; a++)
             for (int b = 0; b < 3; b++) {
@@ -56,4 +62,25 @@ void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
                     add_alike(view.count, found[PULL + end], found[Y + a], view.xi[b][0], target);
                 bond_scatter(&view, end, S, buffer);
             }
+}
+
+void bond_stress_sum(const struct bonds *bonds, const struct bond_strip *strip,
+                     const double *extension, const double *lower, const double *upper,
+                     const struct body *body)
+{
+    const struct bond_view view = bonds_view(bonds, strip);
+    double found[FOUND][BOND_LANES], force[BOND_LANES], terms[BOND_LANES];
+    find(bonds, strip, extension, lower, upper, found);
+    for (int k = 0; k < view.count; k++) {
+        const int g = k * view.geometry_step;
+        force[k] = found[PULL][k] * view.volume_i[g] + found[PULL_UPPER][k] * view.volume_j[g];
+    }
+    bonds_only_owned(bonds, strip, force);
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            if (!view.geometry_step && view.xi[b][0] == 0) continue;
+            for (int k = 0; k < view.count; k++)
+                terms[k] = force[k] * found[Y + a][k] * view.xi[b][k * view.geometry_step];
+            exact_sum_add_strip(&body->stress_sums[3 * a + b], view.count, terms, 1);
+        }
 }

@@ -12,4 +12,9 @@ void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
                      const double *extension, const double *lower, const double *upper, int rows,
                      struct body *body);
 
+/* (macroscopic.2): force (x) xi of the strip's bonds, added to body->stress_sums; likewise. */
+void bond_stress_sum(const struct bonds *bonds, const struct bond_strip *strip,
+                     const double *extension, const double *lower, const double *upper,
+                     const struct body *body);
+
 #endif

@@ -342,7 +342,6 @@ const struct formulation formulation_corner = {
     .stress_of = STRESS_OF_NODES,
     .influence = "constant",
     .horizon = 0.8660254037844386,
-    .mean_stress = true,
     .corners = true,
     .keys = (const char *const[]){"residual", "coincident_nodes", NULL},
     .read = corner_read,

@@ -245,6 +245,17 @@ HS_SIMD static void divide_row(int count, const double *restrict xx, const doubl
     }
 }
 
+/* (macroscopic.2): H of every node grows with the mean gradient. */
+static void sum_stress(const struct body *body, const struct strip *strip)
+{
+    for (int k = 0; k < TENSOR; k++) {
+        double terms[LANES];
+        memcpy(terms, body->S[k] + strip->site, (size_t)strip->count * sizeof *terms);
+        body_times_volume(body, strip->site, strip->count, terms);
+        exact_sum_add_strip(&body->stress_sums[k], strip->count, terms, 1);
+    }
+}
+
 /* Of owned strips first to end - 1. */
 static void divide_by_shape(struct body *body, int64_t first, int64_t end)
 {
@@ -252,6 +263,7 @@ static void divide_by_shape(struct body *body, int64_t first, int64_t end)
     for (int64_t n = first; n < end; n++) {
         const int64_t i = body->owned.items[n].site;
         if (body->broken) broken_keep_stress(body, i, body->owned.items[n].count);
+        if (body->stress_sums) sum_stress(body, &body->owned.items[n]);
         for (int a = 0; a < 9; a += 3)
             divide_row(body->owned.items[n].count, K[0] + i, K[1] + i, K[2] + i, K[3] + i, K[4] + i,
                        K[5] + i, 1 / body->lattice->spacing, S[a] + i, S[a + 1] + i, S[a + 2] + i);

@@ -331,17 +331,6 @@ static void settle_flow(struct ordinary *model, const struct body *body)
     }
 }
 
-static void ordinary_force(void *self, struct body *body, struct force_mode mode,
-                           struct force_energy *energy)
-{
-    struct ordinary *model = self;
-    find_nodes(model, body, body->before_f, mode, mode.energy ? energy : NULL);
-    const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
-    body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
-    if (flows) settle_flow(model, body);
-}
-
 /* The elastic part of a bond's extension as one of its ends has it, and (ordinary.3). */
 HS_INLINE double elastic_of(const struct bond_pass *p, int k, struct bond b, int end, bool shared)
 {
@@ -391,6 +380,30 @@ static void look_at_strip(bond_kernel *const *const kernel[2], const struct ordi
     run(kernel[is_shared(model, number)], model, number, NODE_FLOW, 0, NULL, pass);
 }
 
+/* Extension and force states of the ends of a strip's bonds. */
+static void find_strip(const struct ordinary *model, int64_t number, double *e,
+                       double t[2][BOND_LANES])
+{
+    struct bond_pass pass = {.each = {[EXTENSION] = e, [STATE_LOWER] = t[0], [STATE_UPPER] = t[1]}};
+    look_at_strip(finding, model, number, &pass);
+}
+
+static void ordinary_force(void *self, struct body *body, struct force_mode mode,
+                           struct force_energy *energy)
+{
+    struct ordinary *model = self;
+    find_nodes(model, body, body->before_f, mode, mode.energy ? energy : NULL);
+    const bool flows = mode.commit && !mode.frozen && any_flow(model, body);
+    body_clear(body, body->f, 3);
+    for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
+    if (flows) settle_flow(model, body);
+    for (int64_t s = 0; body->stress_sums && s < model->bonds->count; s++) {
+        double e[BOND_LANES], t[2][BOND_LANES];
+        find_strip(model, s, e, t);
+        bond_stress_sum(model->bonds, &model->bonds->strips[s], e, t[0], t[1], body);
+    }
+}
+
 static void ordinary_bond_energy(const void *self, const struct body *body,
                                  const struct bond_strip *strip, double *energy)
 {
@@ -417,9 +430,7 @@ static void ordinary_prepare(void *self, struct body *body, int rows)
     body_clear(body, body->S, 3 * rows);
     for (int64_t s = 0; s < model->bonds->count; s++) {
         double e[BOND_LANES], t[2][BOND_LANES];
-        struct bond_pass pass = {
-            .each = {[EXTENSION] = e, [STATE_LOWER] = t[0], [STATE_UPPER] = t[1]}};
-        look_at_strip(finding, model, s, &pass);
+        find_strip(model, s, e, t);
         bond_stress_add(model->bonds, &model->bonds->strips[s], e, t[0], t[1], rows, body);
     }
 }

@@ -193,6 +193,15 @@ static void find_caps(const struct capped *c, struct springs *s, const struct bo
     }
 }
 
+/* Of the way apart by the mean gradient. */
+static void add_mean(struct springs *s, const struct body *body, const struct bond_view *view)
+{
+    for (int a = 0; a < 3; a++)
+        for (int k = 0; k < s->count; k++)
+            for (int b = 0; b < 3; b++)
+                s->z[a][k] += body->mean_gradient[3 * a + b] * view->xi[b][k * view->geometry_step];
+}
+
 /* (capped.1) */
 static void find_z(struct springs *s, const struct body *body, const struct bond_view *view,
                    double *const zeta[3])
@@ -201,6 +210,9 @@ static void find_z(struct springs *s, const struct body *body, const struct bond
     for (int a = 0; a < 3; a++) {
         difference(s->count, bond_gather(view, false, body->u[a], ends[0]),
                    bond_gather(view, true, body->u[a], ends[1]), s->z[a]);
+    }
+    if (lattice_is_periodic(body->lattice)) add_mean(s, body, view);
+    for (int a = 0; a < 3; a++) {
         for (int b = 0; b < 3; b++) {
             const double *Hi = bond_gather(view, false, body->H[3 * a + b], ends[0]),
                          *Hj = bond_gather(view, true, body->H[3 * a + b], ends[1]);
@@ -287,6 +299,20 @@ static void capped_energy(const struct body *body, const struct springs *s,
     }
 }
 
+/* (macroscopic.2): tau (x) xi of the bonds; what Fbar takes off it comes with the nodes' stress. */
+static void sum_stress(const struct springs *s, const struct body *body,
+                       const struct bond_view *view)
+{
+    for (int k = 0; k < s->count; k++) {
+        const int64_t site = bond_lower(view, k);
+        if (!(body->grid.flags[site] & SITE_OWNED)) continue; /* counted by the owner */
+        const double whole = body_volume(body, site) * s->at_lower[k];
+        for (int c = 0; c < 9; c++)
+            exact_sum_add(&body->stress_sums[c],
+                          whole * s->z[c / 3][k] * view->xi[c % 3][k * view->geometry_step]);
+    }
+}
+
 /* Of state and before the first bond's entries; the components of state are stride apart. */
 static void add_part(const struct capped *c, struct body *body, const struct bond_view *view,
                      double *state, double *before, const double *flow, struct force_mode mode,
@@ -304,6 +330,7 @@ static void add_part(const struct capped *c, struct body *body, const struct bon
     int64_t any = slip(s.count, &s, lost, mode.frozen ? 0 : 1, mode.commit ? 1 : 0);
     add_to_end(&s, body, view, false, zeta);
     add_to_end(&s, body, view, true, zeta);
+    if (body->stress_sums) sum_stress(&s, body, view);
     if (integrity && mode.commit) add_released(&s, sound, integrity, before, lost);
     if (any && mode.commit) commit_slip(&s, body, view, zeta);
     if (mode.energy) capped_energy(body, &s, view, lost, energy);

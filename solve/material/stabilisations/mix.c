@@ -88,9 +88,9 @@ HS_SIMD static void mean_column(int count, const double *restrict Hi, const doub
     for (int i = 0; i < count; i++) out[i] = 0.5 * (Hi[i] + Hj[i]);
 }
 HS_SIMD static void bond_column(int count, const double *restrict ui, const double *restrict uj,
-                                double inverse_spacing, double *restrict out)
+                                double inverse_spacing, double mean, double *restrict out)
 {
-    for (int i = 0; i < count; i++) out[i] = (uj[i] - ui[i]) * inverse_spacing;
+    for (int i = 0; i < count; i++) out[i] = (uj[i] - ui[i]) * inverse_spacing + mean;
 }
 
 static void bond_gradient(struct points *points, const struct body *body, int axis, int64_t i,
@@ -99,7 +99,7 @@ static void bond_gradient(struct points *points, const struct body *body, int ax
     for (int k = 0; k < TENSOR; k++) {
         if (k % 3 == axis)
             bond_column(points->count, body->u[k / 3] + i, body->u[k / 3] + j,
-                        1 / body->lattice->spacing, points->H[k]);
+                        1 / body->lattice->spacing, body->mean_gradient[k], points->H[k]);
         else
             mean_column(points->count, body->H[k] + i, body->H[k] + j, points->H[k]);
     }
@@ -176,6 +176,18 @@ static void mix_energy(const struct mix *mix, const struct body *body, const str
     exact_sum_add_strip(&energy->plastic, points->count, plastic, scale);
 }
 
+/* (macroscopic.2): what the column along the bond adds; the others come with the nodes' stress. */
+static void sum_stress(const struct mix *mix, const struct body *body, int axis,
+                       const struct points *points, const double *beta, int64_t site)
+{
+    double terms[LANES];
+    for (int k = axis; k < TENSOR; k += 3) {
+        for (int i = 0; i < points->count; i++) terms[i] = beta[i] * points->P[k][i];
+        body_only_owned(body, site, points->count, terms);
+        exact_sum_add_strip(&body->stress_sums[k], points->count, terms, mix->share * body->volume);
+    }
+}
+
 static void mix_add(void *self, struct body *body, int axis, const struct strip *strip,
                     struct force_mode mode, struct force_energy *energy)
 {
@@ -205,6 +217,7 @@ static void mix_add(void *self, struct body *body, int axis, const struct strip 
             add_both(count, points.P[k], beta, 0.5 * a, 0.5 * a, body->S[k] + i, step);
         }
     }
+    if (body->stress_sums) sum_stress(mix, body, axis, &points, beta, i);
     if (mode.record) {
         const double *axial = points.P[4 * body->lattice->axis];
         add_one(count, axial, gi, a, mix->nominal + i);
