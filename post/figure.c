@@ -27,8 +27,8 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 /* On a page: on a telephone its letters are still those of small print. */
 static const struct format inlined = {
     "", "svg", 440, 310, "", "font 'sans-serif,13' linewidth 1.2 background 'white' enhanced"};
-static const double row = 20;          /* of its legend */
-static const double panel_share = 0.4; /* of the height, that a row of panels has */
+static const double row = 20;            /* of its legend */
+static const double panel_height = 0.34; /* over the width, of a row of panels */
 
 static const struct format *format_of(const char *name)
 {
@@ -84,7 +84,7 @@ static struct spool script_of(const char *name, const struct format *format,
     FILE *script = open_memstream(&text, &length);
     if (!script) die_run("%s: %s", name, strerror(errno));
     fprintf(script, "set terminal %s size %g%s,%g%s %s\n", format->terminal, format->width,
-            format->unit, format->height * fmax(1, rows * panel_share), format->unit,
+            format->unit, fmax(format->height, rows * panel_height * format->width), format->unit,
             format->options);
     if (d->loops)
         figure_write_loops(script, d->loops, d->count);

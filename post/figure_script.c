@@ -262,8 +262,8 @@ static void write_panels(FILE *gnuplot, const struct figure_series series[], int
     write_range(gnuplot, "x", x);
     write_range(gnuplot, "y", isnan(style->y_range[0]) ? usual[1] : style->y_range);
     write_ticks(gnuplot, x[1] - x[0]);
-    fprintf(gnuplot, "set multiplot layout %d,%d margins 0.12,0.98,%g,%g spacing 0.03,%g\n", rows,
-            PANEL_COLUMNS, 0.34 / rows, 1 - 0.16 / rows, 0.22 / rows);
+    fprintf(gnuplot, "set multiplot layout %d,%d margins 0.16,0.98,%g,%g spacing 0.03,%g\n", rows,
+            PANEL_COLUMNS, 0.42 / rows, 1 - 0.2 / rows, 0.26 / rows);
     for (int i = 0; i < shown; i++) {
         const bool left = i % PANEL_COLUMNS == 0, bottom = i + PANEL_COLUMNS >= shown;
         fprintf(gnuplot, "set xlabel '%s'\nset format x '%s'\n",
@@ -274,7 +274,7 @@ static void write_panels(FILE *gnuplot, const struct figure_series series[], int
         fprintf(gnuplot, "set ylabel '%s'\nset format y '%s'\nset title ",
                 left ? "Stress (MPa)" : "", left ? "%g" : "");
         write_quoted(gnuplot, series[i].title + shared);
-        fputs(" noenhanced offset 0,-0.6\nplot ", gnuplot);
+        fputs(" noenhanced offset 0,-0.9\nplot ", gnuplot);
         if (i > 0) fputs("$curve0 using 1:2 with lines lw 0.8 lc rgb '#909090', ", gnuplot);
         write_line(gnuplot, i, series[i].group, colours[1], dashes[0]);
         fputc('\n', gnuplot);

@@ -47,11 +47,14 @@ void html_words(FILE *page, const char *name)
 /* Of the last digit that is shown. */
 static int decimals_of(double value, double error)
 {
-    enum { DIGITS_OF_ERROR = 2, DIGITS = 4 };
+    enum { DIGITS_OF_ERROR = 2, DIGITS = 4, MOST_DIGITS = 6 };
+    const double size = fabs(value);
     const bool known = error > 0 && isfinite(error);
-    const double size = known ? error : fabs(value);
-    if (!(size > 0) || !isfinite(size)) return 0;
-    return (known ? DIGITS_OF_ERROR : DIGITS) - 1 - (int)floor(log10(size));
+    if (!(size > 0)) return known ? DIGITS_OF_ERROR - 1 - (int)floor(log10(error)) : 0;
+    const int first = (int)floor(log10(size));
+    const int by_error =
+        known ? DIGITS_OF_ERROR - 1 - (int)floor(log10(error)) : DIGITS - 1 - first;
+    return by_error < MOST_DIGITS - 1 - first ? by_error : MOST_DIGITS - 1 - first;
 }
 
 static void write_rounded(FILE *page, double value, int decimals)
@@ -84,7 +87,7 @@ void html_quantity(FILE *page, double value, double error, const char *unit)
     html_number(page, value, error);
     if (isfinite(value) && error > 0 && isfinite(error)) {
         fputs(" ± ", page);
-        write_data(page, error, decimals_of(value, error));
+        write_data(page, error, decimals_of(error, error));
     }
     if (isnan(value) || strcmp(unit, "1") == 0) return;
     fputs(" <span class=\"unit\">", page);
@@ -105,6 +108,11 @@ void html_picture(FILE *page, const char *type, const void *bytes, size_t length
             fputc(k <= there ? digits[triple >> (18 - 6 * k) & 63] : '=', page);
     }
     fputc('"', page);
+}
+
+void html_table(FILE *page)
+{
+    fputs("<table>\n<colgroup><col class=\"name\"/><col/></colgroup>\n", page);
 }
 
 void html_section(FILE *page, const char *id, const char *heading)

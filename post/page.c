@@ -123,11 +123,14 @@ static void write_curves(FILE *page, const struct request *request, const struct
     struct study_figure figure = study_figure_make(&asked, study, NULL, 0);
     const bool bands = figure.series[0].group;
     html_section(page, "curves", "Curves");
-    write_figure(page, "engineering", figure.series, figure.count, &style,
-                 bands ? "Engineering stress against strain: the mean of the curves of one title, "
-                         "within a band of one standard deviation."
-                       : "Engineering stress against strain, to the fracture; circles mark the "
-                         "tensile strength where the test reached it.");
+    write_figure(
+        page, "engineering", figure.series, figure.count, &style,
+        figure.count > FIGURE_MOST_LINES
+            ? "Engineering stress against strain, the first of them in grey for comparison."
+        : bands ? "Engineering stress against strain: the mean of the curves of one title, "
+                  "within a band of one standard deviation."
+                : "Engineering stress against strain, to the fracture; circles mark the "
+                  "tensile strength where the test reached it.");
     style = (struct figure_style){true, false, {NAN, NAN}, {NAN, NAN}};
     if (!bands && figure.count <= FIGURE_MOST_LINES)
         write_figure(page, "true", figure.series, figure.count, &style,

@@ -49,7 +49,9 @@ void page_varied(FILE *page, const struct study *study)
     struct varied_columns columns = varied_columns_of(study->labels, study->count);
     if (columns.count > 0) {
         html_section(page, "varied", "What varied");
-        fprintf(page, "<p>%d runs.</p>\n<table><tbody>\n", study->count);
+        fprintf(page, "<p>%d runs.</p>\n", study->count);
+        html_table(page);
+        fputs("<tbody>\n", page);
         for (int i = 0; i < columns.count; i++) {
             fputs("<tr><th scope=\"row\">", page);
             html_text(page, columns.items[i].name);

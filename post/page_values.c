@@ -214,7 +214,7 @@ static void write_missing(FILE *page, const struct study *study, const char *con
 
 static void write_properties(FILE *page, const struct study *study, const char *const names[])
 {
-    fputs("<table>\n", page);
+    html_table(page);
     if (study->count == 1) fputs("<tbody>\n", page);
     for (int i = 0; names[i]; i++) write_property(page, study, names[i]);
     if (study->count == 1) fputs("</tbody>\n", page);
@@ -254,7 +254,9 @@ static void write_lists(FILE *page, const struct study *study)
     for (int k = 0; k < study->count; k++) {
         fputs("<details><summary>All properties of ", page);
         html_text(page, study->labels[k].curve);
-        fputs("</summary>\n<table><tbody>\n", page);
+        fputs("</summary>\n", page);
+        html_table(page);
+        fputs("<tbody>\n", page);
         for (int i = 0; i < study->properties[k].count; i++)
             if (says_something(&study->properties[k].items[i]))
                 write_row(page, &study->properties[k].items[i]);
@@ -311,8 +313,9 @@ static void write_limit(FILE *page, const struct study *study, const struct stud
 void page_resolution(FILE *page, const struct study *study, const struct study_figure *figure)
 {
     fputs("<p class=\"quiet\">Values extrapolated to the spacing 0, ± the error of the finest "
-          "spacing: an estimate, no bound.</p>\n<table>\n",
+          "spacing: an estimate, no bound.</p>\n",
           page);
+    html_table(page);
     for (int i = 0; properties_main(i); i++) {
         const struct property *property = find(&study->properties[0], properties_main(i));
         if (!property || is_quality(property->name)) continue;
@@ -330,7 +333,7 @@ static struct curve curve_of(const struct study *study, int k, const struct curv
     const struct analysis *analysis = &study->analyses[k];
     const struct curve *from = &study->curves[k];
     char *title = study->count == 1 ? memory_text(phase->name)
-                                    : memory_print("%s, %s", study->labels[k].curve, phase->name);
+                                    : memory_print("%s, %s", study->labels[k].title, phase->name);
     struct curve curve = curve_new(analysis->rows[analysis->measures.fracture] + 1, title);
     for (long i = 0; i < curve.n; i++) {
         curve.strain[i] = from->strain[i];
@@ -340,16 +343,24 @@ static struct curve curve_of(const struct study *study, int k, const struct curv
     return curve;
 }
 
+static bool is_first(const struct study *study, int k)
+{
+    for (int i = 0; i < k; i++)
+        if (strcmp(study->labels[i].title, study->labels[k].title) == 0) return false;
+    return true;
+}
+
 static void draw_phases(FILE *page, const struct study *study)
 {
     static const struct figure_style style = {.x_range = {NAN, NAN}, .y_range = {NAN, NAN}};
     struct figure_series series[FIGURE_MOST_LINES];
     struct curve curves[FIGURE_MOST_LINES];
     int count = 0, wanted = 0;
-    for (int k = 0; k < study->count; k++) wanted += study->curves[k].n_phases;
+    for (int k = 0; k < study->count; k++)
+        wanted += is_first(study, k) ? study->curves[k].n_phases : 0;
     for (int k = 0; k < study->count && wanted <= FIGURE_MOST_LINES; k++)
         for (int i = 0; i < study->curves[k].n_phases; i++) {
-            if (!study->curves[k].phases[i].stress) continue;
+            if (!is_first(study, k) || !study->curves[k].phases[i].stress) continue;
             curves[count] = curve_of(study, k, &study->curves[k].phases[i]);
             series[count] =
                 (struct figure_series){.title = curves[count].title, .curve = &curves[count]};
@@ -358,9 +369,11 @@ static void draw_phases(FILE *page, const struct study *study)
     if (count == 0) return;
     fputs("<figure>\n", page);
     figure_inline(page, "partition", series, count, &style);
-    fputs("<figcaption id=\"partition-words\">Mean nominal axial stress in each phase of the gauge "
-          "against the engineering strain of the whole.</figcaption>\n</figure>\n",
-          page);
+    fprintf(
+        page,
+        "<figcaption id=\"partition-words\">Mean nominal axial stress in each phase of the gauge "
+        "against the engineering strain of the whole%s.</figcaption>\n</figure>\n",
+        page_groups(study) < study->count ? ", of the first curve of each title" : "");
     for (int i = 0; i < count; i++) curve_free(&curves[i]);
 }
 
