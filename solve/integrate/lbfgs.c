@@ -9,7 +9,10 @@
  * all products that the loops need are differences of s_i.g and z_i.g between iterations, found in
  * one pass and one message; the slope g.d follows from them.  s, z and w are directions in single
  * precision (direction.h): M^-1 is no better, and s is what x moves by, to the last bit.  The step
- * t = 1 stands where the slope has fallen enough; else one secant step follows. */
+ * t = 1 stands where the slope has fallen enough; else one secant step follows.
+ *
+ * The pairs outlive their solution: the stiffness of the next load step is nearly that of the last,
+ * and where it is not, six iterations have replaced them. */
 #include "checkpoint.h"
 #include "direction.h"
 #include "equilibrium.h"
@@ -17,10 +20,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { MEMORY = 6 }; /* pairs, with the one that an iteration makes */
 
 struct lbfgs {
+    const struct unknowns *unknowns;
     int count;                               /* pairs, oldest first */
     double scale;                            /* c */
     float *s[MEMORY], *z[MEMORY], *w, *next; /* next: of the gradient that w follows */
@@ -35,6 +40,7 @@ struct lbfgs {
 static void *lbfgs_start(const struct equilibrium *e)
 {
     struct lbfgs *self = memory_new(1, sizeof *self);
+    self->unknowns = &e->unknowns;
     for (int k = 0; k < MEMORY; k++) {
         self->s[k] = direction_new(&e->unknowns);
         self->z[k] = direction_new(&e->unknowns);
@@ -59,11 +65,36 @@ static void lbfgs_free(void *object)
     free(self);
 }
 
-/* The pairs begin anew with each solution, the scale does not. */
+/* Two directions as one vector, number by number, and back. */
+static void visit_pair(const struct unknowns *unknowns, struct checkpoint *checkpoint, float *s,
+                       float *z)
+{
+    double *both = vector_new(unknowns);
+    float halves[2];
+    for (int64_t i = 0; i < unknowns->length; i++)
+        memcpy(&both[i], (const float[]){s[i], z[i]}, sizeof halves);
+    vector_visit(unknowns, checkpoint, "lbfgs: pair", both);
+    for (int64_t i = 0; i < unknowns->length; i++) {
+        memcpy(halves, &both[i], sizeof halves);
+        s[i] = halves[0];
+        z[i] = halves[1];
+    }
+    free(both);
+}
+
 static void lbfgs_visit(void *object, struct checkpoint *checkpoint)
 {
     struct lbfgs *self = object;
+    int64_t count = self->count;
     checkpoint_numbers(checkpoint, "lbfgs: scale", &self->scale, 1);
+    checkpoint_integer(checkpoint, "lbfgs: pairs", &count);
+    self->count = (int)count;
+    for (int k = 0; k < self->count; k++)
+        visit_pair(self->unknowns, checkpoint, self->s[k], self->z[k]);
+    checkpoint_numbers(checkpoint, "lbfgs: norms of s", self->s_norm, self->count);
+    checkpoint_numbers(checkpoint, "lbfgs: norms of z", self->z_norm, self->count);
+    checkpoint_numbers(checkpoint, "lbfgs: s.y", self->sy[0], (int64_t)MEMORY * MEMORY);
+    checkpoint_numbers(checkpoint, "lbfgs: z.y", self->zy[0], (int64_t)MEMORY * MEMORY);
 }
 
 /* d = -H g; its largest number and the slope d.g. */
@@ -192,14 +223,30 @@ static double go(struct lbfgs *self, struct equilibrium *e, double far, double *
     }
 }
 
-/* M^-1 g and w.g, before there are pairs. */
+/* M^-1 g and the products with g of the pairs at hand, those of the solution before. */
 static void begin(struct lbfgs *self, struct equilibrium *e)
 {
-    self->count = 0;
+    const struct unknowns *unknowns = &e->unknowns;
+    const int n = self->count;
+    float *vectors[2 * MEMORY + 1];
+    double norms[2 * MEMORY + 1], products[2 * MEMORY + 1];
     precondition(self, e);
-    self->w_norm = vector_bound(
-        &e->unknowns, direction_combine(&e->unknowns, 1, (double[]){1}, &self->w, self->next));
-    direction_products(&e->unknowns, 1, &self->w, &self->w_norm, e->g, e->norm, &self->wg);
+    self->w_norm =
+        vector_bound(unknowns, direction_combine(unknowns, 1, (double[]){1}, &self->w, self->next));
+    for (int i = 0; i < n; i++) {
+        vectors[i] = self->s[i];
+        norms[i] = self->s_norm[i];
+        vectors[n + i] = self->z[i];
+        norms[n + i] = self->z_norm[i];
+    }
+    vectors[2 * n] = self->w;
+    norms[2 * n] = self->w_norm;
+    direction_products(unknowns, 2 * n + 1, vectors, norms, e->g, e->norm, products);
+    for (int i = 0; i < n; i++) {
+        self->sg[i] = products[i];
+        self->zg[i] = products[n + i];
+    }
+    self->wg = products[2 * n];
 }
 
 static bool lbfgs_solve(void *object, struct equilibrium *e)

@@ -138,12 +138,18 @@ static struct force_energy commit(struct equilibrium *e)
     return energy;
 }
 
+static void find_rate(struct quasi_static *q, double dt)
+{
+    const struct equilibrium *e = q->equilibrium;
+    for (int64_t i = 0; i < e->unknowns.length; i++) q->rate[i] = (e->x[i] - q->before[i]) / dt;
+}
+
 static void accept(struct quasi_static *q, double dt)
 {
     struct equilibrium *e = q->equilibrium;
     struct integration *integration = e->integration;
     struct balance_sums sums = {integration->kinetic_zero, integration->kinetic_zero};
-    for (int64_t i = 0; i < e->unknowns.length; i++) q->rate[i] = (e->x[i] - q->before[i]) / dt;
+    find_rate(q, dt);
     if (q->force_before[0]) {
         vector_put(&e->unknowns, q->rate, e->body->v);
         exchange(e->body->f, q->force_before);
@@ -174,6 +180,7 @@ static double solve_step(struct quasi_static *q, double dt)
     if (!try_step(q, dt)) return halved;
     const double room = careful * step_error_room(&q->error, e->boundary, e->body, e->tolerance);
     if (room >= careful || dt <= least_measured(q)) return 1;
+    find_rate(q, dt); /* a better guess than that of the step before */
     return fmax(fmin(fmax(room, shortest), halved), least_measured(q) / dt);
 }
 
@@ -191,6 +198,7 @@ static double next_length(struct quasi_static *q, double dt)
 bool quasi_static_step(struct quasi_static *q)
 {
     struct equilibrium *e = q->equilibrium;
+    const double least = (1 - 1e-9) * q->smallest; /* a share may be rounded */
     double dt = e->integration->dt, share;
     step_error_start(&q->error, e->boundary, e->body);
     vector_take(&e->unknowns, e->body->u, 1, q->before);
@@ -202,7 +210,7 @@ bool quasi_static_step(struct quasi_static *q)
         q->refused++;
         keep_held(q, true);
         dt *= share;
-        if (dt < q->smallest) {
+        if (dt < least) {
             vector_put(&e->unknowns, q->before, e->body->u);
             vector_put_mean(&e->unknowns, q->before, e->body->mean_gradient);
             body_clear(e->body, e->body->v, 3);
@@ -264,34 +272,10 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
     }
 }
 
-struct rates {
-    struct quasi_static *q;
-    int64_t *first; /* [strips] number of its first node */
-};
-
-static bool place_rate(void *owner, int64_t strip, int point, bool make, double *places[])
-{
-    const struct rates *rates = owner;
-    (void)make;
-    for (int a = 0; a < 3; a++)
-        places[a] = rates->q->rate + a * rates->q->equilibrium->unknowns.n_nodes +
-                    rates->first[strip] + point;
-    return true;
-}
-
 void quasi_static_visit(struct quasi_static *q, struct checkpoint *checkpoint)
 {
-    const struct strips *owned = &q->equilibrium->body->owned;
-    struct rates rates = {q, memory_new((size_t)owned->count + 1, sizeof *rates.first)};
-    for (int64_t s = 0; s < owned->count; s++)
-        rates.first[s + 1] = rates.first[s] + owned->items[s].count;
-    checkpoint_points(checkpoint, "rate of the last load step", owned, 3, place_rate, &rates);
+    vector_visit(&q->equilibrium->unknowns, checkpoint, "rate of the last load step", q->rate);
     checkpoint_integer(checkpoint, "load steps tried in vain", &q->refused);
-    double mean_rate[COMPONENTS] = {0};
-    vector_put_mean(&q->equilibrium->unknowns, q->rate, mean_rate);
-    checkpoint_numbers(checkpoint, "mean rate of the last load step", mean_rate, COMPONENTS);
-    vector_take_mean(&q->equilibrium->unknowns, mean_rate, q->rate);
     step_error_visit(&q->error, checkpoint);
     equilibrium_visit(q->equilibrium, checkpoint);
-    free(rates.first);
 }

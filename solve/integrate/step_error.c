@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const double PART = 1.0 / 24;  /* of D that stays as an error */
-static const double MEMORY = 6;       /* elastic strains after which flow has forgotten */
+static const double MEMORY = 9;       /* elastic strains after which flow has forgotten */
 static const double UNBALANCED = 0.2; /* of the residual's tolerance, that forces may differ by */
 static const double SHARE = 0.5;      /* of what is left of the accuracy, for one step */
 
@@ -58,13 +58,17 @@ static double norm(int count, const double *a)
     return sqrt(product(count, a, a));
 }
 
-/* Share of a step's length at which its error, of the second order, takes its share of what is
- * left. */
-static double room(const struct step_error *e, double way, double force, double largest)
+/* What one step may add to the error [N]: its share of what is left of the accuracy. */
+static double allowed(const struct step_error *e, double way, double force, double largest)
 {
     const double memory = MEMORY * force / e->steepest, left = memory > 0 ? exp(-way / memory) : 1;
-    const double allowed = SHARE * (e->accuracy * largest - e->error * left);
-    return e->local > 0 ? sqrt(fmax(allowed, 0) / e->local) : INFINITY;
+    return fmax(SHARE * (e->accuracy * largest - e->error * left), 0);
+}
+
+/* Share of a step's length at which its error, of the second order, is as large as allowed. */
+static double room(const struct step_error *e, double way, double force, double largest)
+{
+    return e->local > 0 ? sqrt(allowed(e, way, force, largest) / e->local) : INFINITY;
 }
 
 /* What the forces did not do as in the step before; where the motion turns back, as in the stiffest
@@ -114,6 +118,8 @@ double step_error_take(struct step_error *e, const struct boundary *boundary)
         memcpy(e->stiffest, e->change, bytes);
         memcpy(e->stiffest_way, e->way, bytes);
     }
+    /* A step that was taken because it is short counts no more than it might. */
+    e->local = fmin(e->local, allowed(e, way, force, e->largest));
     e->error *= force > 0 ? exp(-way * e->steepest / (MEMORY * force)) : 0;
     e->error += e->local;
     return room(e, way, force, e->largest);

@@ -6,11 +6,13 @@
  * the corrector, is its measure:
  *
  *   D = |F' - F - (w'.w/w.w) dF|,  local error = (D - r |F'|/5)/24                   (step_error.1)
- *   e' = e exp(-|w'|/L) + local,  L = 6 |F|/max |dF|/|w|                             (step_error.2)
+ *   e' = e exp(-|w'|/L) + local,  L = 9 |F|/max |dF|/|w|                             (step_error.2)
  *
  * r: tolerance of the residual; F: reactions of the sets, dF and w: their change and the ways of
  * the sets in the last step, or, where the motion turns back, in the stiffest one.  Flow forgets
- * where it came from in some elastic strains, L.  The 24, the 6 and the 5 are measured, not derived
+ * where it came from in some elastic strains, L.  A step that is so short that it is not
+ * refused counts as the most that it was allowed: a yield within it is a kink that D takes for an
+ * error.  The 24, the 9 and the 5 are measured, not derived
  * (docs/errors.md, load steps). */
 #ifndef HS_STEP_ERROR_H
 #define HS_STEP_ERROR_H

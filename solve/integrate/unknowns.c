@@ -1,5 +1,6 @@
 #include "unknowns.h"
 
+#include "checkpoint.h"
 #include "memory.h"
 #include "simd.h"
 
@@ -97,6 +98,37 @@ void vector_put_mean(const struct unknowns *unknowns, const double *vector,
         const int k = unknowns->mean[i];
         mean_gradient[k] = values[i] / unknowns->macroscopic->period[k % 3];
     }
+}
+
+struct places {
+    double *vector;
+    int64_t n_nodes, *first; /* [strips] number of its first node */
+};
+
+static bool place_of(void *owner, int64_t strip, int point, bool make, double *places[])
+{
+    const struct places *at = owner;
+    (void)make;
+    for (int a = 0; a < 3; a++) places[a] = at->vector + a * at->n_nodes + at->first[strip] + point;
+    return true;
+}
+
+void vector_visit(const struct unknowns *unknowns, struct checkpoint *checkpoint, const char *name,
+                  double *vector)
+{
+    const struct strips *owned = &unknowns->body->owned;
+    const size_t bytes = (size_t)(unknowns->length - 3 * unknowns->n_nodes) * sizeof *vector;
+    struct places places = {vector, unknowns->n_nodes,
+                            memory_new((size_t)owned->count + 1, sizeof *places.first)};
+    for (int64_t s = 0; s < owned->count; s++)
+        places.first[s + 1] = places.first[s] + owned->items[s].count;
+    checkpoint_points(checkpoint, name, owned, 3, place_of, &places);
+    free(places.first);
+    double mean[COMPONENTS] = {0};
+    memcpy(mean, vector + 3 * unknowns->n_nodes, bytes);
+    ranks_share(mean, sizeof mean);
+    checkpoint_numbers(checkpoint, "its mean gradient", mean, COMPONENTS);
+    memcpy(vector + 3 * unknowns->n_nodes, mean, bytes);
 }
 
 void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y)

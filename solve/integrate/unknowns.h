@@ -9,6 +9,8 @@
 
 #include "boundary.h"
 
+struct checkpoint;
+
 struct unknowns {
     struct body *body;
     const struct macroscopic *macroscopic; /* NULL: the body is not periodic */
@@ -34,6 +36,10 @@ void vector_take_mean(const struct unknowns *unknowns, const double mean_gradien
                       double *vector);
 void vector_put_mean(const struct unknowns *unknowns, const double *vector,
                      double mean_gradient[COMPONENTS]);
+
+/* The vector by its nodes, whatever rank has them.  Collective. */
+void vector_visit(const struct unknowns *unknowns, struct checkpoint *checkpoint, const char *name,
+                  double *vector);
 
 /* y += a x */
 void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y);
