@@ -11,7 +11,7 @@
 #   make check-report    reports in a browser: errors, overflow, contrast (chromium)
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
-#   make bench-compare REV=...  kernels beside those of an earlier commit
+#   make bench-compare REV=...  kernels and whole runs beside those of an earlier commit
 #   make docs            the keys of the deck and the columns into docs/deck.md, docs/formats.md and docs/man/hsdeck.5
 #   make format          clang-format over the tree
 #   make first           the small study of the README
@@ -177,6 +177,7 @@ ifndef QUICK
 	    awk -f tests/bench/join.awk $(BENCH)/measured-avx2.csv $(BENCH)/lammps.txt | sed 1d; } > docs/bench/kernels.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/runs $(BENCH)/runs > docs/bench/runs.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/load-steps $(BENCH)/load-steps > docs/bench/load-steps.csv
+	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/accuracy $(BENCH)/accuracy > docs/bench/accuracy.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH pipelines/truths/cell $(BENCH)/cells cost > docs/bench/cells.csv
 	tests/bench/periodic $(BUILD) $(BENCH)/periodic > docs/bench/periodic.csv
@@ -188,8 +189,8 @@ bench-tables:
 	gnuplot -c tests/bench/runs.gp docs/bench/runs.csv docs/bench/runs.svg
 	for name in kernels runs load-steps error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
 
-bench-compare: $(BUILD)/tests/bench/kernels
-	@tests/bench/compare $(or $(REV),HEAD) $(BUILD)/tests/bench/kernels $(abspath $(BENCH))
+bench-compare: all $(BUILD)/tests/bench/kernels
+	@tests/bench/compare $(or $(REV),HEAD) $(BUILD) $(abspath $(BENCH))
 
 PROVE := HS_BUILD=$(abspath $(BUILD)) prove --jobs $(JOBS) --exec tests/run
 
