@@ -97,7 +97,7 @@ $(PLAIN:%=$(RESULTS)/%/study.yaml): $(RESULTS)/%/study.yaml: pipelines/%/study.y
 	$(call VARY,$(if $(SMALL),$(small_$*)) $(if $(filter ni-hs% ni-r%,$*),$(formulation)))
 DECKS := $(PLAIN:%=$(RESULTS)/%/study.yaml)
 
-CELLS := bcc fcc sc jitter random interface large contrast-bcc contrast-random contrast-large size
+CELLS := bcc fcc sc direction-bcc direction-fcc direction-sc jitter random interface large contrast-bcc contrast-random contrast-large size
 cells: $(RESULTS)/cells/table.csv
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
 $(RESULTS)/cells/table.csv: $(wildcard pipelines/cells/*) pipelines/vary | all

@@ -331,6 +331,23 @@ static void check_thickness(const struct simulation *s)
                      'x' + a, lattice->size[a], least);
 }
 
+/* What is measured of nodes is that along the axis of the test, of corner alone any one. */
+static void check_direction(const struct simulation *s)
+{
+    const bool *periodic = s->lattice.periodic;
+    const double *d = s->scene.direction;
+    const struct deck_node where = deck_find(s->scene.solver, "direction");
+    if (!where.index) return;
+    if (!(fabs(d[0]) + fabs(d[1]) + fabs(d[2]) > 0))
+        deck_error(where, "the direction [0, 0, 0] points nowhere");
+    if (!periodic[0] || !periodic[1] || !periodic[2])
+        deck_error(where, "only bodies that are periodic along x, y and z are tested along "
+                          "another direction");
+    if (!s->materials.formulation->corners)
+        deck_error(where, "%s materials are tested along x: take corner, or turn the structure",
+                   s->materials.formulation->name);
+}
+
 static void check_periods(struct simulation *s)
 {
     const struct lattice *lattice = &s->lattice;
@@ -340,6 +357,7 @@ static void check_periods(struct simulation *s)
         deck_error(deck_get(deck_root(s->deck), "materials"),
                    "%s materials have no planes of symmetry: take corner",
                    s->materials.formulation->name);
+    check_direction(s);
     if (!lattice_is_periodic(lattice)) {
         if (section.index)
             deck_error(section, "the body is not periodic: domain.periodic says along which axes a "
@@ -360,6 +378,7 @@ static void build(struct simulation *s)
     profile_enter(s->profile, PART_PARTITION);
     s->body = body_new(&s->lattice, &s->family, near, n_near, s->ranks);
     body_profile(&s->body, s->profile);
+    body_turn(&s->body, s->scene.direction);
     profile_enter(s->profile, PART_BONDS);
     if (s->lattice.corner) fill_corners(s);
     yield_start(&s->body, &s->materials);

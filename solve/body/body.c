@@ -3,6 +3,7 @@
 #include "box_fields.h"
 #include "memory.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,6 +43,7 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
     body.volume = lattice->node_volume;
     body.n_nodes = lattice->n_nodes;
     body.whole_volume = lattice_whole_volume(lattice);
+    for (int a = 0; a < 3; a++) body.frame[4 * a] = 1;
     double *fields[9];
     box_fields_new(fields, 9, body.grid.n_sites);
     memcpy(body.u, fields, sizeof body.u);
@@ -94,4 +96,54 @@ void body_free(struct body *body)
     grid_free(&body->grid);
     partition_free(&body->partition);
     *body = (struct body){0};
+}
+
+static void normalise(double v[3])
+{
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int a = 0; a < 3; a++) v[a] /= length;
+}
+
+void body_turn(struct body *body, const double direction[3])
+{
+    double *x = body->frame, *y = x + 3, *z = x + 6;
+    memcpy(x, direction, 3 * sizeof *x);
+    normalise(x);
+    body->turned = x[0] < 1;
+    if (!body->turned) return;
+    const bool upright = fabs(x[2]) < 1;
+    const double up[3] = {upright ? 0 : -1, 0, upright ? 1 : 0},
+                 along = up[0] * x[0] + up[2] * x[2];
+    for (int a = 0; a < 3; a++) z[a] = up[a] - along * x[a];
+    normalise(z);
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        y[a] = z[b] * x[c] - z[c] * x[b];
+    }
+}
+
+/* out_ab = sum R_ac T_cd R_bd, R with these distances between rows and columns. */
+static void turn(const double *R, int row, int column, const double T[9], double out[9])
+{
+    for (int k = 0; k < 9; k++) {
+        out[k] = 0;
+        for (int m = 0; m < 9; m++)
+            out[k] += R[k / 3 * row + m / 3 * column] * T[m] * R[k % 3 * row + m % 3 * column];
+    }
+}
+
+void body_to_test(const struct body *body, const double T[9], double out[9])
+{
+    if (body->turned)
+        turn(body->frame, 3, 1, T, out);
+    else
+        memcpy(out, T, 9 * sizeof *out);
+}
+
+void body_to_lattice(const struct body *body, const double T[9], double out[9])
+{
+    if (body->turned)
+        turn(body->frame, 1, 3, T, out);
+    else
+        memcpy(out, T, 9 * sizeof *out);
 }

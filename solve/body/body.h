@@ -26,9 +26,11 @@ struct body {
     struct profile *profile; /* NULL: none */
     struct halo *displacement_halo, *stress_halo, *gradient_halo;
     struct strips owned, near, ghosts; /* ghosts: near sites that are not owned */
-    /* Of a periodic body, row by row: the mean displacement gradient, its rate [1/s], and where a
-     * formulation sums it up (model.h) the mean nominal stress of the last force [Pa]. */
-    double mean_gradient[9], mean_rate[9], mean_stress[9];
+    /* Of a periodic body, row by row: the mean displacement gradient, its rate [1/s], and the mean
+     * nominal stress of the last force [Pa], along the axes of the test, which are the rows of
+     * frame; turned: not those of the lattice.  The gradient of the last force along these. */
+    double frame[9], mean_gradient[9], mean_rate[9], mean_stress[9], lattice_gradient[9];
+    bool turned;
     double whole_volume;           /* of a periodic body with its holes, m^3 */
     struct exact_sum *stress_sums; /* [9] P V [J] of owned particles, in a force; else NULL */
     struct bonds *bonds;
@@ -69,6 +71,14 @@ void body_free(struct body *body);
 
 /* profile: lives as long as the body. */
 void body_profile(struct body *body, struct profile *profile);
+
+/* Axes of the test of a periodic body: x along a direction of the lattice, z as close to the
+ * lattice's z as may be, or where these two are one to -x. */
+void body_turn(struct body *body, const double direction[3]);
+
+/* A tensor of the lattice's axes along those of the test, and back: out = R T R^T, R^T T R. */
+void body_to_test(const struct body *body, const double T[9], double out[9]);
+void body_to_lattice(const struct body *body, const double T[9], double out[9]);
 
 /* Makes the fields of gradients and stresses and counts the unsupported nodes, at the first call:
  * formulations whose forces come from bonds need them for output and for damage alone.  Collective.

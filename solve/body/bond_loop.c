@@ -10,7 +10,7 @@ void bond_move_apart(const struct bond_view *view, const struct body *body, stru
                      double *const moved[3])
 {
     for (int a = 0; a < 3; a++) {
-        const double *H = body->mean_gradient + 3 * a, *u = pass->u[1][a];
+        const double *H = body->lattice_gradient + 3 * a, *u = pass->u[1][a];
         for (int k = 0; k < view->count; k++) {
             const int g = k * view->geometry_step;
             moved[a][k] =

@@ -109,7 +109,7 @@ static void new_gradient(const struct body *body, int64_t site, double F[9])
         F[3 * a + 1] = G[0] * K[3] + G[1] * K[1] + G[2] * K[4];
         F[3 * a + 2] = G[0] * K[5] + G[1] * K[4] + G[2] * K[2];
         F[4 * a] += 1;
-        for (int b = 0; b < 3; b++) F[3 * a + b] += body->mean_gradient[3 * a + b];
+        for (int b = 0; b < 3; b++) F[3 * a + b] += body->lattice_gradient[3 * a + b];
     }
 }
 

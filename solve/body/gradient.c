@@ -39,7 +39,7 @@ void gradient_add_mean(struct body *body, int64_t site, int count)
 {
     if (!lattice_is_periodic(body->lattice)) return;
     for (int k = 0; k < 9; k++)
-        add_mean(count, body->mean_gradient[k], body->inverse[0] + site, body->H[k] + site);
+        add_mean(count, body->lattice_gradient[k], body->inverse[0] + site, body->H[k] + site);
 }
 
 void displacement_gradient_strips(struct body *body, int64_t first, int64_t end)

@@ -55,6 +55,8 @@ static const struct section back = {
     .help = "When a hybrid run goes back to load steps; what is left of its motion is damped.",
     .keys = KEYS(back_keys)};
 
+static const double along_x[] = {1, 0, 0};
+
 static const struct key solver_keys[] = {
     {"horizon", KEY_NODE, AT(given_horizon), .form = "NUMBER or LENGTH",
      .otherwise = "of correspondence 1, among scattered particles 1.8; else required",
@@ -89,6 +91,9 @@ static const struct key solver_keys[] = {
      .help = "true: also moduli, densities, yield and hardening that no metal has, as a forgotten "
              "GPa makes of it, tests that are over in one step, and grips thinner than the horizon "
              "needs"},
+    {"direction", KEY_NUMBER, AT(direction), "1", -1e6, 1e6, .size = 3, .usuals = along_x,
+     .help = "of a periodic body of corner, such as [1, 1, 0]: where x of macroscopic points among "
+             "the lattice's axes; z stays as close to the lattice's as may be"},
     {"end_strain", KEY_NUMBER, AT(end_strain), "1", 1e-9, 10, .otherwise = "none",
      .help = "of the gauge, at which the run ends; needs grips with velocities that are numbers"},
     {"end_time", KEY_NUMBER, AT(end_time), "s", 1e-15, 1e12, .otherwise = "none",

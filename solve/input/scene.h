@@ -133,6 +133,7 @@ struct scene {
     int n_boundary, n_initial;
     struct scene_entry *boundary, *initial;
     struct deck_node periodic_load; /* the section macroscopic; index 0: none */
+    double direction[3];            /* of its x, along the lattice's axes */
     int n_components;
     struct scene_component *components;
     double end_strain, end_time; /* s */

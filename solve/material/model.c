@@ -55,6 +55,7 @@ void model_force(struct model *model, struct body *body, struct force_mode mode,
                  struct force_energy *energy)
 {
     struct exact_sum sums[9];
+    double stress[9];
     if (!lattice_is_periodic(body->lattice)) {
         model->formulation->force(model->self, body, mode, energy);
         return;
@@ -64,10 +65,12 @@ void model_force(struct model *model, struct body *body, struct force_mode mode,
                  bound = 10 * volume * materials_stiffest(model->materials);
     for (int k = 0; k < 9; k++) sums[k] = exact_sum_new(bound);
     body->stress_sums = sums;
+    body_to_lattice(body, body->mean_gradient, body->lattice_gradient);
     model->formulation->force(model->self, body, mode, energy);
     body->stress_sums = NULL;
-    exact_sum_finish(sums, 9, body->mean_stress);
-    for (int k = 0; k < 9; k++) body->mean_stress[k] /= body->whole_volume;
+    exact_sum_finish(sums, 9, stress);
+    for (int k = 0; k < 9; k++) stress[k] /= body->whole_volume;
+    body_to_test(body, stress, body->mean_stress);
 }
 
 void model_prepare(struct model *model, struct body *body, int rows)

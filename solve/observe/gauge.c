@@ -200,6 +200,23 @@ static void add_strip(const struct gauge *gauge, const struct body *body, const 
     }
 }
 
+/* What is seen becomes that along the axes of the test. */
+static void turn(const struct body *body, struct node_state *node)
+{
+    static const int cauchy[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
+    for (int i = 0; i < node->count; i++) {
+        double H[9], stress[9], turned[9];
+        for (int k = 0; k < 9; k++) {
+            H[k] = node->H[k][i];
+            stress[k] = node->cauchy[cauchy[k]][i];
+        }
+        body_to_test(body, H, turned);
+        for (int k = 0; k < 9; k++) node->H[k][i] = turned[k];
+        body_to_test(body, stress, turned);
+        for (int k = 0; k < 9; k++) node->cauchy[cauchy[k]][i] = turned[k];
+    }
+}
+
 static struct gauge_section smallest_section(const struct gauge *gauge, const struct body *body,
                                              const double *sections)
 {
@@ -231,6 +248,7 @@ void gauge_measure(const struct gauge *gauge, struct model *model, const struct 
         const struct strip *strip = &strips->items[s];
         struct node_state node;
         model_observe(model, body, strip, &node);
+        if (body->turned) turn(body, &node);
         add_strip(gauge, body, strip, &node, sums, sums + n_sums);
     }
     double *values = memory_new((size_t)(n_sums + n_layers), sizeof *values);

@@ -76,6 +76,36 @@ confined_stress='
     near "$(awk "BEGIN { printf \"%.12g\", $other_stress / $other_strain }")" "$E_along" 1e-5
 }
 
+# 1/E of a direction from the compliances of the same moduli, in shear along the layers the mean of 1/mu.
+@test "in another direction a uniform body has the same curve, and laminates the modulus of their compliances to 1e-5" {
+    body cube 4 3 2 1
+    for direction in '1, 0, 0' '1, 2, 3' '0, 0, 1' '-1, 1, 0'; do
+        deck uniform 'x, y, z' "$voce_1" "$voce_2" "$tension" "end_strain: 0.05, step: 0.01, tolerance: 1e-10, direction: [$direction]"
+        solve uniform cube
+        read -r stress side phase strain < <(last uniform.e mean_stress_xx_Pa mean_gradient_zz block_1_true_stress_Pa block_1_strain)
+        [ "$direction" = '1, 0, 0' ] && exact=$stress exact_side=$side exact_phase=$phase
+        near "$stress" "$exact" 1e-9
+        near "$side" "$exact_side" 1e-9
+        near "$phase" "$exact_phase" 1e-9
+        near "$strain" 0.05 1e-7
+    done
+    body layers 8 2 2 'i < 3'
+    for direction in '1, 1, 0' '1, 1, 1' '2, 0, -1'; do
+        deck slanted 'x, y, z' "$soft" "$hard" "$tension" "end_strain: 1e-6, step: 1e-6, tolerance: 1e-8, direction: [$direction]"
+        solve slanted layers
+        near "$(last slanted.e mean_stress_xx_Pa mean_gradient_xx | awk '{ printf "%.12g", $1 / $2 }')" "$(awk -v direction="$direction" 'BEGIN {
+            split(direction, n, ", "); across = n[1] ^ 2 / (n[1] ^ 2 + n[2] ^ 2 + n[3] ^ 2); along = 1 - across
+            E[1] = 20e9; nu[1] = 0.3; E[2] = 200e9; nu[2] = 0.2; c[1] = 0.375; c[2] = 0.625
+            for (i = 1; i <= 2; i++) {
+                l = E[i] * nu[i] / (1 + nu[i]) / (1 - 2 * nu[i]); m = E[i] / 2 / (1 + nu[i]); w = l + 2 * m
+                a += c[i] / w; b += c[i] * l / w; d += c[i] * 4 * m * (l + m) / w; g += c[i] * 2 * m * l / w; S66 += c[i] / m
+            }
+            C11 = 1 / a; C12 = b / a; C22 = d + b * b / a; C23 = g + b * b / a; det = C11 * (C22 + C23) - 2 * C12 * C12
+            S11 = (C22 + C23) / det; S12 = -C12 / det; S22 = (C11 * C22 - C12 * C12) / det / (C22 - C23)
+            printf "%.12g", 1 / (S11 * across ^ 2 + S22 * along ^ 2 + (2 * S12 + S66) * across * along) }')" 1e-5
+    done
+}
+
 # Hill, J. Mech. Phys. Solids 11 (1963) 357: of equal shear moduli the bulk modulus is known for any structure.  What is left
 # is the error of the voxels: 1.2 per cent at 8 particles to the cell, falling with them by the 1.5th power or so.
 @test "two phases of one shear modulus: Hill's bulk modulus within 0.5 % at 16, an error that falls by 2 and more at 32" {
@@ -328,6 +358,10 @@ END
     sed 's/model: corner/model: correspondence/; s/solver: {/&horizon: 3, stabilisation: {law: capped}, /' bad.yaml >worse.yaml
     run -2 --separate-stderr solve worse cube
     [[ "$stderr" == *'periodic along x after 4 layers, thinner than twice the horizon: it needs 6; take more cells'* ]]
+    sed 's/solver: {/&direction: [1, 1, 0], /' worse.yaml >worst.yaml
+    sed -i 's/\[x\]/[x, y, z]/; s/horizon: 3/horizon: 1/' worst.yaml
+    run -2 --separate-stderr solve worst cube
+    [[ "$stderr" == *'worst.yaml:6:'*'correspondence materials are tested along x'* ]]
     awk 'NR == 5 { $1 += 1e-6 } { print }' cube.txt >loose.txt
     run -2 --separate-stderr solve worse loose
     [[ "$stderr" == *'periodic along xyz, and its particles lie on no lattice'* ]]

@@ -166,7 +166,7 @@ static void load(const struct corner *model, const struct body *body, const stru
         load_rows(model, body, strip, points, cells);
     if (lattice_is_periodic(body->lattice))
         for (int k = 0; k < TENSOR; k++)
-            add_mean(strip->count, body->mean_gradient[k], points->H[k]);
+            add_mean(strip->count, body->lattice_gradient[k], points->H[k]);
     if (!integrity || integrity->whole) return;
     for (int i = 0; i < strip->count; i++)
         if (!(integrity->node[strip->site + i] > 0)) points_switch_off(points, i);
@@ -250,6 +250,21 @@ static void sum_stress(const struct body *body, const struct cells *cells)
     }
 }
 
+/* Along the axis of the test. */
+static void record_nominal(const struct corner *model, const struct body *body,
+                           const struct cells *cells)
+{
+    for (int i = 0; i < cells->strip->count; i++) {
+        double axial = cells->A[4 * body->lattice->axis][PAD + i];
+        if (body->turned) {
+            axial = 0;
+            for (int k = 0; k < TENSOR; k++)
+                axial += body->frame[k / 3] * body->frame[k % 3] * cells->A[k][PAD + i];
+        }
+        model->nominal[cells->strip->site + i] = axial / cells->volume[i];
+    }
+}
+
 static void strip_force(struct corner *model, struct body *body, const struct strip *strip,
                         struct force_mode mode, struct force_energy *energy)
 {
@@ -272,10 +287,7 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     if (mode.energy) sum_energies(body, &cells, share, energy);
     model->residual->add(model->self, body, &cells, flow, mode, energy);
     if (body->stress_sums) sum_stress(body, &cells);
-    const int axial = 4 * body->lattice->axis;
-    if (mode.record)
-        for (int i = 0; i < strip->count; i++)
-            model->nominal[strip->site + i] = cells.A[axial][PAD + i] / cells.volume[i];
+    if (mode.record) record_nominal(model, body, &cells);
     if (model->hexahedra)
         hexahedra_scatter(model->hexahedra, &cells, body->f);
     else

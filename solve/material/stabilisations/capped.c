@@ -199,7 +199,8 @@ static void add_mean(struct springs *s, const struct body *body, const struct bo
     for (int a = 0; a < 3; a++)
         for (int k = 0; k < s->count; k++)
             for (int b = 0; b < 3; b++)
-                s->z[a][k] += body->mean_gradient[3 * a + b] * view->xi[b][k * view->geometry_step];
+                s->z[a][k] +=
+                    body->lattice_gradient[3 * a + b] * view->xi[b][k * view->geometry_step];
 }
 
 /* (capped.1) */

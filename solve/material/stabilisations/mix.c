@@ -99,7 +99,7 @@ static void bond_gradient(struct points *points, const struct body *body, int ax
     for (int k = 0; k < TENSOR; k++) {
         if (k % 3 == axis)
             bond_column(points->count, body->u[k / 3] + i, body->u[k / 3] + j,
-                        1 / body->lattice->spacing, body->mean_gradient[k], points->H[k]);
+                        1 / body->lattice->spacing, body->lattice_gradient[k], points->H[k]);
         else
             mean_column(points->count, body->H[k] + i, body->H[k] + j, points->H[k]);
     }
