@@ -1,5 +1,6 @@
 /* hspost - tensile curves, properties and figures from histories and tables, pictures of fields. */
 #include "columns.h"
+#include "crate.h"
 #include "deck.h"
 #include "die.h"
 #include "memory.h"
@@ -80,6 +81,13 @@ static void check_outputs(const struct request *request)
     for (int i = 0; i < OUTPUTS; i++)
         if (files[i]) spool_check_output(files[i]);
     taken_check(files, OUTPUTS);
+    if (request->crate && !request->check) crate_check(request->crate);
+}
+
+/* Fields by themselves, not for a report. */
+static bool view_alone(const struct request *request)
+{
+    return request->view.frames && !request->report && !request->crate;
 }
 
 /* Does all but writing: what is wrong ends the program. */
@@ -87,7 +95,7 @@ static void check_all(const struct request *request)
 {
     const char *files[OUTPUTS];
     outputs_of(request, files);
-    if (request->view.frames && !request->report)
+    if (view_alone(request))
         check_frames(&request->view);
     else if (request->columns && request->n_files > 0)
         check_columns(request->files[0]);
@@ -106,7 +114,7 @@ int main(int argc, char **argv)
     char *maker = describe_maker(argc, argv);
     if (request.check)
         check_all(&request);
-    else if (request.view.frames && !request.report)
+    else if (view_alone(&request))
         view_write(&request.view, request.output, maker);
     else if (request.columns)
         columns_write(request.files[0], request.output, maker);

@@ -98,13 +98,14 @@ struct input input_read(const char *name, const char *columns_of)
         read_history(&input, &spool);
     else
         read_table(&input, bytes, columns_of);
-    free(bytes);
+    input.content = bytes;
     spool_close(&spool);
     return input;
 }
 
 void input_free(struct input *input)
 {
+    free(input->content);
     free(input->name);
     table_free(&input->table);
     attributes_free(&input->attributes);

@@ -16,6 +16,7 @@ struct input {
     struct attributes attributes; /* of the history, or the "# key: value" lines */
     uint32_t checksum;            /* as POSIX cksum prints it */
     long bytes;
+    char *content; /* [bytes] */
 };
 
 /* name = NULL or "-": standard input; columns_of: which column of a table is what

@@ -149,7 +149,7 @@ static char *body_of(const struct request *request, const struct study *study)
     char *text;
     size_t length;
     FILE *page = open_memstream(&text, &length);
-    if (!page) die_run("%s: %s", request->report, strerror(errno));
+    if (!page) die_run("a report: %s", strerror(errno));
     page_varied(page, study);
     write_curves(page, request, study);
     if (has_resolution(study)) write_extrapolation(page, request, study);
@@ -160,14 +160,14 @@ static char *body_of(const struct request *request, const struct study *study)
     page_provenance(page, study);
     page_decks(page, study);
     page_citation(page, study);
-    if (fclose(page) != 0) die_run("%s: %s", request->report, strerror(errno));
+    if (fclose(page) != 0) die_run("a report: %s", strerror(errno));
     return text;
 }
 
-void page_write(const struct request *request, const struct study *study)
+void page_write(const struct request *request, const struct study *study, const char *file)
 {
     char *body = body_of(request, study);
-    struct text_output output = text_output_open(request->report);
+    struct text_output output = text_output_open(file);
     write_head(output.file, study, body);
     fprintf(output.file, "%s</main>\n</body>\n</html>\n", body);
     text_output_close(&output);

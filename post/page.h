@@ -5,7 +5,7 @@
 
 #include "study.h"
 
-/* Writes the page to request->report. */
-void page_write(const struct request *request, const struct study *study);
+/* Writes the page to a file. */
+void page_write(const struct request *request, const struct study *study, const char *file);
 
 #endif

@@ -29,7 +29,7 @@ static const struct key own_rows[] = {
      .low = -0.99, .high = 0.4999, .usual = NAN, .help = "of --material"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 28, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 29, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -53,10 +53,11 @@ static void check_material(const char *name)
 
 static void check(const struct request *request)
 {
+    const bool page = request->report || request->crate;
     bool bounds = request->voigt || request->reuss;
-    bool anything = request->report || request->properties || request->json || request->plot ||
-                    request->difference || request->loops || request->plot_loops || request->tidy ||
-                    request->mean || request->statistics || request->extrapolate ||
+    bool anything = request->report || request->crate || request->properties || request->json ||
+                    request->plot || request->difference || request->loops || request->plot_loops ||
+                    request->tidy || request->mean || request->statistics || request->extrapolate ||
                     request->extrapolate_properties;
     if (request->calibrate && !request->material) die_user("--calibrate needs --material NAME");
     if (request->material && request->n_files > 1)
@@ -68,12 +69,13 @@ static void check(const struct request *request)
             "tension test tells them");
     if (request->plot) figure_check(request->plot);
     if (request->report) figure_check_gnuplot(request->report, "report");
+    if (request->crate) figure_check_gnuplot(request->crate, "crate");
     if (request->plot_loops) figure_check(request->plot_loops);
-    if (request->band && ((!request->plot && !request->report) || request->true_curve))
+    if (request->band && ((!request->plot && !page) || request->true_curve))
         die_user("--band is a way of --plot and --report, for engineering curves");
     if (request->true_curve && !request->plot)
         die_user("--true chooses the figure of --plot; give --plot FILE");
-    if (request->whole && !request->plot && !request->report)
+    if (request->whole && !request->plot && !page)
         die_user("--whole chooses the figure of --plot or --report; give one of them");
     if (request->columns && (anything || bounds || request->n_files > 1))
         die_user("--columns prints one history and makes nothing else");
@@ -119,6 +121,8 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r)
         {0, "plot", "FILE", "figure; the name ends in .svg, .png or .pdf", NULL, &r->plot},
         {0, "report", "FILE", "page with figures, properties, checks, origin: HTML", NULL,
          &r->report},
+        {0, "crate", "DIRECTORY", "report, tables, inputs, decks, and an RO-Crate that says how",
+         NULL, &r->crate},
         {0, "true", NULL, "figure of the true curve", &r->true_curve, NULL},
         {0, "whole", NULL, "figure with the fall behind the fracture", &r->whole, NULL},
         {0, "loops", "FILE", "loops of unloading and reloading as CSV: back stress and more", NULL,
@@ -237,8 +241,9 @@ struct request request_read(int argc, char **argv)
     r.n_files = argc > first || r.check ? argc - first : 1;
     r.files = argc > first ? (const char *const *)(argv + first) : standard_input;
     if (r.files_from) add_files(&r, argc - first);
-    view_request_check(&r.view, r.report);
-    if (r.view.frames && !r.report)
+    const bool page = r.report || r.crate;
+    view_request_check(&r.view, page);
+    if (r.view.frames && !page)
         check_view(&r, argc > first);
     else
         check(&r);

@@ -31,7 +31,8 @@ struct study study_read(const struct request *request, const char *maker)
     size_t n = (size_t)request->n_files;
     /* The table on standard error has no laws. */
     const bool fits = request->properties || request->json || request->statistics ||
-                      request->tidy || request->extrapolate_properties || request->report;
+                      request->tidy || request->extrapolate_properties || request->report ||
+                      request->crate;
     struct study study = {.count = request->n_files, .maker = maker};
     study.curves = memory_new(n, sizeof *study.curves);
     study.choices = memory_new(n, sizeof *study.choices);
@@ -39,6 +40,7 @@ struct study study_read(const struct request *request, const char *maker)
     study.properties = memory_new(n, sizeof *study.properties);
     study.loops = memory_new(n, sizeof *study.loops);
     const char **titles = memory_new(n, sizeof *titles);
+    study.kept = memory_new(n, sizeof *study.kept);
     study.decks = memory_new(n, sizeof *study.decks);
     study.builds = memory_new(n, sizeof *study.builds);
     struct varied *varied = memory_new(n, sizeof *varied);
@@ -52,6 +54,10 @@ struct study study_read(const struct request *request, const char *maker)
         study.builds[i] = memory_text(attributes_text(&input.attributes, "solver_program"));
         if (deck) varied[i] = varied_read(sections_read(deck).varied);
         deck_free(deck);
+        if (request->crate) {
+            study.kept[i] = (struct kept){input.content, input.bytes, input.is_history};
+            input.content = NULL;
+        }
         input_free(&input);
         study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
         if (!request->accept) analysis_check_plausible(&study.curves[i], &study.analyses[i]);
@@ -77,6 +83,7 @@ void study_free(struct study *study)
         analysis_free(&study->analyses[i]);
         free((void *)study->loops[i].loops);
         free(study->decks[i]);
+        free(study->kept[i].bytes);
         free(study->builds[i]);
     }
     free(study->curves);
@@ -87,5 +94,6 @@ void study_free(struct study *study)
     free(study->loops);
     free(study->decks);
     free(study->question);
+    free(study->kept);
     free(study->builds);
 }

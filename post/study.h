@@ -7,6 +7,13 @@
 #include "labels.h"
 #include "request.h"
 
+/* A file as it was read. */
+struct kept {
+    char *bytes;
+    long length;
+    bool is_history;
+};
+
 struct study {
     int count;
     struct curve *curves; /* [count], as the following */
@@ -17,6 +24,7 @@ struct study {
     struct label *labels;
     char **decks, **builds; /* texts; NULL: none.  builds: versions of the solver and of what it is
                                linked to, a line each */
+    struct kept *kept;      /* [count] for a crate, else without bytes */
     char *question;         /* what the first deck that says it wants to know; NULL */
     const char *maker;      /* "# program: ..." and "# command: ..." lines */
 };

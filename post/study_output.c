@@ -2,6 +2,7 @@
 
 #include "bounds.h"
 #include "calibrate.h"
+#include "crate.h"
 #include "die.h"
 #include "difference.h"
 #include "memory.h"
@@ -173,7 +174,8 @@ void study_write(const struct request *request, const struct study *study)
     if (request->difference) compare(request, study);
     treat_loops(request, study);
     draw(request, study, bounds, n_bounds);
-    if (request->report) page_write(request, study);
+    if (request->report) page_write(request, study, request->report);
+    if (request->crate) crate_write(request, study);
     if (request->material) make_material(request, study);
     for (int i = 0; i < n_bounds; i++) curve_free(&bounds[i]);
 }

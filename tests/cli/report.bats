@@ -121,6 +121,43 @@ PERL
     cmp one.html two.html
 }
 
+# The crate of a folder, checked: every reference leads to an entity, every file is there, every run has program, input and output.
+crate() {
+    perl -MJSON::PP -e '
+        my $all = decode_json(do { local $/; open my $f, "<", "$ARGV[0]/ro-crate-metadata.json" or die; <$f> });
+        my (%there, @ids);
+        for (@{$all->{q(@graph)}}) { die "twice: $_->{q(@id)}" if $there{$_->{q(@id)}}; $there{$_->{q(@id)}} = $_ }
+        sub collect { my ($v) = @_; ref $v eq "ARRAY" ? map(collect($_), @$v) : ref $v eq "HASH" ? $v->{q(@id)} : () }
+        for my $e (values %there) { push @ids, map collect($e->{$_}), grep $_ ne q(@id), keys %$e }
+        for (@ids) { die "nothing is $_" unless $there{$_} || $_ eq "https://w3id.org/ro/crate/1.1" }
+        my $root = $there{"./"};
+        die "root" unless $root->{conformsTo}{q(@id)} eq "https://w3id.org/ro/wfrun/process/0.5" && $root->{license} && $root->{name};
+        for (collect($root->{hasPart})) { die "no file $_" unless -s "$ARGV[0]/$_" && $there{$_}{q(@type)} eq "File" }
+        for (collect($root->{mentions})) { my $a = $there{$_}; die "action $_" unless $a->{q(@type)} eq "CreateAction" && $a->{description}
+            && @{$a->{object}} && @{$a->{result}} && $there{$a->{instrument}{q(@id)}}{softwareVersion} }
+        print scalar(collect($root->{mentions})), " ", $root->{datePublished}, "\n"' "$1"
+}
+
+@test "a crate has what was read and made, and says by which programs and commands" {
+    # through a pipe, as elsewhere
+    SOURCE_DATE_EPOCH=86400 hspost -q --crate pipe --question 'Why "so" <much>?' <"$run.e" >curve.csv
+    [ "$(crate pipe)" = "3 1970-01-02T00:00:00+00:00" ]
+    cmp pipe/input-0001.e "$run.e"
+    cmp pipe/deck-0001.yaml "$BATS_FILE_TMPDIR/study.yaml"
+    cmp <(grep -v '^#' pipe/properties.csv) <(grep -v '^#' "$run.csv")
+    whole pipe/report.html
+    grep -q '"description": "Why \\"so\\" <much>?"' pipe/ro-crate-metadata.json
+    grep -q '"description": "hsgen -q study.yaml"' pipe/ro-crate-metadata.json
+    # and of measured tables, which nobody's run made
+    hspost -q "$records/voce.csv" "$run.e" --crate both
+    crate both | grep -q '^3 '
+    cmp both/input-0001.txt "$records/voce.csv"
+    # into a folder that is there; not into a file
+    hspost -q "$records/voce.csv" --crate both >curve.csv
+    crate both | grep -q '^1 '
+    run -2 hspost -q "$records/voce.csv" --crate curve.csv
+}
+
 @test "a report cannot be made without gnuplot, of fields alone, or where it cannot be written" {
     program=$(command -v hspost)
     PATH=$PWD run -1 "$program" "$run.e" --report r.html

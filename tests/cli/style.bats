@@ -137,7 +137,7 @@ only_in() {
     only_in 'udunits2\.h' lib/units.c
     only_in 'muParser.*\.h' lib/expression.c
     only_in 'cairo.*\.h' lib/canvas.c
-    only_in 'jansson\.h' post/properties.c
+    only_in 'jansson\.h' post/properties.c post/crate.c
     only_in 'zlib\.h' gen/scalars.c
     only_in 'png\.h' gen/image_png.c
     only_in 'tiffio\.h' gen/image_tiff.c
