@@ -69,6 +69,7 @@ EXPAT_LIBS := $(call package,--libs,expat,-lexpat)
 JANSSON_LIBS := $(call package,--libs,jansson,-ljansson)
 MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))
 MPI_LIBS := $(call package,--libs,ompi-c,-lmpi)
+METIS_LIBS ?= -lmetis
 FFTW_LIBS := $(call package,--libs,fftw3f,-lfftw3f)
 CMOCKA_LIBS := $(call package,--libs,cmocka,-lcmocka)
 
@@ -127,7 +128,7 @@ $(foreach part,lib gen solve post,$(eval $(call ARCHIVE,$(part))))
 $(BUILD)/bin/hsgen: $(BUILD)/version/version.o $(BUILD)/gen/hsgen.o $(call archive,gen) $(call archive,lib)
 $(BUILD)/bin/hsgen: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS)
 $(BUILD)/bin/hssolve: $(BUILD)/version/version.o $(BUILD)/solve/hssolve.o $(call archive,solve) $(call archive,lib)
-$(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(FFTW_LIBS) $(MPI_LIBS)
+$(BUILD)/bin/hssolve: LIBRARIES = $(LIB_LIBS) $(EXPRESSION_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS)
 $(BUILD)/bin/hspost: $(BUILD)/version/version.o $(BUILD)/post/hspost.o $(call archive,post) $(call archive,lib)
 $(BUILD)/bin/hspost: LIBRARIES = $(LIB_LIBS) $(CAIRO_LIBS) $(JANSSON_LIBS)
 
@@ -138,23 +139,23 @@ $(addprefix $(BUILD)/bin/,$(PROGRAMS)):
 # Tests: every tests/*/test_*.c is a program of its own, linked to all that the tools are made of.
 TESTS := $(patsubst tests/%.c,$(BUILD)/tests/%,$(test_SOURCES))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 $(filter $(BUILD)/tests/physics/%,$(TESTS)): $(addprefix $(BUILD)/tests/physics/,small_body.o small_static.o scene_body.o)
 
 # Readers of files on changed ones; FUZZER=1: by libFuzzer, which has a main of its own.
 $(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/targets.o $(BUILD)/tests/fuzz/targets_post.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/drive.o) \
     $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(if $(FUZZER),-fsanitize=fuzzer) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) -o $@
 
 # Not a test: prints the table of errors (pipelines/errors).
 $(BUILD)/tests/physics/errors: $(BUILD)/tests/physics/errors.o $(BUILD)/tests/physics/small_body.o \
     $(BUILD)/tests/physics/small_static.o $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
 # Not a test: times of the kernels beside the bounds of the machine.
 $(BUILD)/tests/bench/kernels: $(BUILD)/tests/bench/kernels.o $(BUILD)/tests/physics/small_body.o \
     $(foreach part,gen solve post lib,$(call archive,$(part)))
-	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
+	$(CC) $(ALL_LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LIB_LIBS) $(EXPRESSION_LIBS) $(CAIRO_LIBS) $(IMAGE_LIBS) $(EXPAT_LIBS) $(JANSSON_LIBS) $(METIS_LIBS) $(FFTW_LIBS) $(MPI_LIBS) $(CMOCKA_LIBS) -o $@
 
 # Not a test: a spectral solver of the same voxels, beside which load steps of periodic cells stand.
 $(BUILD)/tests/bench/spectral: $(BUILD)/tests/bench/spectral.o $(call archive,lib)

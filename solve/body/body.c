@@ -32,7 +32,7 @@ struct body body_new(const struct lattice *lattice, const struct family *family,
                      const struct offset *bonds, int n_bonds, struct ranks ranks)
 {
     struct body body = {.ranks = ranks, .lattice = lattice, .family = family};
-    body.partition = partition_new(lattice, ranks.size);
+    body.partition = partition_new(lattice, family->reach, ranks.rank, ranks.size);
     body.grid = grid_new(lattice, &body.partition, family, bonds, n_bonds, ranks.rank);
     body.displacement_halo = halo_new(&body.grid, lattice, &body.partition, SITE_MOVES, ranks.size);
     body.stress_halo = halo_new(&body.grid, lattice, &body.partition, SITE_STRESSED, ranks.size);

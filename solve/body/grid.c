@@ -7,6 +7,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The box of the cells that a rank owns, in sites. */
+static void owned_box(const struct lattice *lattice, const struct partition *p, int rank,
+                      int low[3], int high[3])
+{
+    for (int a = 0; a < 3; a++) low[a] = lattice->size[a], high[a] = 0;
+    const int *owner = p->owner;
+    for (int z = 0; z < p->cells[2]; z++)
+        for (int y = 0; y < p->cells[1]; y++)
+            for (int x = 0; x < p->cells[0]; x++) {
+                if (*owner++ != rank) continue;
+                const int cell[3] = {x, y, z};
+                for (int a = 0; a < 3; a++) {
+                    int first = cell[a] * p->edge, end = first + p->edge;
+                    if (first < low[a]) low[a] = first;
+                    if (end > high[a]) high[a] = end;
+                }
+            }
+    for (int a = 0; a < 3; a++)
+        if (high[a] > lattice->size[a]) high[a] = lattice->size[a];
+}
+
 static void fill(struct grid *grid, const struct lattice *lattice, const struct partition *p)
 {
     int64_t site = 0;
@@ -146,7 +167,8 @@ struct grid grid_new(const struct lattice *lattice, const struct partition *part
 {
     if (lattice_is_row(lattice)) return grid_of_row(lattice, partition, family, n_bonds, rank);
     struct grid grid = {.rank = rank};
-    const int *low = partition->boxes[rank].low, *high = partition->boxes[rank].high;
+    int low[3], high[3];
+    owned_box(lattice, partition, rank, low, high);
     /* Twice the reach where a near site is one reach away, its family another. */
     const int pad = lattice->corner ? 1 : (n_bonds > 0 ? 2 : 1) * family->reach;
     for (int a = 0; a < 3; a++) {

@@ -2,101 +2,125 @@
 
 #include "die.h"
 #include "memory.h"
+#include "ranks.h"
 
+#include <metis.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Nodes in each layer of a box, across each axis. */
-struct layers {
-    int64_t all, *count[3];
+/* Of large bodies METIS sees wider cells: its graph stays small (8 MB), and its cuts become planes.
+ */
+enum { CELLS_MOST = 1 << 15 };
+
+/* METIS' compressed graph of the cells that hold particles. */
+struct cell_graph {
+    idx_t n;
+    idx_t *start, *neighbour, *edge_weight, *weight;
+    int64_t *cell; /* [n] index of the cell */
 };
 
-static struct layers count_layers(const struct lattice *lattice, const struct partition_box *box)
+static int64_t cell_count(const struct partition *p)
 {
-    struct layers layers = {0};
-    for (int a = 0; a < 3; a++)
-        layers.count[a] = memory_new((size_t)lattice->size[a], sizeof *layers.count[a]);
-    for (int z = box->low[2]; z < box->high[2]; z++)
-        for (int y = box->low[1]; y < box->high[1]; y++) {
-            const int64_t row = lattice_site(lattice, 0, y, z);
-            int64_t here = 0;
-            for (int x = box->low[0]; x < box->high[0]; x++) {
-                const bool node = lattice_has_node(lattice, row + x);
-                layers.count[0][x] += node;
-                here += node;
-            }
-            layers.count[1][y] += here;
-            layers.count[2][z] += here;
-            layers.all += here;
+    return (int64_t)p->cells[0] * p->cells[1] * p->cells[2];
+}
+
+static idx_t *particles_per_cell(const struct partition *p, const struct lattice *lattice)
+{
+    idx_t *count = memory_new((size_t)cell_count(p), sizeof *count);
+    int64_t site = 0;
+    for (int z = 0; z < lattice->size[2]; z++)
+        for (int y = 0; y < lattice->size[1]; y++) {
+            idx_t *row = count + ((int64_t)(z / p->edge) * p->cells[1] + y / p->edge) * p->cells[0];
+            for (int x = 0; x < lattice->size[0]; x++)
+                row[x / p->edge] += lattice_has_node(lattice, site++);
         }
-    return layers;
+    return count;
 }
 
-static void shrink(struct partition_box *box, const struct layers *layers)
+/* None behind the period: a part that went on there would need a field over all of the body. */
+static void add_neighbours(struct cell_graph *graph, const struct partition *p, const idx_t *vertex,
+                           const int at[3])
 {
-    for (int a = 0; a < 3 && layers->all > 0; a++) {
-        while (layers->count[a][box->low[a]] == 0) box->low[a]++;
-        while (layers->count[a][box->high[a] - 1] == 0) box->high[a]--;
-    }
+    static const idx_t shared[4] = {0, 9, 3, 1}; /* by face, edge, corner */
+    idx_t end = graph->start[graph->n];
+    for (int dz = -1; dz <= 1; dz++)
+        for (int dy = -1; dy <= 1; dy++)
+            for (int dx = -1; dx <= 1; dx++) {
+                int to[3] = {at[0] + dx, at[1] + dy, at[2] + dz}, inside = 1;
+                for (int a = 0; a < 3; a++) inside &= to[a] >= 0 && to[a] < p->cells[a];
+                if (!inside || !(dx || dy || dz)) continue;
+                idx_t v = vertex[((int64_t)to[2] * p->cells[1] + to[1]) * p->cells[0] + to[0]];
+                if (v < 0) continue;
+                graph->neighbour[end] = v;
+                graph->edge_weight[end++] = shared[abs(dx) + abs(dy) + abs(dz)];
+            }
+    graph->start[++graph->n] = end;
 }
 
-/* The cut across an axis that is nearest to a share of the nodes below it, where either side has
- * nodes for its ranks.  What it costs: nodes that are on the wrong side and missed on the other,
- * and those along the cut; below 0 where there is none. */
-static int64_t best_cut(const int64_t *count, int low, int high, int64_t all, const int ranks[2],
-                        int *at)
+static struct cell_graph graph_new(const struct partition *p, const struct lattice *lattice)
 {
-    const int64_t share = all * ranks[0] / (ranks[0] + ranks[1]);
-    int64_t below = 0, best = -1;
-    for (int layer = low; layer + 1 < high; layer++) {
-        below += count[layer];
-        const int64_t along = count[layer] > count[layer + 1] ? count[layer] : count[layer + 1],
-                      cost = 2 * llabs(below - share) + along;
-        if (below < ranks[0] || all - below < ranks[1] || (best >= 0 && cost >= best)) continue;
-        best = cost;
-        *at = layer + 1;
-    }
-    return best;
+    idx_t *count = particles_per_cell(p, lattice),
+          *vertex = memory_new((size_t)cell_count(p), sizeof *vertex);
+    size_t n = 0;
+    for (int64_t c = 0; c < cell_count(p); c++) vertex[c] = count[c] ? (idx_t)n++ : -1;
+    struct cell_graph graph = {.start = memory_new(n + 1, sizeof(idx_t)),
+                               .weight = memory_new(n, sizeof(idx_t)),
+                               .cell = memory_new(n, sizeof(int64_t)),
+                               .neighbour = memory_new(26 * n, sizeof(idx_t)),
+                               .edge_weight = memory_new(26 * n, sizeof(idx_t))};
+    int64_t c = 0;
+    for (int z = 0; z < p->cells[2]; z++)
+        for (int y = 0; y < p->cells[1]; y++)
+            for (int x = 0; x < p->cells[0]; x++, c++) {
+                if (vertex[c] < 0) continue;
+                graph.weight[graph.n] = count[c];
+                graph.cell[graph.n] = c;
+                add_neighbours(&graph, p, vertex, (int[]){x, y, z});
+            }
+    free(count);
+    free(vertex);
+    return graph;
 }
 
-static void free_layers(struct layers *layers)
+static void graph_free(struct cell_graph *graph)
 {
-    for (int a = 0; a < 3; a++) free(layers->count[a]);
+    free(graph->start);
+    free(graph->weight);
+    free(graph->cell);
+    free(graph->neighbour);
+    free(graph->edge_weight);
 }
 
-/* Parts of the box for so many ranks from the first one on; next: of the list of cuts. */
-static void divide(struct partition *p, const struct lattice *lattice, struct partition_box box,
-                   int first, int ranks, int *next)
+static int owns_something(const idx_t *part, idx_t n, int size)
 {
-    struct layers layers = count_layers(lattice, &box);
-    struct partition_cut *cut = &p->cuts[(*next)++];
-    const int sides[2] = {ranks / 2, ranks - ranks / 2};
-    int64_t best = -1;
-    *cut = (struct partition_cut){-1, 0, first};
-    shrink(&box, &layers);
-    /* Of equals z: rows along x stay whole, which vectors run over. */
-    for (int a = 2; a >= 0 && ranks > 1; a--) {
-        int at = 0;
-        const int64_t cost =
-            best_cut(layers.count[a], box.low[a], box.high[a], layers.all, sides, &at);
-        if (cost < 0 || (best >= 0 && cost >= best)) continue;
-        best = cost;
-        cut->axis = a;
-        cut->at = at;
-    }
-    free_layers(&layers);
-    if (ranks == 1) {
-        p->boxes[first] = box;
-        return;
-    }
-    if (best < 0)
-        die_user("%d ranks for %lld nodes, of which each takes whole layers: take fewer ranks",
-                 p->ranks, (long long)lattice->n_nodes);
-    struct partition_box below = box, above = box;
-    below.high[cut->axis] = above.low[cut->axis] = cut->at;
-    divide(p, lattice, below, first, sides[0], next);
-    cut->above = *next;
-    divide(p, lattice, above, first + sides[0], sides[1], next);
+    int *count = memory_new((size_t)size, sizeof *count), all = 1;
+    for (idx_t i = 0; i < n; i++) count[part[i]]++;
+    for (int r = 0; r < size; r++) all &= count[r] > 0;
+    free(count);
+    return all;
+}
+
+static void cut(struct partition *p, const struct lattice *lattice, int size)
+{
+    struct cell_graph graph = graph_new(p, lattice);
+    if (size > graph.n)
+        die_user("%d ranks for %d cells of %d sites: take fewer ranks", size, (int)graph.n,
+                 p->edge);
+    idx_t *part = memory_new((size_t)graph.n, sizeof *part);
+    idx_t constraints = 1, parts = size, edge_cut, options[METIS_NOPTIONS];
+    METIS_SetDefaultOptions(options);
+    options[METIS_OPTION_SEED] = 1;
+    int result = METIS_OK;
+    if (size > 1)
+        result = METIS_PartGraphRecursive(&graph.n, &constraints, graph.start, graph.neighbour,
+                                          graph.weight, NULL, graph.edge_weight, &parts, NULL, NULL,
+                                          options, &edge_cut, part);
+    if (result != METIS_OK) die_run("METIS failed with code %d", result);
+    if (!owns_something(part, graph.n, size))
+        die_user("%d ranks are too many for this domain: one of them would hold no particle", size);
+    for (idx_t i = 0; i < graph.n; i++) p->owner[graph.cell[i]] = (int)part[i];
+    free(part);
+    graph_free(&graph);
 }
 
 /* The spacing, or so much more that the bins of a loose set take no more room than its particles.
@@ -110,8 +134,10 @@ static double bin_width(const struct lattice *lattice)
     }
 }
 
-/* The owner of each scattered particle: that of the bin where it lies. */
-static struct partition partition_row(const struct lattice *lattice, int size)
+/* The owner of each scattered particle: that of the cell, as wide as on a lattice, where it lies.
+ */
+static struct partition partition_scattered(const struct lattice *lattice, int reach, int rank,
+                                            int size)
 {
     struct lattice bins = {.n_sites = 1};
     const int64_t n = lattice->n_sites;
@@ -123,7 +149,8 @@ static struct partition partition_row(const struct lattice *lattice, int size)
     }
     bins.phase = memory_new((size_t)bins.n_sites, 1);
     memset(bins.phase, ABSENT, (size_t)bins.n_sites);
-    int *owner = memory_new((size_t)n, sizeof *owner);
+    struct partition p = {.edge = 1, .cells = {(int)n, 1, 1}};
+    p.owner = memory_new((size_t)n, sizeof *p.owner);
     for (int64_t i = 0; i < n; i++) {
         int at[3];
         for (int a = 0; a < 3; a++) {
@@ -133,34 +160,40 @@ static struct partition partition_row(const struct lattice *lattice, int size)
         bin[i] = lattice_site(&bins, at[0], at[1], at[2]);
         bins.phase[bin[i]] = 0;
     }
-    struct partition p = partition_new(&bins, size);
+    struct partition cells = partition_new(&bins, reach, rank, size);
     for (int64_t i = 0; i < n; i++) {
         int at[3];
         lattice_position(&bins, bin[i], at);
-        owner[i] = partition_owner(&p, at[0], at[1], at[2]);
+        p.owner[i] = partition_owner(&cells, at[0], at[1], at[2]);
     }
+    partition_free(&cells);
     lattice_free(&bins);
     free(bin);
-    p.owner = owner;
     return p;
 }
 
-struct partition partition_new(const struct lattice *lattice, int size)
+/* Cells of that edge; how many. */
+static int64_t divide(struct partition *p, const struct lattice *lattice)
 {
-    if (lattice_is_row(lattice)) return partition_row(lattice, size);
-    struct partition p = {.ranks = size,
-                          .cuts = memory_new(2 * (size_t)size, sizeof *p.cuts),
-                          .boxes = memory_new((size_t)size, sizeof *p.boxes)};
-    struct partition_box whole = {{0}, {lattice->size[0], lattice->size[1], lattice->size[2]}};
-    int next = 0;
-    divide(&p, lattice, whole, 0, size, &next);
+    for (int a = 0; a < 3; a++) p->cells[a] = (lattice->size[a] + p->edge - 1) / p->edge;
+    return cell_count(p);
+}
+
+struct partition partition_new(const struct lattice *lattice, int reach, int rank, int size)
+{
+    if (lattice_is_row(lattice)) return partition_scattered(lattice, reach, rank, size);
+    struct partition p = {.edge = reach > 2 ? reach : 2};
+    const int64_t most = size < CELLS_MOST / 64 ? CELLS_MOST : 64 * (int64_t)size;
+    while (divide(&p, lattice) > most) p.edge++;
+    p.owner = memory_new((size_t)cell_count(&p), sizeof *p.owner);
+    for (int64_t c = 0; c < cell_count(&p); c++) p.owner[c] = -1;
+    if (rank == 0) cut(&p, lattice, size);
+    ranks_share(p.owner, (size_t)cell_count(&p) * sizeof *p.owner);
     return p;
 }
 
 void partition_free(struct partition *partition)
 {
-    free(partition->cuts);
-    free(partition->boxes);
     free(partition->owner);
     *partition = (struct partition){0};
 }

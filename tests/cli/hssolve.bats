@@ -222,10 +222,8 @@ wrong() {
     refused 2 "asks for no fields" -i domain.g -d changed.yaml -o fields.e
 }
 
-@test "more ranks than the body has nodes are refused" {
-    sed 's/size: .*/size: [4 spacings, 2 spacings, 1 spacings]/; s/length: [0-9]*/length: 1/' study.yaml >few.yaml
-    hsgen -q few.yaml -o few.g
-    refused 2 "9 ranks for 8 nodes" -j 9 -i few.g
+@test "more ranks than the body has parts are refused" {
+    refused 2 "120 ranks for 72 cells" -j 120 -i domain.g
 }
 
 @test "a terminal gets no history" {

@@ -132,6 +132,7 @@ only_in() {
 
 @test "each library is known to few files" {
     only_in 'mpi\.h' 'solve/body/*' 'solve/run/*'
+    only_in 'metis\.h' solve/body/partition.c
     only_in 'yaml\.h' 'lib/deck*.c'
     only_in '(exodusII|netcdf)\.h' 'lib/exodus*'
     only_in 'udunits2\.h' lib/units.c

@@ -52,57 +52,56 @@ static void count(const struct lattice *lattice, const struct partition *partiti
             }
 }
 
-/* What a rank has too much is at most half of a layer of its own for each cut that made it: of the
- * parts here, some 9 wide, 15 % of their nodes.  Each lies in its box. */
+/* METIS allows 3 % of imbalance, and a cell of up to edge^3 particles goes to one rank whole. */
 static void test_shares_are_even(void **state)
 {
     (void)state;
     struct lattice lattice = waisted(61, 25, 9);
     static const int sizes[] = {1, 2, 3, 4, 7, 16};
-    for (int k = 0; k < 6; k++) {
-        int64_t counts[16];
-        struct partition partition = partition_new(&lattice, sizes[k]);
-        count(&lattice, &partition, sizes[k], counts);
-        const double share = (double)lattice.n_nodes / sizes[k];
-        for (int r = 0; r < sizes[k]; r++) {
-            assert_true((double)counts[r] >= 0.85 * share);
-            assert_true((double)counts[r] <= 1.15 * share);
+    for (int reach = 1; reach <= 3; reach++)
+        for (int k = 0; k < 6; k++) {
+            int64_t counts[16];
+            struct partition partition = partition_new(&lattice, reach, 0, sizes[k]);
+            assert_int_equal(partition.edge, reach > 2 ? reach : 2);
+            count(&lattice, &partition, sizes[k], counts);
+            const double share = (double)lattice.n_nodes / sizes[k], cell = pow(partition.edge, 3);
+            for (int r = 0; r < sizes[k]; r++) {
+                assert_true(counts[r] > 0);
+                assert_true((double)counts[r] <= 1.03 * share + 2 * cell);
+            }
+            partition_free(&partition);
         }
-        partition_free(&partition);
-    }
     lattice_free(&lattice);
 }
 
-/* Boxes are the smallest about their nodes, also where the body has a hole in its cuboid. */
-static void test_boxes_are_tight(void **state)
+static void test_is_the_same_each_time(void **state)
 {
     (void)state;
-    struct lattice lattice = waisted(60, 24, 4);
-    struct partition partition = partition_new(&lattice, 3);
-    /* A third of the nodes is the waist with two layers of either side at most. */
-    assert_int_equal(partition.boxes[0].low[1], 0);
-    for (int r = 0; r < 3; r++)
-        for (int a = 0; a < 3; a++) {
-            int at[3], ends = 0;
-            for (int64_t site = 0; site < lattice.n_sites; site++) {
-                lattice_position(&lattice, site, at);
-                if (lattice.phase[site] == ABSENT ||
-                    partition_owner(&partition, at[0], at[1], at[2]) != r)
-                    continue;
-                assert_in_range(at[a], partition.boxes[r].low[a], partition.boxes[r].high[a] - 1);
-                ends |= (at[a] == partition.boxes[r].low[a] ? 1 : 0) |
-                        (at[a] == partition.boxes[r].high[a] - 1 ? 2 : 0);
-            }
-            assert_int_equal(ends, 3);
-        }
+    struct lattice lattice = waisted(40, 20, 8);
+    struct partition one = partition_new(&lattice, 1, 0, 5), two = partition_new(&lattice, 1, 0, 5);
+    const size_t cells = (size_t)one.cells[0] * (size_t)one.cells[1] * (size_t)one.cells[2];
+    assert_memory_equal(one.owner, two.owner, cells * sizeof *one.owner);
+    partition_free(&one);
+    partition_free(&two);
+    lattice_free(&lattice);
+}
+
+/* Cells without particles belong to nobody. */
+static void test_empty_cells(void **state)
+{
+    (void)state;
+    struct lattice lattice = waisted(30, 24, 4);
+    struct partition partition = partition_new(&lattice, 1, 0, 3);
+    assert_int_equal(partition_owner(&partition, 15, 1, 1), -1);
+    assert_true(partition_owner(&partition, 15, 12, 1) >= 0);
     partition_free(&partition);
     lattice_free(&lattice);
 }
 
-/* Each rank has a node at least. */
-static void take_more_ranks_than_nodes(const void *lattice)
+/* As many ranks as cells is the most there can be. */
+static void take_more_ranks_than_cells(const void *lattice)
 {
-    struct partition partition = partition_new(lattice, 97);
+    struct partition partition = partition_new(lattice, 1, 0, 13);
     partition_free(&partition);
 }
 
@@ -112,15 +111,12 @@ static void test_most_ranks(void **state)
     struct lattice lattice = {
         .size = {6, 4, 4}, .spacing = 1, .edge = {1, 1, 1}, .n_sites = 96, .n_nodes = 96};
     lattice.phase = memory_new(96, 1);
-    static const int sizes[] = {12, 96};
-    for (int k = 0; k < 2; k++) {
-        int64_t counts[96];
-        struct partition partition = partition_new(&lattice, sizes[k]);
-        count(&lattice, &partition, sizes[k], counts);
-        for (int r = 0; r < sizes[k]; r++) assert_int_equal(counts[r], 96 / sizes[k]);
-        partition_free(&partition);
-    }
-    assert_dies(EXIT_USER, "97 ranks for 96 nodes", take_more_ranks_than_nodes, &lattice);
+    int64_t counts[12];
+    struct partition partition = partition_new(&lattice, 1, 0, 12);
+    count(&lattice, &partition, 12, counts);
+    for (int r = 0; r < 12; r++) assert_int_equal(counts[r], 8);
+    partition_free(&partition);
+    assert_dies(EXIT_USER, "13 ranks for 12 cells", take_more_ranks_than_cells, &lattice);
     lattice_free(&lattice);
 }
 
@@ -128,7 +124,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shares_are_even),
-        cmocka_unit_test(test_boxes_are_tight),
+        cmocka_unit_test(test_is_the_same_each_time),
+        cmocka_unit_test(test_empty_cells),
         cmocka_unit_test(test_most_ranks),
     };
     return cmocka_run_group_tests_name("partition", tests, start, stop);
