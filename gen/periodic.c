@@ -1,6 +1,7 @@
 #include "periodic.h"
 
 #include "die.h"
+#include "keys.h"
 
 #include <math.h>
 
@@ -40,23 +41,11 @@ static void check_axis(struct deck_node domain, const struct specimen *specimen,
     refuse_key(domain, "hole", "a body with a hole is periodic along z at most");
 }
 
-void periodic_axes(struct deck_node list, const char *key, bool axes[3])
-{
-    if (!deck_is_list(list) || deck_count(list) == 0)
-        deck_error(list, "%s is a list of axes: [x, y, z], or some of them", key);
-    for (int i = 0; i < deck_count(list); i++) {
-        const int axis = deck_choice(deck_item(list, i), axis_names, 3);
-        if (axes[axis])
-            deck_error(deck_item(list, i), "%s is in the list already", axis_names[axis]);
-        axes[axis] = true;
-    }
-}
-
 void periodic_read(struct deck_node domain, struct specimen *specimen)
 {
     const struct deck_node list = deck_find(domain, "periodic");
     if (list.index == 0) return;
-    periodic_axes(list, "periodic", specimen->periodic);
+    keys_axes(list, "periodic", specimen->periodic);
     for (int axis = 0; axis < 3; axis++)
         if (specimen->periodic[axis]) check_axis(domain, specimen, axis);
     if (specimen->periodic[0]) check_x(domain);

@@ -10,9 +10,6 @@
  * everywhere as wide. */
 void periodic_read(struct deck_node domain, struct specimen *specimen);
 
-/* Reads a list of axes, none twice; key: its name, for messages. */
-void periodic_axes(struct deck_node list, const char *key, bool axes[3]);
-
 /* The core distance (m) with which whole cubic cells, `edge` distances wide, fill the specimen
  * along its periodic axes: the distance itself where there are none, else the nearest to it.  Dies
  * where that is further than PERIODIC_SLACK from it, or where other axes hold no whole number of

@@ -269,7 +269,7 @@ static void measure(struct deck_node domain, struct recipe *recipe)
     voxels->phase = image_label(&image, measured->file, &measured->words, VOXEL_EMPTY);
     voxels->grain = read_grains(domain, measured, described, &image);
     read_crop(measured, &image, low, high);
-    if (measured->mirror.index) periodic_axes(measured->mirror, "mirror", mirror);
+    if (measured->mirror.index) keys_axes(measured->mirror, "mirror", mirror);
     voxels_crop(voxels, low, high, mirror);
     set_thickness(domain, recipe, voxels);
     set_size(domain, recipe);

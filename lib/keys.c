@@ -136,6 +136,18 @@ void keys_list(const struct key *key, struct deck_node node, double spacing, dou
     }
 }
 
+void keys_axes(struct deck_node list, const char *key, bool axes[3])
+{
+    static const char *const names[] = {"x", "y", "z"};
+    if (!deck_is_list(list) || deck_count(list) == 0)
+        deck_error(list, "%s is a list of axes: [x, y, z], or some of them", key);
+    for (int i = 0; i < deck_count(list); i++) {
+        const int axis = deck_choice(deck_item(list, i), names, 3);
+        if (axes[axis]) deck_error(deck_item(list, i), "%s is in the list already", names[axis]);
+        axes[axis] = true;
+    }
+}
+
 /* One number is all edges of a cell. */
 static void read_spacing(const struct key *key, struct deck_node node, double edges[])
 {

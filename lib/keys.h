@@ -14,6 +14,7 @@
 
 #include "deck.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -98,6 +99,9 @@ void keys_read(struct deck_node map, const struct section *section, int variant,
 
 /* Reads a list of key->size numbers or lengths that a row describes, wherever it stands. */
 void keys_list(const struct key *key, struct deck_node node, double spacing, double values[]);
+
+/* Reads a list of axes, none twice, into those that are true; key: its name, for messages. */
+void keys_axes(struct deck_node list, const char *key, bool axes[3]);
 
 /* Only checks the names of the keys, for an owner that reads them itself. */
 void keys_check(struct deck_node map, const struct section *section, int variant);

@@ -87,15 +87,13 @@ static bool take_cells(struct domain *domain, const struct domain_facts *said)
  * axes that the deck names. */
 static void take_axes(struct domain *domain, struct deck_node said, const char *key)
 {
-    static const char *const axes[] = {"x", "y", "z", NULL};
-    char letters[4] = "";
+    bool axes[3] = {false};
+    char letters[4], *end = letters;
     if (said.index == 0 || attributes_text(&domain->attributes, key)) return;
-    for (int i = 0; i < deck_count(said); i++) {
-        const int axis = keys_choice(deck_item(said, i), axes);
-        if (strchr(letters, *axes[axis]))
-            deck_error(deck_item(said, i), "%s is said twice", axes[axis]);
-        strcat(letters, axes[axis]);
-    }
+    keys_axes(said, key, axes);
+    for (int a = 0; a < 3; a++)
+        if (axes[a]) *end++ = (char)('x' + a);
+    *end = '\0';
     attributes_set_text(&domain->attributes, key, letters);
 }
 
