@@ -128,8 +128,7 @@ static void edit_values(const struct expansion *expansion, int64_t run, const ch
             varying = memory_grow(varying, count, sizeof *varying);
             varying[count++] = variations->items[k].keys[j].node;
         }
-    refinement_edit(expansion->deck, &variations->paths, varying, factor != 1 ? count : 0, factor,
-                    cores, edits);
+    refinement_edit(expansion->deck, &variations->paths, varying, count, factor, cores, edits);
     free(varying);
     /* Of these, a key that the file of cores stands for. */
     const int before = edits->count;

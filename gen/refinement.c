@@ -153,10 +153,12 @@ static bool edited(const struct text_edits *edits, size_t at)
     return false;
 }
 
-static bool among(const struct deck_node nodes[], int count, struct deck_node node)
+static bool within(const struct deck_node nodes[], int count, struct deck_span span)
 {
-    for (int i = 0; i < count; i++)
-        if (nodes[i].index == node.index) return true;
+    for (int i = 0; i < count; i++) {
+        const struct deck_span outer = deck_span(nodes[i]);
+        if (outer.begin <= span.begin && span.end <= outer.end) return true;
+    }
     return false;
 }
 
@@ -165,11 +167,12 @@ void refinement_edit(const struct deck *deck, const struct deck_paths *paths,
                      struct text_edits *edits)
 {
     if (cores) edit_cores(deck, cores, edits);
-    for (int i = 0; i < paths->count; i++) {
+    for (int i = 0; factor != 1 && i < paths->count; i++) {
         const struct deck_node node = paths->items[i].node;
         double value;
-        if (!deck_is_scalar(node) || among(except, count, node)) continue;
+        if (!deck_is_scalar(node)) continue;
         const struct deck_span span = deck_span(node);
+        if (within(except, count, span)) continue;
         if (span.begin == span.end || edited(edits, span.begin)) continue;
         const char *text = deck_string(node);
         if (length_in_spacings(text, &value) != strlen(text)) continue;

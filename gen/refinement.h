@@ -18,7 +18,7 @@ double refinement_spacing(const char *text, struct deck_node where);
 char *refinement_scale(const char *text, double factor);
 
 /* Edits that make the spacing finer by factor and leave the body as it is: all lengths in spacings,
- * but of the places in except[count]; and, where the file of cores is given, that in place of what
+ * but of what lies in except[count]; and, where the file of cores is given, that in place of what
  * would place them anew. */
 void refinement_edit(const struct deck *deck, const struct deck_paths *paths,
                      const struct deck_node except[], int count, double factor, const char *cores,

@@ -22,6 +22,7 @@
 #   make thesis-boundary       four ways to hold a plate: which are asymmetric
 #   make solvers               evaluations and seconds of load steps, by method, nodes, length, horizon (20 minutes)
 #   make loops                 unloading and reloading of CG, UFG, HS40 and R40: back stress
+#   make waves                 plane waves against the symbol of the lattice, pulses through bars and plates
 #   make fracture-spacing      bars that part by ductile damage, at three spacings, with and without `length`
 #
 #   make necking-bar           Simo and Hughes' bar against axisymmetric elements, to 7 mm of half elongation
@@ -46,7 +47,7 @@ SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
 STUDIES := first cells ni-cell plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking necking-bar taylor-bar fracture \
-           solver-switch solvers rates spacings finite-elements loops thesis-calibration strip
+           solver-switch solvers rates spacings finite-elements loops thesis-calibration strip waves
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
 # A check says how many of its assertions hold, or which does not.
@@ -484,6 +485,18 @@ $(RESULTS)/solver-switch/table.csv: $(SWITCHES:%=$(RESULTS)/solver-switch/%/curv
 	{ echo run,mean_deviation_percent,largest_deviation_percent,at_half_a_percent,at_two_percent,force_evaluations,cpu_s; \
 	for name in $(SWITCHES); do $(columns) -v name=$$name -f pipelines/solver-switch/measure.awk $(@D)/static-0.001/curve.csv $(@D)/$$name/curve.csv $(@D)/$$name/time; done; } > $@
 	$(call must,solver-switch,-v rows=$(words $(SWITCHES))) $@
+
+# Waves: three decks that vary, their tables, a figure.
+waves: $(RESULTS)/waves/figure.svg
+DECKS += $(RESULTS)/waves/decks
+.PHONY: $(RESULTS)/waves/decks
+$(RESULTS)/waves/decks:
+	pipelines/waves/run $@ decks
+$(RESULTS)/waves/fronts.csv: $(wildcard pipelines/waves/*) | all
+	pipelines/waves/run $(@D) $(if $(SMALL),small)
+$(RESULTS)/waves/figure.svg: $(RESULTS)/waves/fronts.csv
+	$(call must,waves,-v blank=all) $(addprefix $(@D)/,lattice.csv bars-table.csv pulses.csv) $<
+	gnuplot -c pipelines/waves/figure.gp $(@D) $@
 
 # What load steps cost.
 solvers: $(RESULTS)/solvers/table.md

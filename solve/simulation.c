@@ -359,7 +359,7 @@ static void check_periods(struct simulation *s)
                    s->materials.formulation->name);
     check_direction(s);
     if (!lattice_is_periodic(lattice)) {
-        if (section.index)
+        if (section.index && deck_count(section) > 0)
             deck_error(section, "the body is not periodic: domain.periodic says along which axes a "
                                 "body of hsgen is");
         return;

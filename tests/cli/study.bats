@@ -134,6 +134,21 @@ numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_b
     deck 'refine: 2'
     hsgen -q --study study.yaml -o short
     diff hand/0002/deck.yaml short/0002/deck.yaml
+    # lengths within a value that varies as a whole are scaled once
+    deck 'vary: {grips: [{length: 1 spacings, phase: CG}, {length: 2 spacings, phase: structure}]}' 'refine: 2'
+    hsgen -q --study study.yaml -o whole
+    [ "$(grep -h 'grips:' whole/0001/deck.yaml whole/0002/deck.yaml whole/0003/deck.yaml whole/0004/deck.yaml | tr -s ' ' | sort -u | wc -l)" -eq 4 ]
+    grep -q 'grips: {length: 4 spacings, phase: structure}' whole/0004/deck.yaml
+}
+
+@test "a study of a body without grips has columns" {
+    deck 'vary: {initial.1.velocity: [1 m/s, 2 m/s]}' 'initial: [{where: "1", direction: x, velocity: 1 m/s}]' 'output: {quantities: [{name: u, quantity: displacement_x, nearest: [0, 0, 0]}]}'
+    sed -i -e '/^  grips:/d' -e '/^boundary:/,/grip_right/d' -e 's/quasi_static/explicit/' -e 's/end_strain: 0.01/end_steps: 4/' study.yaml
+    hsgen -q --study study.yaml -o out
+    make -s -C out columns >said
+    grep -q '2 runs done, 0 not run, 0 stopped, 0 failed' said
+    for run in 0001 0002; do grep -v '^#' "out/$run/columns.csv" >"$run.csv"; done
+    awk '{exit !($1 > 0 && $2 > 1.9*$1)}' <<<"$(column u 0001.csv | tail -n 1) $(column u 0002.csv | tail -n 1)"
 }
 
 @test "what cannot be varied is refused, and nothing is written" {
