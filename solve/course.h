@@ -9,6 +9,9 @@ struct checkpoint;
 struct simulation;
 
 struct course {
+    /* Of a name that stands for several: which of them, once end_time is known; NULL: itself.
+     * Collective. */
+    const struct course *(*choose)(struct simulation *simulation);
     bool moving; /* it starts with inertia: velocities, and a step that is stable */
     /* After the first record, makes what the course remembers, simulation->own for what no other
      * needs to see. */

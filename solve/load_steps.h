@@ -19,6 +19,9 @@ struct load_steps {
 
 /* Seconds of a load step that the deck gives in strain or seconds. */
 double static_step(const struct simulation *simulation, double step);
+/* How many of them, and evaluations of the force, the run is going to take if nothing breaks. */
+double static_count(const struct simulation *simulation);
+double static_evaluations(const struct simulation *simulation);
 /* The first step where the deck leaves it to the yield. */
 void static_first_step(struct simulation *simulation);
 /* Builds what finds equilibria; the body's velocities are its first guess, and become 0. */

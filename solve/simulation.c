@@ -471,10 +471,14 @@ static void plan_time(struct simulation *s)
 {
     static const struct course *const courses[] = {COURSES(COURSE_ADDRESS)};
     s->course = courses[s->scene.type];
-    const bool moving = s->course->moving;
     initial_set(&s->scene, &s->body, SCENE_DISPLACEMENT);
     boundary_set_displacements(&s->boundary, &s->body);
     static_first_step(s);
+    if (s->course->choose) {
+        s->end_time = end_of_time(s, NAN);
+        s->course = s->course->choose(s);
+    }
+    const bool moving = s->course->moving;
     const double first = moving ? explicit_step(s) : static_step(s, s->scene.statics.first_step);
     s->end_time = end_of_time(s, first);
     const double dt = resolve_test(s, first);

@@ -8,19 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Evaluations of the force that a load step takes where nothing breaks: of plates of nickel 40 to
- * 100. */
-enum { USUAL_EVALUATIONS = 70 };
-
-static double count_load_steps(const struct simulation *s)
-{
-    const double largest = static_step(s, s->scene.statics.largest_step);
-    double step = s->integration.dt, time = 0, count = 0;
-    if (s->scene.end_steps > 0) return (double)s->scene.end_steps;
-    for (; step < largest && time < s->end_time; step *= QUASI_STATIC_GROWTH, count++) time += step;
-    return count + ceil(fmax(s->end_time - time, 0) / largest);
-}
-
 /* force: time of one evaluation, s */
 static char *explicit_plan(const struct simulation *s, double memory, double force)
 {
@@ -45,14 +32,13 @@ static char *explicit_plan(const struct simulation *s, double memory, double for
 static char *static_plan(const struct simulation *s, double memory, double force)
 {
     const struct scene_static *statics = &s->scene.statics;
-    const double steps = count_load_steps(s);
+    const double evaluations = static_evaluations(s);
     return memory_print(
-        "load steps from %g up to %g %s by %s, residual under %g, %.0f or more; %.0f MB; %.2g s "
-        "each evaluation of the force, of which a step takes some %d: about %.2g s, and what "
-        "breaks comes on top",
+        "load steps from %g up to %g %s by %s, residual under %g, about %.0f; %.0f MB; about %.0f "
+        "evaluations of the force of %.2g s each: %.2g s, and what breaks comes on top",
         statics->first_step, statics->largest_step, s->scene.end_strain > 0 ? "of strain" : "s",
-        equilibrium_methods[statics->method], statics->tolerance, steps, memory * 1e-6, force,
-        USUAL_EVALUATIONS, steps * USUAL_EVALUATIONS * force);
+        equilibrium_methods[statics->method], statics->tolerance, static_count(s), memory * 1e-6,
+        evaluations, force, evaluations * force);
 }
 
 static void tell_phases(const struct simulation *s)
@@ -72,7 +58,7 @@ static void tell_phases(const struct simulation *s)
 
 static double count_steps(const struct simulation *s)
 {
-    return s->course->moving ? (double)s->n_steps : count_load_steps(s);
+    return s->course->moving ? (double)s->n_steps : static_count(s);
 }
 
 int64_t simulation_records(const struct simulation *s)

@@ -15,8 +15,9 @@
 enum {
     EXPLICIT = 1 << SOLVER_explicit,
     HYBRID = 1 << SOLVER_hybrid,
-    MOVING = EXPLICIT | HYBRID,
-    RESTING = 1 << SOLVER_quasi_static | HYBRID
+    OPEN = 1 << SOLVER_auto,
+    MOVING = EXPLICIT | HYBRID | OPEN,
+    RESTING = 1 << SOLVER_quasi_static | HYBRID | OPEN
 };
 
 #define TYPE(name, words)                                                                          \
@@ -237,6 +238,10 @@ static void read_solver(struct scene *scene)
             (scene->programme.count > 0) !=
         1)
         deck_error(solver, "give one of end_strain, end_time, end_steps and programme");
+    if (scene->type == SOLVER_auto && scene->end_steps > 0)
+        deck_error(deck_get(solver, "end_steps"),
+                   "steps of either kind are of another length: 'type: auto' ends at an end_strain "
+                   "or end_time");
     if (scene->programme.count > 0) scene->end_strain = programme_farthest(&scene->programme);
     if (scene->start == START_RAMP)
         deck_get(solver, "ramp"); /* dies */

@@ -16,7 +16,8 @@
 #define COURSES(DO)                                                                                \
     DO(explicit, "explicit steps, with inertia"),                                                  \
         DO(quasi_static, "load steps from one equilibrium to the next"),                           \
-        DO(hybrid, "load steps, and explicit ones from an event on")
+        DO(hybrid, "load steps, and explicit ones from an event on"),                              \
+        DO(auto, "load steps or explicit ones, whichever keeps the accuracy at less cost")
 #define COURSE_NUMBER(name, words) SOLVER_##name
 enum scene_type { COURSES(COURSE_NUMBER), SOLVER_TYPES };
 

@@ -18,10 +18,10 @@ materials:
   UFG: {model: $2, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}}
 boundary:
 $3
-solver: {type: quasi_static, $4}
+solver: {type: ${type:-quasi_static}, $4}
 END
     hsgen -q "$1.yaml" -o "$1.g" 2>/dev/null
-    hssolve -q -i "$1.g" -H "$1.e"
+    hssolve -i "$1.g" -H "$1.e" 2>"$1.err"
     columns "$1.e" "${5:-extension_m}" force_right_N force_evaluations >"$1.txt"
 }
 
@@ -75,4 +75,25 @@ END
     columns elastic.e time_s | awk '{ length_of[NR] = $1 - before; before = $1; if (length_of[NR] > most) most = length_of[NR] }
         END { for (i = 3; i < NR - 1; i++) { ratio = length_of[i] / length_of[i - 1]; if (length_of[i] < 0.999 * most && (ratio < 1.4999 || ratio > 1.5001)) { print i, ratio; bad = 1 } }
               exit !(NR > 8 && NR < 14 && !bad) }'
+}
+
+@test "auto takes load steps where inertia would spoil the accuracy, explicit ones where they keep it for less, and says so" {
+    local type=auto fast='  - {set: grip_left, direction: x, velocity: -2.5 m/s}
+  - {set: grip_right, direction: x, velocity: 2.5 m/s}'
+    body rests corner "$fast" 'end_strain: 0.02'
+    body moves corner "$fast" 'end_strain: 0.02, accuracy: 0.08'
+    type=quasi_static body truth corner "$fast" 'end_strain: 0.02, accuracy: 2e-4'
+    cat rests.err moves.err
+    grep 'auto takes load steps: .* where accuracy asks for 0.1 %' rests.err
+    grep 'auto takes explicit steps: .* where accuracy asks for 8 %' moves.err
+    # The largest difference is that of the first yield.
+    read -r off _ <<<"$(worst truth moves)"
+    awk -v off="$off" 'BEGIN { exit !(off > 1e-2 && off <= 0.08) }' || { echo "explicit steps are $off off"; return 1; }
+    read -r off _ <<<"$(worst truth rests)"
+    awk -v off="$off" 'BEGIN { exit !(off <= 1e-3) }' || { echo "load steps are $off off"; return 1; }
+}
+
+@test "auto has no steps to count" {
+    type=auto body counted corner "$pulled" 'end_steps: 10' || true
+    grep "counted.yaml:.*'type: auto' ends at an end_strain or end_time" counted.err
 }
