@@ -100,25 +100,10 @@ bool simulation_checkpoint_due(const struct simulation *s)
            (wanted->steps > 0 && s->integration.step - s->saved_step >= wanted->steps);
 }
 
-/* Of the domain, which is open since it was read. */
-static void read_domain(const struct simulation *s, struct run_texts *texts)
-{
-    const int64_t length = lseek(s->input, 0, SEEK_END);
-    texts->domain_length = length > 0 ? length : 0;
-    texts->domain = memory_new((size_t)texts->domain_length + 1, 1);
-    for (int64_t at = 0; at < texts->domain_length;) {
-        const ssize_t got =
-            pread(s->input, texts->domain + at, (size_t)(texts->domain_length - at), at);
-        if (got <= 0) die_run("cannot read the domain again for a checkpoint");
-        at += got;
-    }
-}
-
 static struct run_texts texts_of(const struct simulation *s)
 {
-    struct run_texts texts = {0};
+    struct run_texts texts = {.domain = s->input}; /* open since it was read */
     if (s->ranks.rank != 0) return texts;
-    read_domain(s, &texts);
     texts.program = memory_text(options_version());
     texts.deck = memory_text(deck_text(s->deck));
     texts.deck_name = memory_text(s->arguments->deck ? deck_name(s->deck) : "");
@@ -208,7 +193,7 @@ static void take_frames(struct simulation *s, char *names, int64_t frames)
 
 void simulation_restore(struct simulation *s)
 {
-    struct run_texts texts = {0};
+    struct run_texts texts = {.domain = -1};
     struct checkpoint_file *file = checkpoint_file_open(s->arguments->restart);
     int64_t frames = 0;
     run_texts_visit(&texts, file);

@@ -42,11 +42,14 @@ bool checkpoint_reads(const struct checkpoint *checkpoint)
 void checkpoint_numbers(struct checkpoint *c, const char *name, double *values, int64_t count)
 {
     if (!checkpoint_reads(c)) {
-        const int64_t rows = c->body->ranks.rank == 0 ? 1 : 0;
-        union checkpoint_word *words = memory_new((size_t)count + 1, sizeof *words);
-        if (rows) memcpy(words + 1, values, (size_t)count * sizeof *values);
-        checkpoint_file_write(c->file, name, count, rows, words);
-        free(words);
+        const bool here = c->body->ranks.rank == 0;
+        checkpoint_file_begin(c->file, name, count, here ? 1 : 0);
+        if (here) {
+            union checkpoint_word *words = checkpoint_file_row(c->file);
+            words[0].key = 0;
+            memcpy(words + 1, values, (size_t)count * sizeof *values);
+        }
+        checkpoint_file_end(c->file);
         return;
     }
     for (int64_t left = checkpoint_file_table(c->file, name, &count); left > 0; left--) {
@@ -73,30 +76,35 @@ void checkpoint_flag(struct checkpoint *c, const char *name, bool *flag)
 
 /* --- rows of points --------------------------------------------------------------------------- */
 
+/* Rows are gone through twice: how many they are decides where a rank's lie in the file. */
 struct rows {
-    int64_t count, room, width; /* in rows */
-    union checkpoint_word *words;
+    struct checkpoint *of;
+    const char *name;
+    int64_t count, width;
+    bool counted;
 };
 
 static void add_row(struct rows *rows, int64_t key, double *const places[])
 {
-    const size_t size = (size_t)(rows->width + 1);
-    if (rows->count == rows->room) {
-        rows->room = rows->room ? 2 * rows->room : 1024;
-        union checkpoint_word *more = memory_new((size_t)rows->room * size, sizeof *more);
-        if (rows->count) memcpy(more, rows->words, (size_t)rows->count * size * sizeof *more);
-        free(rows->words);
-        rows->words = more;
+    if (!rows->counted) {
+        rows->count++;
+        return;
     }
-    union checkpoint_word *word = rows->words + (size_t)rows->count++ * size;
+    union checkpoint_word *word = checkpoint_file_row(rows->of->file);
     word++->key = key;
     for (int64_t k = 0; k < rows->width; k++) word++->number = *places[k];
 }
 
-static void write_rows(struct checkpoint *c, const char *name, struct rows *rows)
+/* Behind a walk through all of them; whether another is to follow. */
+static bool once_more(struct rows *rows)
 {
-    checkpoint_file_write(c->file, name, rows->width, rows->count, rows->words);
-    free(rows->words);
+    struct checkpoint_file *file = rows->of->file;
+    if (rows->counted)
+        checkpoint_file_end(file);
+    else
+        checkpoint_file_begin(file, rows->name, rows->width, rows->count);
+    rows->counted = !rows->counted;
+    return rows->counted;
 }
 
 /* Copies of a site that a rank may have: in a periodic body its images, a period up or down along
@@ -169,16 +177,17 @@ void checkpoint_fields(struct checkpoint *c, const char *name, double *const fie
         read_rows(c, name, count, find_field, &list);
         return;
     }
-    struct rows rows = {.width = count};
+    struct rows rows = {.of = c, .name = name, .width = count};
     const struct strips *owned = &c->body->owned;
-    for (int64_t s = 0; s < owned->count; s++)
-        for (int i = 0; i < owned->items[s].count; i++) {
-            double *places[MOST_WIDTH];
-            const int64_t site = owned->items[s].site + i;
-            for (int k = 0; k < count; k++) places[k] = fields[k] + site;
-            add_row(&rows, body_number(c->body, site), places);
-        }
-    write_rows(c, name, &rows);
+    do {
+        for (int64_t s = 0; s < owned->count; s++)
+            for (int i = 0; i < owned->items[s].count; i++) {
+                double *places[MOST_WIDTH];
+                const int64_t site = owned->items[s].site + i;
+                for (int k = 0; k < count; k++) places[k] = fields[k] + site;
+                add_row(&rows, body_number(c->body, site), places);
+            }
+    } while (once_more(&rows));
 }
 
 /* --- points in strips ------------------------------------------------------------------------- */
@@ -218,15 +227,16 @@ void checkpoint_points(struct checkpoint *c, const char *name, const struct stri
         read_points(c, name, width, &list);
         return;
     }
-    struct rows rows = {.width = width};
-    for (int64_t s = 0; s < strips->count; s++)
-        for (int i = 0; i < strips->items[s].count; i++) {
-            double *places[MOST_WIDTH];
-            const int64_t site = strips->items[s].site + i;
-            if ((c->body->grid.flags[site] & SITE_OWNED) && place(owner, s, i, false, places))
-                add_row(&rows, body_number(c->body, site), places);
-        }
-    write_rows(c, name, &rows);
+    struct rows rows = {.of = c, .name = name, .width = width};
+    do {
+        for (int64_t s = 0; s < strips->count; s++)
+            for (int i = 0; i < strips->items[s].count; i++) {
+                double *places[MOST_WIDTH];
+                const int64_t site = strips->items[s].site + i;
+                if ((c->body->grid.flags[site] & SITE_OWNED) && place(owner, s, i, false, places))
+                    add_row(&rows, body_number(c->body, site), places);
+            }
+    } while (once_more(&rows));
 }
 
 /* Component by component. */
@@ -340,17 +350,18 @@ void checkpoint_bonds(struct checkpoint *c, const char *name, int width, checkpo
         read_rows(c, name, width, find_bond, &list);
         return;
     }
-    struct rows rows = {.width = width};
-    for (int64_t s = 0; s < bonds->count; s++) {
-        const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
-        for (int k = 0; k < view.count; k++) {
-            double *places[MOST_WIDTH];
-            if ((c->body->grid.flags[bond_lower(&view, k)] & SITE_OWNED) &&
-                place(owner, s, k, false, places))
-                add_row(&rows, key_of_bond(c, &bonds->strips[s], &view, k), places);
+    struct rows rows = {.of = c, .name = name, .width = width};
+    do {
+        for (int64_t s = 0; s < bonds->count; s++) {
+            const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
+            for (int k = 0; k < view.count; k++) {
+                double *places[MOST_WIDTH];
+                if ((c->body->grid.flags[bond_lower(&view, k)] & SITE_OWNED) &&
+                    place(owner, s, k, false, places))
+                    add_row(&rows, key_of_bond(c, &bonds->strips[s], &view, k), places);
+            }
         }
-    }
-    write_rows(c, name, &rows);
+    } while (once_more(&rows));
 }
 
 static bool place_in_bonds(void *owner, int64_t strip, int point, bool make, double *places[])

@@ -11,9 +11,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { NAME = 80, MARK = 24, WORD = sizeof(union checkpoint_word) };
+enum { NAME = 80, MARK = 24, WORD = sizeof(union checkpoint_word), BLOCK = 1 << 22 };
 
-static const char mark[MARK] = "hstools checkpoint 1\n";
+static const char mark[MARK] = "hstools checkpoint 2\n";
 static const int64_t order_of_bytes = 0x0102030405060708;
 
 struct head {
@@ -39,6 +39,10 @@ struct checkpoint_file {
     bool reads;
     int failure;       /* errno of the first write that failed; 0: none */
     int64_t at, bytes; /* where the next table or block begins; of the whole file */
+    /* Of the table that is being written: where this rank's next block goes, numbers of a row, rows
+     * that wait to be one. */
+    int64_t own, width, waiting;
+    union checkpoint_word *words;
 };
 
 /* --- bytes ------------------------------------------------------------------------------------ */
@@ -178,31 +182,65 @@ bool checkpoint_file_reads(const struct checkpoint_file *file)
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-static int64_t block_bytes(int64_t width, int64_t rows)
+/* Rows of a whole block: some MB, whatever a rank has. */
+static int64_t block_rows(int64_t width)
 {
-    return (int64_t)sizeof(struct block) + rows * (width + 1) * WORD;
+    const int64_t rows = BLOCK / ((width + 1) * WORD);
+    return rows > 0 ? rows : 1;
 }
 
-void checkpoint_file_write(struct checkpoint_file *file, const char *name, int64_t width,
-                           int64_t rows, const union checkpoint_word *words)
+static int64_t block_count(int64_t width, int64_t rows)
 {
-    struct table table = {.width = width, .blocks = file->ranks.size};
-    int64_t *all = memory_new((size_t)file->ranks.size, sizeof *all);
+    return (rows + block_rows(width) - 1) / block_rows(width);
+}
+
+static int64_t table_bytes(int64_t width, int64_t rows)
+{
+    return block_count(width, rows) * (int64_t)sizeof(struct block) + rows * (width + 1) * WORD;
+}
+
+void checkpoint_file_begin(struct checkpoint_file *file, const char *name, int64_t width,
+                           int64_t rows)
+{
+    struct table table = {.width = width};
+    int64_t *all = memory_new((size_t)file->ranks.size, sizeof *all), at;
     if (strlen(name) >= NAME) die_run("'%s' is too long a name for a checkpoint", name);
     strcpy(table.name, name);
-    table.checksum = checksum(&table, offsetof(struct table, checksum));
     ranks_tell_all(rows, all);
+    for (int r = 0; r < file->ranks.size; r++) table.blocks += block_count(width, all[r]);
+    table.checksum = checksum(&table, offsetof(struct table, checksum));
     if (file->ranks.rank == 0) put(file, &table, sizeof table, file->at);
-    int64_t at = file->at + (int64_t)sizeof table;
-    for (int r = 0; r < file->ranks.size; at += block_bytes(width, all[r++])) {
-        if (r != file->ranks.rank) continue;
-        const size_t bytes = (size_t)(rows * (width + 1) * WORD);
-        const struct block block = {rows, checksum(words, bytes)};
-        put(file, &block, sizeof block, at);
-        put(file, words, bytes, at + (int64_t)sizeof block);
-    }
+    at = file->at + (int64_t)sizeof table;
+    for (int r = 0; r < file->ranks.size; at += table_bytes(width, all[r++]))
+        if (r == file->ranks.rank) file->own = at;
     file->at = at;
+    file->width = width;
+    const int64_t most = rows < block_rows(width) ? rows : block_rows(width);
+    file->words = memory_new((size_t)(most * (width + 1)), sizeof *file->words);
     free(all);
+}
+
+static void write_block(struct checkpoint_file *file)
+{
+    const size_t bytes = (size_t)(file->waiting * (file->width + 1) * WORD);
+    const struct block block = {file->waiting, checksum(file->words, bytes)};
+    put(file, &block, sizeof block, file->own);
+    put(file, file->words, bytes, file->own + (int64_t)sizeof block);
+    file->own += (int64_t)(sizeof block + bytes);
+    file->waiting = 0;
+}
+
+union checkpoint_word *checkpoint_file_row(struct checkpoint_file *file)
+{
+    if (file->waiting == block_rows(file->width)) write_block(file);
+    return file->words + file->waiting++ * (file->width + 1);
+}
+
+void checkpoint_file_end(struct checkpoint_file *file)
+{
+    if (file->waiting > 0) write_block(file);
+    free(file->words);
+    file->words = NULL;
 }
 
 int64_t checkpoint_file_table(struct checkpoint_file *file, const char *name, int64_t *width)
@@ -241,12 +279,13 @@ static void write_bytes(struct checkpoint_file *file, const char *name, const ch
 {
     int64_t width = (length + WORD - 1) / WORD;
     ranks_share(&width, sizeof width);
-    union checkpoint_word *words = memory_new((size_t)width + 1, sizeof *words);
-    const int64_t rows = file->ranks.rank == 0 ? 1 : 0;
-    words[0].key = length;
-    if (rows && length > 0) memcpy(words + 1, bytes, (size_t)length);
-    checkpoint_file_write(file, name, width, rows, words);
-    free(words);
+    checkpoint_file_begin(file, name, width, file->ranks.rank == 0 ? 1 : 0);
+    if (file->ranks.rank == 0) {
+        union checkpoint_word *words = checkpoint_file_row(file);
+        words[0].key = length;
+        if (length > 0) memcpy(words + 1, bytes, (size_t)length);
+    }
+    checkpoint_file_end(file);
 }
 
 void checkpoint_file_bytes(struct checkpoint_file *file, const char *name, char **bytes,
@@ -269,4 +308,45 @@ void checkpoint_file_bytes(struct checkpoint_file *file, const char *name, char 
         free(words);
     }
     if (!*bytes) checkpoint_file_refuse(file, "damaged: a text is missing");
+}
+
+enum { PIECE = 4095 }; /* numbers of a row of a copy */
+
+/* A row holds the next bytes, its key says how many they are. */
+static void write_copy(struct checkpoint_file *file, const char *name, int from)
+{
+    const int64_t most = PIECE * WORD, end = from < 0 ? 0 : lseek(from, 0, SEEK_END),
+                  length = end > 0 ? end : 0;
+    checkpoint_file_begin(file, name, PIECE, (length + most - 1) / most);
+    for (int64_t at = 0; at < length; at += most) {
+        union checkpoint_word *words = checkpoint_file_row(file);
+        const int64_t count = length - at < most ? length - at : most;
+        memset(words, 0, (size_t)most + WORD);
+        words[0].key = count;
+        if (pread(from, words + 1, (size_t)count, at) != count)
+            die_run("%s: cannot be read again for a checkpoint", name);
+    }
+    checkpoint_file_end(file);
+}
+
+void checkpoint_file_copy(struct checkpoint_file *file, const char *name, int descriptor)
+{
+    int64_t width = PIECE, at = 0;
+    if (!file->reads) {
+        write_copy(file, name, descriptor);
+        return;
+    }
+    for (int64_t left = checkpoint_file_table(file, name, &width); left > 0; left--) {
+        int64_t rows;
+        union checkpoint_word *words = checkpoint_file_block(file, width, &rows), *row = words;
+        for (int64_t r = 0; r < rows; r++, row += width + 1) {
+            const int64_t count = row->key;
+            if (count < 0 || count > width * WORD)
+                checkpoint_file_refuse(file, "damaged: a copy's length");
+            if (descriptor >= 0 && pwrite(descriptor, row + 1, (size_t)count, at) != count)
+                die_run("cannot write a temporary file: %s", strerror(errno));
+            at += count;
+        }
+        free(words);
+    }
 }

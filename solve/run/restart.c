@@ -17,7 +17,7 @@ void run_texts_visit(struct run_texts *texts, struct checkpoint_file *file)
     visit_text(file, "program", &texts->program);
     visit_text(file, "deck", &texts->deck);
     visit_text(file, "name of the deck", &texts->deck_name);
-    checkpoint_file_bytes(file, "domain", &texts->domain, &texts->domain_length);
+    checkpoint_file_copy(file, "domain", texts->domain);
     visit_text(file, "names of the fields", &texts->fields);
 }
 
@@ -26,7 +26,6 @@ void run_texts_free(struct run_texts *texts)
     free(texts->program);
     free(texts->deck);
     free(texts->deck_name);
-    free(texts->domain);
     free(texts->fields);
     *texts = (struct run_texts){0};
 }
@@ -46,14 +45,14 @@ static void check_deck(const struct arguments *arguments, const struct run_texts
 
 void restart_unpack(struct arguments *arguments, struct spool inputs[2])
 {
-    struct run_texts texts = {0};
+    inputs[0] = spool_bytes("", 0);
+    struct run_texts texts = {.domain = inputs[0].descriptor};
     if (arguments->input)
         die_user("--restart with -i %s: a checkpoint has its domain inside", arguments->input);
     struct checkpoint_file *file = checkpoint_file_open(arguments->restart);
     run_texts_visit(&texts, file);
     checkpoint_file_close(file);
     check_deck(arguments, &texts);
-    inputs[0] = spool_bytes(texts.domain, (size_t)texts.domain_length);
     arguments->input = inputs[0].path;
     arguments->deck = NULL;
     if (*texts.deck_name) {

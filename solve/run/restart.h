@@ -12,9 +12,8 @@ struct run_texts {
     char *program;   /* version line of who wrote it */
     char *deck;      /* text */
     char *deck_name; /* as given beside the domain; "": it lies within */
-    char *domain;    /* the file as it was read */
+    int domain;      /* open file as it was read, or to be written; -1: none */
     char *fields;    /* names that the frames may be found under, line by line; "": none */
-    int64_t domain_length;
 };
 
 /* Writes them, on rank 0 as they are, or reads them, each rank for itself; to be freed with

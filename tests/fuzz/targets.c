@@ -257,7 +257,7 @@ static void read_unfinished(const char *text, size_t size)
 
 static void read_checkpoint(const char *text, size_t size)
 {
-    struct run_texts texts = {0};
+    struct run_texts texts = {.domain = -1};
     (void)text, (void)size;
     struct checkpoint_file *file = checkpoint_file_open(fuzz.path);
     run_texts_visit(&texts, file);
