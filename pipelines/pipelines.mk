@@ -6,7 +6,7 @@
 #   make errors                errors of the elastic constants, yield and hardening of every material
 #   make truths                every formulation where stress varies, against exact solutions and CalculiX: docs/errors.md (half an hour)
 #   make plate-cg              the homogeneous plate that proves E and the hardening curve
-#   make cells                 harmonic against random at equal fraction, on periodic cells: 310 runs (an hour of one core)
+#   make cells                 harmonic against random at equal fraction, on periodic cells: 320 runs (an hour of one core)
 #   make ni-cell               a periodic cell of harmonic nickel, yields by Hall and Petch
 #   make flagship              pipelines/ni-hs40
 #   make flagship-horizons     the same at horizons 1, 2 and 3 spacings
