@@ -45,7 +45,9 @@ static const struct section section_quantity = {
     .path = "output.quantities",
     .help = "Each entry is a column of the history: a quantity of some nodes, or of one.  The "
             "force that a support exerts is minus the sum of force and external_force over its "
-            "nodes, as long as they are not accelerated.",
+            "nodes, as long as they are not accelerated; of corner such sums are over all corners "
+            "of the "
+            "particles, those that they share with others, too.",
     .keys = KEYS(quantity_keys)};
 
 /* One node has nothing to be reduced. */

@@ -170,13 +170,26 @@ void node_values_free(struct node_values *values)
     free(values);
 }
 
+static double *member_of(const struct body *body, struct node_component which)
+{
+    return ((double *const *)((const char *)body + which.value.member))[which.component];
+}
+
+const double *node_values_at_corners(struct node_values *values, struct node_component which,
+                                     const struct body *body)
+{
+    const double *field = member_of(body, which);
+    if (!field) body_clear(body, &values->buffer, 1);
+    return field ? field : values->buffer;
+}
+
 const double *node_values_field(struct node_values *values, struct node_component which,
                                 struct model *model, const struct body *body)
 {
     double *buffer = values->buffer;
     if (which.value.member) {
-        double *const *fields = (double *const *)((const char *)body + which.value.member);
-        if (fields[which.component]) return corners_mean(body, fields[which.component], buffer);
+        double *field = member_of(body, which);
+        if (field) return corners_mean(body, field, buffer);
         body_clear(body, &buffer, 1);
         return buffer;
     }

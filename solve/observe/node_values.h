@@ -63,4 +63,8 @@ void node_values_free(struct node_values *values);
 const double *node_values_field(struct node_values *values, struct node_component which,
                                 struct model *model, const struct body *body);
 
+/* The same at the corners of particles, of a value that body has there (member). */
+const double *node_values_at_corners(struct node_values *values, struct node_component which,
+                                     const struct body *body);
+
 #endif

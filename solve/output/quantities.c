@@ -1,5 +1,6 @@
 #include "quantities.h"
 
+#include "corners.h"
 #include "members.h"
 #include "memory.h"
 #include "node_values.h"
@@ -10,6 +11,7 @@
 struct quantity {
     struct node_component which;
     enum scene_reduction reduction;
+    bool corners; /* the members are the corners of particles, each once */
     struct members members;
     double *values; /* [members.count] at a record */
 };
@@ -20,6 +22,17 @@ struct quantities {
     struct quantity *items;
     struct node_values *nodes;
 };
+
+/* A force acts on corners: of a part of the body it is that on all of its corners, those that it
+ * shares with others, too, where a neighbour or a support pulls at it. */
+static struct members members_of_corners(const struct body *body, const int64_t *particles,
+                                         int64_t count)
+{
+    int64_t *corners = particles ? corners_of_particles(body->lattice, particles, &count) : NULL;
+    const struct members members = members_of_nodes(body, corners, corners ? count : 0);
+    free(corners);
+    return members;
+}
 
 struct quantities *quantities_new(const struct scene *scene, const struct body *body,
                                   const struct damage *damage)
@@ -32,7 +45,10 @@ struct quantities *quantities_new(const struct scene *scene, const struct body *
         struct quantity *item = &quantities->items[k];
         item->which = node_component(wanted->value);
         item->reduction = wanted->reduction;
-        item->members = members_of_particles(body, wanted->nodes.numbers, wanted->nodes.count);
+        item->corners =
+            body->lattice->corner && item->which.value.density && item->reduction == REDUCE_SUM;
+        item->members = (item->corners ? members_of_corners : members_of_particles)(
+            body, wanted->nodes.numbers, wanted->nodes.count);
         item->values = memory_new((size_t)item->members.count, sizeof *item->values);
         quantities->states |= item->which.value.observe != NULL;
     }
@@ -80,7 +96,8 @@ static struct range find_range(struct quantity *quantity, const struct body *bod
     struct range range = {INFINITY, INFINITY, INFINITY, INFINITY};
     for (int64_t i = 0; i < quantity->members.count; i++) {
         const int64_t site = quantity->members.sites[i];
-        const double volume = body_particle_volume(body, site),
+        const double volume = quantity->corners ? body_volume(body, site)
+                                                : body_particle_volume(body, site),
                      value = field[site] * (quantity->which.value.density ? volume : 1);
         quantity->values[i] = value;
         const double t = term(quantity, i, volume);
@@ -117,8 +134,10 @@ void quantities_measure(struct quantities *quantities, struct model *model, stru
     double *totals = memory_new(2 * (size_t)count, sizeof *totals);
     for (int k = 0; k < count; k++) {
         struct quantity *item = &quantities->items[k];
-        ranges[k] =
-            find_range(item, body, node_values_field(quantities->nodes, item->which, model, body));
+        ranges[k] = find_range(
+            item, body,
+            item->corners ? node_values_at_corners(quantities->nodes, item->which, body)
+                          : node_values_field(quantities->nodes, item->which, model, body));
     }
     ranks_minimum((double *)ranges, RANGE * count);
     for (int k = 0; k < count; k++) add_up(&quantities->items[k], body, &ranges[k], sums + 2 * k);

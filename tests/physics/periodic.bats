@@ -235,6 +235,30 @@ END
     near "$side" "$(awk 'BEGIN { printf "%.12g", exp(-0.2 * log(1.001)) - 1 }')" 1e-6
 }
 
+# The layer of corners that the held block shares with the other one carries most of it.
+@test "a force summed over a block of corner is the reaction of what holds it, shared corners and all" {
+    body bar 8 3 3 'i < 2'
+    cat >held.yaml <<END
+domain: {spacing: 10 um}
+materials:
+  block_1: {model: corner, density: 8900, $hard}
+  block_2: {model: corner, density: 8900, $soft}
+boundary:
+  - {block: block_1, direction: x, velocity: 0}
+  - {block: block_1, direction: y, velocity: 0}
+  - {box: [[69 um, -1 mm, -1 mm], [81 um, 14 um, 1 mm]], direction: x, velocity: 1e-6 m/s}
+output:
+  quantities:
+    - {name: along, quantity: force_x, reduce: sum, block: block_1}
+    - {name: across, quantity: force_y, reduce: sum, block: block_1}
+solver: {end_time: 0.01, step: 0.01, tolerance: 1e-9}
+END
+    solve held bar
+    read -r along across force < <(last held.e along across force_left_N)
+    near "$along" "$(awk "BEGIN { printf \"%.12g\", $force < 0 ? -($force) : $force }")" 1e-9
+    awk "BEGIN { exit !($across < 1e-6 * $along && $across > -1e-6 * $along) }"
+}
+
 @test "the same bits on 1 to 4 ranks, and after a restart; and of a cell that breaks" {
     body sphere 12 12 12 '(i - 2) ^ 2 + (j - 5.5) ^ 2 + (k - 8) ^ 2 < 20'
     deck ranks 'x, y, z' "$voce_1" "$voce_2" "$tension" 'end_strain: 0.01'
