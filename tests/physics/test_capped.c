@@ -74,6 +74,51 @@ static void test_force_beyond_the_cap(void **state)
     small_body_free(&small);
 }
 
+static uint8_t halves(const int size[3], const int at[3])
+{
+    return at[0] >= size[0] / 2;
+}
+
+/* Of two halves, the second with a ninth of the stiffness, one is moved off by d.  The layers
+ * beside the interface have H_xx = d/(2 dx), so that |z| is d/2 of a bond across it and d/4 of
+ * those behind either layer: the springs store M_AB/4 + (M_A + M_B)/16, with M_AB = 2 (1/9)/(1 +
+ * 1/9) = 0.2 of halves in series, where their mean would be 0.56.  Strains of 5e-7 are linear to
+ * that. */
+static void test_springs_between_phases(void **state)
+{
+    (void)state;
+    const double d = 1e-6 * SMALL_SPACING, nu = 0.31, ninth = 1. / 9,
+                 modulus = young * (1 - nu) / (1 + nu) / (1 - 2 * nu),
+                 nodes = 2 * SIDE * SIDE * pow(SMALL_SPACING, 3) * 0.5 * modulus * 0.25 * 1e-12;
+    double springs[2];
+    for (int k = 0; k < 2; k++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "{A: {model: correspondence_elastic, density: 8900, youngs_modulus: 210 GPa, "
+                 "poissons_ratio: 0.31}, B: {model: correspondence_elastic, density: 8900, "
+                 "youngs_modulus: %.17g, poissons_ratio: 0.31}}",
+                 k ? young * ninth : young);
+        struct small_body small;
+        small_body_new(&small, &(struct small_case){.size = {SIDE, SIDE, SIDE},
+                                                    .horizon = 1,
+                                                    .stabilisation = small_capped,
+                                                    .n_phases = 2,
+                                                    .phase = halves,
+                                                    .materials = text});
+        for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+            int at[3];
+            if (!small_body_has(&small, site)) continue;
+            small_body_position(&small, site, at);
+            small.body.u[0][site] = at[0] >= SIDE / 2 ? d : 0;
+        }
+        small_body_force(&small, false, false);
+        springs[k] = small_body_elastic_energy(&small) - (k ? 0.5 * (1 + ninth) : 1) * nodes;
+        small_body_free(&small);
+    }
+    assert_relative(springs[1] / springs[0], (0.2 / 4 + (1 + ninth) / 16) / (1. / 4 + 2. / 16),
+                    1e-5);
+}
+
 /* A slip that came about in a turned body is the same slip: forces turn with the body, and back
  * again. */
 static void test_slip_turns(void **state)
@@ -144,6 +189,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_force_beyond_the_cap),
+        cmocka_unit_test(test_springs_between_phases),
         cmocka_unit_test(test_slip_turns),
         cmocka_unit_test(test_degrading_turns_stored_energy_into_dissipated),
     };

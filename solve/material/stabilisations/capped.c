@@ -3,7 +3,8 @@
  *   z = y_j - y_i - Fbar (xi + zeta),  Fbar = (F_i + F_j)/2, zeta the slip               (capped.1)
  *   energy V^2 c w |z|^2 a bond (unordered);  tau = 2 V c w z                           (capped.2)
  *   f_i += tau, f_j -= tau;  S_i, S_j -= tau (x) (xi + zeta) / 2
- *   c = G (lambda + 4 mu)/kappa_0, kappa_0 = K_11 of the full family                    (capped.3)
+ *   c = G M/kappa_0, kappa_0 = K_11 of the full family, M = lambda + 4 mu, of a bond    (capped.3)
+ *       between phases 2 M_i M_j/(M_i + M_j): its halves are springs in series
  *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
  *   beyond it the slip takes the excess but 2 %: zeta += Fbar^-1 (excess)
  *
@@ -33,9 +34,10 @@ enum { STATE = 4 };
 struct capped {
     double stiffness, cap; /* G, C */
     const struct materials *materials;
-    double shape;   /* kappa_0 in lattice units */
-    double *state;  /* strip by strip: zeta [m], then the energy lost so far [J/m^3] */
-    double *before; /* integrity at the last commit; NULL: no node degrades */
+    double shape;    /* kappa_0 in lattice units */
+    double *modulus; /* M of pairs of phases [Pa] */
+    double *state;   /* strip by strip: zeta [m], then the energy lost so far [J/m^3] */
+    double *before;  /* integrity at the last commit; NULL: no node degrades */
 };
 
 static const struct key keys[] = {
@@ -55,6 +57,19 @@ static int capped_bonds(const void *self, const struct family *family,
     return family->n_half;
 }
 
+static void find_moduli(struct capped *c)
+{
+    const struct materials *all = c->materials;
+    const int n = all->count;
+    c->modulus = memory_new((size_t)(n * n), sizeof *c->modulus);
+    for (int pair = 0; pair < n * n; pair++) {
+        const int i = pair / n * (n + 1), j = pair % n * (n + 1);
+        const double Mi = all->bulk[i] - 2 * all->shear[i] / 3 + 4 * all->shear[i],
+                     Mj = all->bulk[j] - 2 * all->shear[j] / 3 + 4 * all->shear[j];
+        c->modulus[pair] = i == j ? Mi : 2 * Mi * Mj / (Mi + Mj);
+    }
+}
+
 static void capped_start(void *self, const struct body *body, const struct materials *materials,
                          const struct strips bonds[], double *nominal)
 {
@@ -62,6 +77,7 @@ static void capped_start(void *self, const struct body *body, const struct mater
     const struct family *family = body->family;
     (void)bonds, (void)nominal;
     c->materials = materials;
+    find_moduli(c);
     for (int o = 0; o < family->n_half; o++) {
         const struct offset *offset = &family->half[o];
         if (body->lattice->dimensions == 2 && offset->step[2] != 0) continue;
@@ -181,12 +197,12 @@ static void find_caps(const struct capped *c, struct springs *s, const struct bo
                   g = k * view->geometry_step;
         const double mu = all->shear[pair], bulk = all->bulk[pair],
                      weight = view->weight[k * view->weight_step];
-        const double modulus = 9 * bulk * mu / (3 * bulk + mu), lambda = bulk - 2 * mu / 3;
+        const double youngs = 9 * bulk * mu / (3 * bulk + mu);
         const bool whole = carries(body, weight, i, j);
         s->cap[k] =
-            whole ? c->cap * (flow[i] + flow[j]) / (2 * modulus) * view->length[g] : INFINITY;
+            whole ? c->cap * (flow[i] + flow[j]) / (2 * youngs) * view->length[g] : INFINITY;
         s->stiffness[k] =
-            whole ? 2 * weight * c->stiffness * (lambda + 4 * mu) / (c->shape * spacing * spacing)
+            whole ? 2 * weight * c->stiffness * c->modulus[pair] / (c->shape * spacing * spacing)
                   : 0;
         s->at_lower[k] = s->stiffness[k] * (view->volume_j[g] / body->volume);
         s->at_upper[k] = s->stiffness[k] * (view->volume_i[g] / body->volume);
@@ -365,6 +381,7 @@ static void capped_visit(void *self, const struct body *body, struct checkpoint 
 static void capped_free(void *self)
 {
     struct capped *c = self;
+    free(c->modulus);
     free(c->state);
     free(c->before);
     free(c);
