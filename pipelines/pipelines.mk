@@ -398,12 +398,12 @@ $(RESULTS)/necking/table.csv: $(NECKS:%=$(RESULTS)/necking/%/row.csv) pipelines/
 	$(call must,necking,-v rows=$(words $(NECKS))) $@
 
 # The necking bar of Simo and Hughes: an eighth of a round bar between its planes of symmetry.  A name says how many particles make the radius,
-# how many the half length; soft: a residual that flows at a third of the usual stress and hardens by a fifth.  CalculiX' half comes from the folder; CALCULIX=yes makes it anew.
+# how many the half length; soft: a residual that flows at a third of the usual stress.  CalculiX' half comes from the folder; CALCULIX=yes makes it anew.
 BARS := 3-150 6-150 6-150-soft $(if $(SMALL),,6-25 6-50 6-150-four_points 12-150 12-150-soft 12-300 12-300-soft)
 BAR_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/necking-bar/calculix.csv
 DECKS += $(BARS:%=$(RESULTS)/necking-bar/%/study.yaml)
 necking-bar: $(RESULTS)/necking-bar/table.csv
-bar_soft = -e 's/form: flowing/&$(comma) limit: 0.01$(comma) hardening: 0.001/'
+bar_soft = -e 's/form: flowing/&$(comma) limit: 0.01/'
 bar_four_points = -e 's/form: flowing/form: four_points/'
 bar_edge = $(shell awk 'BEGIN {printf "%.17g", $(1)/$(2)}')
 $(BARS:%=$(RESULTS)/necking-bar/%/study.yaml): $(RESULTS)/necking-bar/%/study.yaml: pipelines/necking-bar/study.yaml

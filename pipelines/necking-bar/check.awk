@@ -15,8 +15,8 @@ END {
     # What the reference itself is known to.
     must(error("CAX8R 10x40/0.0025", 7) < 1 && error("CAX8R 10x40/0.0025", 6.5) < 0.5, "the elements still move")
     must(error("6-150", 7) < 0.65 * error("3-150", 7), "twice as fine across: " error("6-150", 7) " % at 7 mm, after " error("3-150", 7))
-    # Most of what is left is the residual's hardening.
-    must(error("6-150-soft", 7) < 0.5 * error("6-150", 7), "a soft residual leaves " error("6-150-soft", 7) " % at 7 mm of " error("6-150", 7))
+    # Half of what is left is the residual's limit.
+    must(error("6-150-soft", 7) < 0.6 * error("6-150", 7), "a soft residual leaves " error("6-150-soft", 7) " % at 7 mm of " error("6-150", 7))
     if (!small) {
         must(error("12-150", 7) < 0.65 * error("6-150", 7), "twice as fine across: " error("12-150", 7) " % at 7 mm, after " error("6-150", 7))
         must(error("6-150", 7) < error("6-50", 7) && error("6-50", 7) < error("6-25", 7), "finer along the axis is no better")

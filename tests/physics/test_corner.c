@@ -388,17 +388,18 @@ static void test_flow_of_the_residual(void **state)
     struct small_body small;
     small_body_new(&small,
                    &(struct small_case){.size = {1, 1, 1},
-                                        .residual = "{modulus: 0.5, limit: 0.1, hardening: 0.02}",
+                                        .residual = "{modulus: 0.5, limit: 0.1, hardening: 8}",
                                         .materials = NICKEL});
     const struct body *body = &small.body;
     const double mu = young / (2 * (1 + poisson)), w = sqrt(8. / 3) / spacing,
-                 limit = 0.1 * 182.1e6 / (sqrt(3) * mu), volume = spacing * spacing * spacing;
+                 share = 182.1e6 / (sqrt(3) * mu), limit = 0.1 * share, slope = 8 * share,
+                 volume = spacing * spacing * spacing;
     double plastic = 0, alpha = 0, dissipated = 0;
     for (int step = 1; step <= 40; step++) {
         const double e = (step < 25 ? step : 50 - step) * 0.2 * limit,
-                     yield = limit + 0.02 / 0.98 * alpha, trial = e - plastic,
-                     beyond = fmax(fabs(trial) - yield, 0), increment = 0.98 * beyond;
-        dissipated += 0.5 * mu * (yield * increment + 0.5 * 0.02 / 0.98 * increment * increment);
+                     yield = limit + slope * alpha, trial = e - plastic,
+                     beyond = fmax(fabs(trial) - yield, 0), increment = beyond / (1 + slope);
+        dissipated += 0.5 * mu * (yield * increment + 0.5 * slope * increment * increment);
         plastic += copysign(increment, trial);
         alpha += increment;
         for (int64_t site = 0; site < body->grid.n_sites; site++) {

@@ -1,8 +1,9 @@
 /* flowing.c - a residual energy that flows at a share of the particle's own flow stress.
  *
  *   e_m = w_m F^-1 h_m,  w_m^2 = mean over the cell of |grad s_m|^2                     (flowing.1)
- *   Pi = V a mu phi(|e - e'|),  d phi/dr = r up to r_c, beyond it r_c + eta (r - r_c)   (flowing.2)
- *   r_c = f sigma_y(p)/(sqrt(3) mu) + eta/(1 - eta) alpha                               (flowing.3)
+ *   Pi = V a mu phi(|e - e'|),  d phi/dr = r up to r_c, beyond it                       (flowing.2)
+ *                               r_c + H/(1 + H) (r - r_c)
+ *   r_c = (f + h alpha) sigma_y(p)/(sqrt(3) mu),  H = h sigma_y(p)/(sqrt(3) mu)         (flowing.3)
  *
  * e: the deviation of the gradient over the cell, all modes and components of it one vector (12
  * numbers), seen from the material (F^-1: a superposed rotation leaves it alone).  a mu e^2/2 is
@@ -11,8 +12,10 @@
  * Belytschko (Int. J. Numer. Methods Engrg. 17 (1981) 679) as large as the material's own.  An
  * elastic one of that size would lock what flows: so it flows like J2, with e' for the plastic
  * strain and alpha = sum |de'| for the equivalent one, the radial return in one step as it hardens
- * linearly.  Within a step r_c stands still, so that the force is the gradient of Pi.  The work a
- * mu r_c d(alpha) is booked as plastic. */
+ * linearly.  It hardens by a share of the flow stress, too: a share of the shear modulus is
+ * nothing in a hard phase and several times the flow stress in a soft one.  Within a step r_c and H
+ * stand still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as
+ * plastic. */
 #include "checkpoint.h"
 #include "degradation.h"
 #include "hexahedra.h"
@@ -27,7 +30,7 @@
 enum { COMPONENTS = 3 * MODES, ALPHA = COMPONENTS, WORK, STATE };
 
 struct flowing {
-    double modulus, limit, hardening; /* a, f, eta */
+    double modulus, limit, hardening; /* a, f, h */
     double weight[MODES];             /* w_m [1/m] */
     double *state;   /* strip by strip: e', alpha, work over V a mu; NULL: nothing ever flows */
     double *records; /* of degradation, strip by strip; NULL: none degrades */
@@ -40,8 +43,9 @@ static const struct key keys[] = {
     {"limit", KEY_NUMBER, AT(limit), "1", 0, 10, .usual = 0.03,
      .help = "f: the stress at which it flows over the particle's own; between 0.02 and 0.05 the "
              "stress of a harmonic structure moves by 1.3 per cent"},
-    {"hardening", KEY_NUMBER, AT(hardening), "1", 0, 0.5, .usual = 0.005,
-     .help = "eta: slope beyond the limit over that before; keeps motions of no energy away"},
+    {"hardening", KEY_NUMBER, AT(hardening), "1", 0, 10, .usual = 0.1,
+     .help = "h: growth of that share by a deviation of 1 of the gradient over the cell; keeps "
+             "motions of no energy away"},
 };
 
 static void start(void *self, const struct body *body, const struct materials *materials,
@@ -150,15 +154,15 @@ HS_SIMD static void flow(int count, const struct flowing *restrict f, const doub
                          const double *restrict stress, const double *restrict alpha,
                          struct work *restrict w)
 {
-    const double slope = f->hardening / (1 - f->hardening), to_strain = f->limit / sqrt(3.);
+    const double to_shear = 1 / sqrt(3.);
     for (int i = 0; i < count; i++) {
-        const double r = sqrt(w->square[i]),
-                     limit = to_strain * stress[i] / mu[i] + slope * alpha[i],
-                     beyond = r > limit ? r - limit : 0;
-        const double increment = (1 - f->hardening) * beyond;
-        w->factor[i] = beyond > 0 ? 1 - increment / r : 1;
+        const double yield = to_shear * stress[i] / mu[i], slope = f->hardening * yield,
+                     limit = yield * (f->limit + f->hardening * alpha[i]), r = sqrt(w->square[i]),
+                     lost = r > limit ? (r - limit) / (r * (1 + slope)) : 0;
+        const double increment = lost * r;
+        w->factor[i] = 1 - lost;
         w->increment[i] = increment;
-        w->dissipating[i] = beyond > 0 ? increment * (limit + 0.5 * slope * increment) : 0;
+        w->dissipating[i] = r > limit ? increment * (limit + 0.5 * slope * increment) : 0;
     }
 }
 
