@@ -192,6 +192,7 @@ TRUTHS := bending torsion laminate bar flow circles inclined limit block cell
 TRUTHS_CALCULIX := $(if $(CALCULIX),$(RESULTS)/truths,pipelines/truths)/calculix.csv
 truths: $(RESULTS)/truths/table.md
 	$(if $(SMALL),,awk -f pipelines/truths/insert.awk $< docs/errors.md > $(<D)/errors.md && cp $(<D)/errors.md docs/errors.md)
+	$(if $(SMALL),,awk -F, -f pipelines/truths/cost.awk $(<D)/table.csv > docs/bench/truths.md)
 $(RESULTS)/truths/calculix.csv: $(wildcard pipelines/truths/*)
 	@mkdir -p $(@D)
 	pipelines/truths/calculix $(@D)/calculix > $@

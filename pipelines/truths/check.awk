@@ -51,9 +51,13 @@ END {
     must(error["block", "two phases nu 0.499 over 0.3", "corner_four_points", 8] > 10 && error["block", "two phases nu 0.499 over 0.3", "mix", 8] > 10, "four_points or mix do not lock any more: say so in docs/errors.md")
     # Of converged elements, which are known to 0.3 %.
     for (k = 1; k <= split("0.005 0.01 0.02 0.05", strain, " "); k++) {
-        within("cell", "POW at " strain[k], "corner_flowing", 4, 1.5)
-        within("cell", "POW at " strain[k], "corner_flowing", 8, 0.5)
+        within("cell", "sc POW at " strain[k], "corner_flowing", 4, 1.5)
+        within("cell", "sc POW at " strain[k], "corner_flowing", 8, 0.5)
     }
+    # Random cells, whose edges no elements resolve: C3D20R still falls by 3.5 to 6 % from four to eight.
+    if (!small) for (k = 3; k <= 4; k++) for (j = 1; j <= 2; j++) within("cell", "random_" j " POW at " strain[k], "corner_flowing", 8, 2.5)
+    # Pressure is no more uneven than between fully integrated elements of the same size, but for a quarter.
+    must(error["noise", "phase 2", "corner_flowing", 8] < 1.25 * error["noise", "phase 2", "C3D8I", 8], "pressure differs by " error["noise", "phase 2", "corner_flowing", 8] " MPa from particle to particle")
     split("corner_flowing corner_four_points mix ordinary", some, " ")
     for (k = 1; k <= 4; k++) within("flow", "turned by 90 degrees", some[k], 8, 1e-3)
     for (k = 1; k <= 3; k++) {

@@ -1,5 +1,5 @@
 # What the cases share; sourced by each.  A case is called as CASE FOLDER [small|decks] and writes rows of a table:
-#   case,quantity,formulation,particles,error_percent (of block and cell: stress in MPa, which table.awk compares)
+#   case,quantity,formulation,particles,error_percent,cpu_s (of block and cell: stress in MPa, which table.awk compares)
 # decks: the decks alone, nothing is run; small: fewer of them.  hssolve and hspost are found in PATH.
 #
 # Bodies are written as text, particles of 1 mm (SPACING) and a phase each; lengths of the cases are in particles.
@@ -99,6 +99,7 @@ solve() {
     local run="$folder/$2-$1"
     local TIMEFORMAT=%U
     { time hssolve -q -j 1 -d "$run.yaml" -i "$3" -H "$run.h" -o "$run.e" 2>&3; } 3>&2 2>"$run.seconds"
+    tail -n 1 "$run.seconds" >"$folder/seconds" # of the last run, for the rows of it
     hspost -q --columns "$run.h" >"$run.csv"
     hspost --frames "$run.e" --csv >"$run.nodes.csv"
     rm "$run.h" "$run.e"
@@ -108,6 +109,15 @@ solve() {
 last() { awk -F, -v name="$2" '/^#/ {next} !n {for (n = 1; $n != name; n++) if (n > NF) exit 1; next} {v = $n} END {print v}' "$1"; }
 
 # row QUANTITY FORMULATION PARTICLES VALUE EXACT: what of the exact value is missing or too much.
-row() { awk -v OFS=, -v v="$4" -v e="$5" -v c="$case_name" -v q="$1" -v f="$2" -v n="$3" 'BEGIN {printf "%s,%s,%s,%s,%.3f\n", c, q, f, n, 100 * (v / e - 1)}'; }
+row() { error "$1" "$2" "$3" "$(awk -v v="$4" -v e="$5" 'BEGIN {print 100 * (v / e - 1)}')"; }
+# noise FORMULATION PARTICLES: rows of what noise.awk prints.
+noise() {
+    local value what
+    read -r -a value
+    for what in 'phase 1' 'phase 2' 'phase 1 averaged' 'phase 2 averaged'; do
+        echo "noise,$what,$1,$2,${value[0]},"
+        value=("${value[@]:1}")
+    done
+}
 # error QUANTITY FORMULATION PARTICLES PERCENT
-error() { printf '%s,%s,%s,%s,%.3f\n' "$case_name" "$1" "$2" "$3" "$4"; }
+error() { printf '%s,%s,%s,%s,%.3f,%s\n' "$case_name" "$1" "$2" "$3" "$4" "$(cat "$folder/seconds")"; }

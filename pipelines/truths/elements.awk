@@ -1,12 +1,13 @@
 # Particles as hexahedra of CalculiX: each one element around its place, of a sheet of two dimensions held across it.
 #
-#   awk -v element=C3D8 -v spacing=1e-3 -v by=1 -v cards=FILE [-v plastic=1 -v ends=LIST -v flat=1] -f HOLD -f elements.awk particles.txt
+#   awk -v element=C3D8 -v spacing=1e-3 -v by=1 -v cards=FILE [-v plastic=1 -v ends=LIST -v flat=1 -v inside=FILE] -f HOLD -f elements.awk particles.txt
 #
 # HOLD has the functions hold(n, x, y, z), called for each node, places in particles from the body's centre, which prescribes
 # by fix(n, direction, value) what is not free, and push(n, direction, force); cards: materials, as CalculiX reads them, of the
 # element sets PHASE1, PHASE2.  mm, MPa, N.  flat: planes; u_z = 0 throughout.  by: each particle is that many elements along
 # each axis (of planes in the plane, and their thickness is one of an element).  Writes the nodes' places to
-# the file named in `places`.  ends: of the steps, shares of all that is prescribed.
+# the file named in `places`, and to `inside` those of the elements, with their phases; then stresses at the integration points are
+# printed at the end.  ends: of the steps, shares of all that is prescribed.
 
 BEGIN {
     quadratic = element ~ /^C3D20/
@@ -38,6 +39,10 @@ function place(v) { return int(v / spacing * 2 * by + 1e5 + 0.5) }
                 for (a = 1; a <= 3; a++) at[nodes, a] = (p[a] - 1e5) / 2 / by
             }
             line = line "," (c == 11 ? "\n" : "") number[p[1], p[2], p[3]]
+        }
+        if (inside) {
+            for (a = 1; a <= 3; a++) p[a] = $a + (piece[a] - (by - 1) / 2) / by * spacing
+            printf "%d,%.9g,%.9g,%.9g,%d\n", elements, p[1], p[2], p[3], $4 > inside
         }
         connectivity[elements] = line
     }
@@ -83,6 +88,7 @@ END {
         print "U"
         print "*NODE PRINT, NSET=ALL, FREQUENCY=1000"
         print "RF"
+        for (k = 1; k <= 2 && inside && m == steps; k++) print "*EL PRINT, ELSET=PHASE" k "\nS"
         print "*END STEP"
     }
 }

@@ -24,5 +24,9 @@ elements() {
         /forces/ {what = "f"; time = $NF; next}
         NF == 4 && what == "u" {u[$1] = $2 "," $3 "," $4}
         NF == 4 && what == "f" {print time, $1, at[$1], u[$1], $2, $3, $4}' "$run.places" "$run.dat" >"$run.csv"
-    rm -f "$folder/$1".{dat,frd,cvg,inp,places,hold,12d}
+    # x,y,z,XX,YY,ZZ,XY,XZ,YZ,phase of each element, means over its points [m, Pa].
+    [ ! -e "$run.inside" ] || awk -v OFS=, 'FILENAME ~ /inside$/ {split($0, f, ","); at[f[1]] = f[2] "," f[3] "," f[4]; phase[f[1]] = f[5]; next}
+        NF == 8 && $1 in at {for (k = 1; k <= 6; k++) s[$1, k] += 1e6 * $(k + 2); m[$1]++}
+        END {for (e in m) {line = at[e]; for (k = 1; k <= 6; k++) line = line "," s[e, k] / m[e]; print line "," phase[e]}}' "$run.inside" "$run.dat" >"$run.stress.csv"
+    rm -f "$folder/$1".{inside,dat,frd,cvg,inp,places,hold,12d}
 }

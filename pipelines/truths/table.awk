@@ -3,13 +3,14 @@
 # A row a quantity, a column a formulation or element, errors in per cent in the order of the particles; in brackets the order
 # of convergence over the last three, where they have one sign.
 
-BEGIN { if (csv) print "case,quantity,formulation,particles,error_percent" > csv }
+BEGIN { if (csv) print "case,quantity,formulation,particles,error_percent,cpu_s" > csv }
 FNR == 1 && $1 == "case" { next } # CalculiX' header
 NF < 5 { next }
 {
     name = $1
     what = $2
     value = $5
+    seconds[$1, $2, $3, $4] = $6
     # Stresses: to be compared once all are there.
     if (name == "block" || name == "cell") { stress[name, what, $3, $4] = $5; of[++n_stresses] = $0; next }
     add(name, what, $3, $4, value)
@@ -20,7 +21,7 @@ function add(name, what, who, n, value) {
     if (!((name, who) in known)) { known[name, who] = 1; column[name, ++columns[name]] = who }
     if (!((name, n) in sized)) { sized[name, n] = 1; size[name, ++sizes[name]] = n + 0 }
     error[name, what, who, n] = value
-    if (csv) printf "%s,%s,%s,%s,%.3f\n", name, what, who, n, value > csv
+    if (csv) printf "%s,%s,%s,%s,%.3f,%s\n", name, what, who, n, value, seconds[name, what, who, n] > csv
 }
 
 # Of the finest C3D20R.
@@ -59,7 +60,7 @@ function cell_of(name, what, who,    i, n, text, last, count, e, at, order) {
         if (!((name, what, who, n) in error)) { if (what_sizes[name, what, n]) text = text (text == "" ? "" : " / ") "."; continue }
         e[++count] = error[name, what, who, n]
         at[count] = n
-        text = text (text == "" ? "" : " / ") short(e[count])
+        text = text (text == "" ? "" : " / ") (name == "noise" ? sprintf("%.0f", e[count]) : short(e[count]))
     }
     if (!count) return ""
     if (count >= 3 && e[count] * e[count - 1] > 0 && e[count - 1] * e[count - 2] > 0 && size_of(e[count]) > 0.005)
@@ -101,5 +102,6 @@ END {
     table("inclined", "Bars inclined to the lattice: particles of width")
     table("limit", "Limit loads: particles of ligament, of the hole's diameter, of the wall")
     table("block", "Block of two phases near incompressibility: particles to an edge")
+    table("noise", "Pressure in the harmonic cell: noise from particle to particle, MPa, particles to an edge")
     table("cell", "Cells of two phases in plastic flow: particles to an edge")
 }
