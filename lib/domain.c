@@ -88,6 +88,11 @@ void domain_alias_set(struct domain *domain, const char *alias)
     domain->sets[domain->n_sets - 1].alias = memory_text(alias);
 }
 
+bool domain_has_grains(const struct domain *domain)
+{
+    return domain->grain || (domain->source && domain->source->grains);
+}
+
 bool domain_next(const struct domain *domain, struct domain_nodes *nodes)
 {
     enum { AT_ONCE = 1 << 16 };
@@ -125,6 +130,7 @@ void domain_hold(struct domain *domain)
         domain->y = hold(domain->y, domain, nodes.x[1], &nodes);
         domain->z = hold(domain->z, domain, nodes.x[2], &nodes);
         domain->volume = hold(domain->volume, domain, nodes.volume, &nodes);
+        domain->grain = hold(domain->grain, domain, nodes.grain, &nodes);
     }
     domain->source->free(domain->source);
     domain->source = NULL;

@@ -47,6 +47,7 @@ struct domain_source {
      * next call. */
     void (*read)(struct domain_source *source, struct domain_nodes *nodes);
     void (*free)(struct domain_source *source);
+    bool grains; /* it gives them, too */
 };
 
 struct domain {
@@ -67,6 +68,9 @@ struct domain {
     struct domain *corners;
     int64_t *hexahedra;
 };
+
+/* Whether ids of grains are known. */
+bool domain_has_grains(const struct domain *domain);
 
 /* The next nodes, at first from {0}; false behind the last: how to go through a domain that need
  * not be held. */

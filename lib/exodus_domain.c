@@ -14,7 +14,7 @@ static char title[] = "hstools domain", radius[] = "RADIUS", volume[] = "VOLUME"
 /* A third one where grains are known. */
 static int attributes_of(const struct domain *domain)
 {
-    return domain->grain ? 3 : 2;
+    return domain_has_grains(domain) ? 3 : 2;
 }
 
 static void put_block(const struct exodus_file *file, const struct domain *domain, int phase,

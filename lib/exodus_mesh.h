@@ -33,6 +33,8 @@ struct element_shape {
 
 /* Name, shape, number of elements and of their attributes; the name is a new text. */
 ex_block exodus_read_block(const struct exodus_file *file, int64_t id, char **name);
+/* The place of an attribute of that name, in any case, among those of an element; -1: none. */
+int exodus_attribute(const struct exodus_file *file, const ex_block *block, const char *name);
 /* The place of the volume among the attributes of an element; dies (exit 2) where it has none. */
 int exodus_volume_attribute(const struct exodus_file *file, const ex_block *block);
 

@@ -44,27 +44,33 @@ ex_block exodus_read_block(const struct exodus_file *file, int64_t id, char **na
     return block;
 }
 
-int exodus_volume_attribute(const struct exodus_file *file, const ex_block *block)
+int exodus_attribute(const struct exodus_file *file, const ex_block *block, const char *name)
 {
     int found = -1;
     exodus_bound(file, block->num_attribute, 4, "attributes");
     char **names = exodus_names(block->num_attribute);
     exodus_read(file, ex_get_attr_names(file->id, EX_ELEM_BLOCK, block->id, names), "names");
     for (int i = 0; i < block->num_attribute && found < 0; i++)
-        if (strcasecmp(names[i], "VOLUME") == 0) found = i;
+        if (strcasecmp(names[i], name) == 0) found = i;
     free(names);
+    return found;
+}
+
+int exodus_volume_attribute(const struct exodus_file *file, const ex_block *block)
+{
+    const int found = exodus_attribute(file, block, "VOLUME");
     if (found < 0)
         die_user("%s: block %lld has no attribute VOLUME", file->shown, (long long)block->id);
     return found;
 }
 
 /* All attributes at once: netCDF is slow at picking one out of the interleaved ones. */
-static double *read_volumes(const struct exodus_file *file, const ex_block *block)
+static double *read_attribute(const struct exodus_file *file, const ex_block *block, int place)
 {
-    int64_t place = exodus_volume_attribute(file, block), each = block->num_attribute;
+    const int64_t each = block->num_attribute;
     exodus_bound(file, block->num_entry, 4 * each, "attributes");
     double *values = memory_new((size_t)(block->num_entry * each), sizeof *values);
-    exodus_read(file, ex_get_attr(file->id, EX_ELEM_BLOCK, block->id, values), "the volumes");
+    exodus_read(file, ex_get_attr(file->id, EX_ELEM_BLOCK, block->id, values), "attributes");
     for (int64_t i = 0; i < block->num_entry; i++) values[i] = values[i * each + place];
     return values;
 }
@@ -94,7 +100,12 @@ static void add_spheres(struct mesh *mesh, const struct block *block, uint8_t ph
                         struct domain *domain)
 {
     int64_t *nodes = read_corners(mesh, &block->sizes);
-    double *volumes = read_volumes(mesh->file, &block->sizes);
+    const int place = exodus_attribute(mesh->file, &block->sizes, "GRAIN");
+    double *volumes = read_attribute(mesh->file, &block->sizes,
+                                     exodus_volume_attribute(mesh->file, &block->sizes)),
+           *grains = place < 0 ? NULL : read_attribute(mesh->file, &block->sizes, place);
+    if (grains && !domain->grain)
+        domain->grain = memory_new((size_t)domain->n_nodes, sizeof *domain->grain);
     for (int64_t i = 0; i < block->sizes.num_entry; i++) {
         const int64_t node = nodes[i] - 1, particle = mesh->on_nodes ? node : mesh->n_particles;
         if (domain->phase[particle] != UNSEEN)
@@ -105,6 +116,7 @@ static void add_spheres(struct mesh *mesh, const struct block *block, uint8_t ph
                      volumes[i], (long long)nodes[i]);
         domain->phase[particle] = phase;
         domain->volume[particle] = volumes[i];
+        if (grains) domain->grain[particle] = grains[i];
         domain->x[particle] = mesh->x[node];
         domain->y[particle] = mesh->y[node];
         domain->z[particle] = mesh->z[node];
@@ -113,6 +125,7 @@ static void add_spheres(struct mesh *mesh, const struct block *block, uint8_t ph
     }
     free(nodes);
     free(volumes);
+    free(grains);
 }
 
 static void add_solids(struct mesh *mesh, const struct block *block, int64_t first, uint8_t phase,

@@ -10,9 +10,9 @@ enum { AT_ONCE = 1 << 16, MOST_PHASES = 16, UNSEEN = 255 };
 
 struct block {
     ex_block sizes;
-    int64_t done;   /* elements that have been read */
-    int volume;     /* place among the attributes */
-    double *values; /* [AT_ONCE * attributes] */
+    int64_t done;      /* elements that have been read */
+    int volume, grain; /* places among the attributes; -1: none */
+    double *values;    /* [AT_ONCE * attributes] */
 };
 
 struct stream {
@@ -21,7 +21,7 @@ struct stream {
     int64_t n_nodes;
     int n_blocks;
     struct block blocks[MOST_PHASES];
-    double *x[3], *volume; /* [AT_ONCE] */
+    double *x[3], *volume, *grain; /* [AT_ONCE] */
 };
 
 static void stream_free(struct domain_source *source)
@@ -31,10 +31,12 @@ static void stream_free(struct domain_source *source)
     for (int b = 0; b < stream->n_blocks; b++) free(stream->blocks[b].values);
     for (int a = 0; a < 3; a++) free(stream->x[a]);
     free(stream->volume);
+    free(stream->grain);
     free(stream);
 }
 
-/* Volumes of the nodes that are of a block, whose elements follow each other as they do. */
+/* Volumes and grains of the nodes that are of a block, whose elements follow each other as they do.
+ */
 static void read_volumes(struct stream *stream, const struct domain_nodes *nodes, int b)
 {
     struct block *block = &stream->blocks[b];
@@ -47,10 +49,11 @@ static void read_volumes(struct stream *stream, const struct domain_nodes *nodes
                                     block->done + 1, count, block->values),
                 "the volumes");
     block->done += count;
-    const double *value = block->values + block->volume;
+    const double *value = block->values;
     for (int64_t i = 0; i < nodes->count; i++) {
         if (nodes->phase[i] != b) continue;
-        stream->volume[i] = *value;
+        stream->volume[i] = value[block->volume];
+        stream->grain[i] = block->grain < 0 ? 0 : value[block->grain];
         value += each;
     }
 }
@@ -69,6 +72,7 @@ static void stream_read(struct domain_source *source, struct domain_nodes *nodes
     }
     for (int a = 0; a < 3; a++) nodes->x[a] = stream->x[a];
     nodes->volume = stream->volume;
+    if (source->grains) nodes->grain = stream->grain;
 }
 
 /* Phases of a block's nodes; false where they do not ascend, or one is another block's, too. */
@@ -108,6 +112,8 @@ static bool take_blocks(struct stream *stream, int64_t elements, struct domain *
             sizes->num_attribute < 1 || sizes->num_attribute > MOST_PHASES)
             return false;
         block->volume = exodus_volume_attribute(&stream->file, sizes);
+        block->grain = exodus_attribute(&stream->file, sizes, "GRAIN");
+        stream->source.grains = stream->source.grains || block->grain >= 0;
         block->values = memory_new((size_t)(AT_ONCE * sizes->num_attribute), sizeof(double));
     }
     return all == elements && all == domain->n_nodes;
@@ -139,9 +145,10 @@ static bool take_head(struct stream *stream, struct domain *domain)
 bool exodus_stream_domain(const struct spool *input, struct domain *domain)
 {
     struct stream *stream = memory_new(1, sizeof *stream);
-    *stream = (struct stream){.source = {stream_read, stream_free},
+    *stream = (struct stream){.source = {stream_read, stream_free, false},
                               .file = exodus_open(input, true),
-                              .volume = memory_new(AT_ONCE, sizeof(double))};
+                              .volume = memory_new(AT_ONCE, sizeof(double)),
+                              .grain = memory_new(AT_ONCE, sizeof(double))};
     for (int a = 0; a < 3; a++) stream->x[a] = memory_new(AT_ONCE, sizeof(double));
     *domain = (struct domain){.source = &stream->source};
     const bool good = take_head(stream, domain);

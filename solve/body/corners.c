@@ -41,12 +41,14 @@ struct lattice corners_lattice(const struct lattice *particles)
     lattice.phase = memory_new((size_t)lattice.n_sites, 1);
     memset(lattice.phase, ABSENT, (size_t)lattice.n_sites);
     if (particles->volume) lattice.volume = memory_new((size_t)lattice.n_sites, sizeof(double));
+    if (particles->grain) lattice.grain = memory_new((size_t)lattice.n_sites, sizeof(double));
     for (int64_t site = 0; site < particles->n_sites; site++) {
         int at[3];
         lattice_position(particles, site, at);
         const int64_t to = lattice_site(&lattice, at[0], at[1], at[2]);
         lattice.phase[to] = particles->phase[site];
         if (lattice.volume) lattice.volume[to] = particles->volume[site];
+        if (lattice.grain) lattice.grain[to] = particles->grain[site];
     }
     mark_corners(&lattice);
     return lattice;

@@ -145,6 +145,7 @@ static bool fit_nodes(const struct domain_nodes *nodes, struct lattice *lattice,
         if (lattice->phase[site] != ABSENT) return false;
         lattice->phase[site] = nodes->phase[i];
         if (lattice->volume) lattice->volume[site] = nodes->volume[i];
+        if (lattice->grain) lattice->grain[site] = nodes->grain[i];
         lattice->sorted = lattice->sorted && site > *last;
         *last = site;
     }
@@ -196,6 +197,8 @@ bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
         const char *volumes = attributes_text(&domain->attributes, "volumes");
         if (volumes && strcmp(volumes, "cut") == 0)
             lattice->volume = memory_new((size_t)lattice->n_sites, sizeof(double));
+        if (domain_has_grains(domain))
+            lattice->grain = memory_new((size_t)lattice->n_sites, sizeof(double));
     }
     while (fits && domain_next(domain, &nodes)) fits = fit_nodes(&nodes, lattice, &last);
     if (!fits) lattice_free(lattice);
@@ -213,6 +216,10 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
     lattice.volume = memory_new((size_t)n, sizeof(double));
     memcpy(lattice.phase, domain->phase, (size_t)n);
     memcpy(lattice.volume, domain->volume, (size_t)n * sizeof(double));
+    if (domain->grain) {
+        lattice.grain = memory_new((size_t)n, sizeof(double));
+        memcpy(lattice.grain, domain->grain, (size_t)n * sizeof(double));
+    }
     for (int64_t i = 0; i < n; i++) lattice.node_volume += domain->volume[i];
     lattice.node_volume /= (double)n;
     for (int a = 0; a < 3; a++) {
@@ -247,6 +254,7 @@ void lattice_share(struct lattice *lattice, int rank)
     lattice->phase = share_array(lattice->phase, n, 1, rank);
     lattice->corner = share_array(lattice->corner, n, 1, rank);
     lattice->volume = share_array(lattice->volume, n, sizeof(double), rank);
+    lattice->grain = share_array(lattice->grain, n, sizeof(double), rank);
     for (int a = 0; a < 3; a++)
         lattice->point[a] = share_array(lattice->point[a], n, sizeof(double), rank);
     lattice->hexahedron = share_array(lattice->hexahedron, 8 * n, sizeof(int32_t), rank);
@@ -257,6 +265,7 @@ void lattice_free(struct lattice *lattice)
     free(lattice->phase);
     free(lattice->corner);
     free(lattice->volume);
+    free(lattice->grain);
     for (int a = 0; a < 3; a++) free(lattice->point[a]);
     free(lattice->hexahedron);
     *lattice = (struct lattice){0};

@@ -38,7 +38,8 @@ struct lattice {
     int64_t n_sites, n_nodes, n_particles;
     uint8_t *phase; /* [n_sites] of the particle, or ABSENT */
     uint8_t
-        *corner; /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
+        *corner;   /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
+    double *grain; /* [n_sites] id of the particle's grain; NULL: none are known */
     double *point[3];    /* [n_sites] m, of scattered particles and nodes of a mesh; else NULL */
     double *volume;      /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
     double extent[3];    /* m, between the outermost positions, likewise */

@@ -106,6 +106,7 @@ static void reorder(struct domain *domain, const struct place *order)
     permute(domain->y, order, n);
     permute(domain->z, order, n);
     permute(domain->volume, order, n);
+    if (domain->grain) permute(domain->grain, order, n);
     uint8_t *phase = memory_new((size_t)n, 1);
     int64_t *new_number = memory_new((size_t)n, sizeof *new_number);
     for (int64_t i = 0; i < n; i++) {

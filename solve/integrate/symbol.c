@@ -13,7 +13,7 @@
 static struct lattice block_new(const struct lattice *like, int reach, int phase)
 {
     struct lattice block = *like;
-    block.volume = NULL;
+    block.volume = block.grain = NULL;
     block.corner = NULL;
     block.hexahedron = NULL;
     memset(block.periodic, 0, sizeof block.periodic);

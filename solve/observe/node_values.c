@@ -22,6 +22,16 @@ static const double *phase(const struct body *body, const struct damage *damage,
     return buffer;
 }
 
+static const double *grain(const struct body *body, const struct damage *damage, int component,
+                           double *buffer)
+{
+    (void)damage, (void)component;
+    for (int64_t i = 0; i < body->grid.n_sites; i++)
+        if (body->grid.flags[i] & SITE_OWNED)
+            buffer[i] = body->lattice->grain ? body->lattice->grain[body_number(body, i)] : 0;
+    return buffer;
+}
+
 static const double *damage_of(const struct body *body, const struct damage *damage, int component,
                                double *buffer)
 {
@@ -63,6 +73,8 @@ static const struct node_value table[] = {
              "stress by ductile damage where that is more"},
     {"phase", "1", 1, .label = true, .field = phase,
      .help = "number of the material, in the order of the domain's blocks, from 0"},
+    {"grain", "1", 1, .label = true, .field = grain,
+     .help = "id of the grain that the domain gives the node, such as that of an image; 0: none"},
 };
 enum { VALUES = sizeof table / sizeof *table };
 

@@ -40,6 +40,29 @@ DECK
     printf '1\n3\n' | cmp - grains
 }
 
+@test "grains go through hssolve to the fields, on one rank and two, of a file that is read by parts or at once" {
+    cat >>deck.yaml <<'DECK'
+materials:
+  CG: {model: corner, law: elastic, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3}
+  UFG: {model: corner, law: elastic, density: 8900, youngs_modulus: 100 GPa, poissons_ratio: 0.3}
+boundary:
+  - {where: "x < -3.9e-6", direction: x, displacement: 0}
+  - {where: "x > 3.9e-6", direction: x, displacement: "1e-9*t"}
+solver: {end_time: 1, step: 1}
+output: {fields: {frames: 1, variables: [grain, phase]}}
+DECK
+    hsgen -q deck.yaml -o image.g
+    nccopy -k nc4 image.g packed.g
+    awk 'BEGIN { for (k = 0; k < 2; k++) for (j = 0; j < 3; j++) for (i = 0; i < 4; i++) print 1 + (i + 2 * j + 3 * k) % 5 }' >expected
+    for run in 'image.g 1' 'packed.g 2'; do
+        hssolve -q -i "${run% *}" -j "${run#* }" -H image.e -o fields.e
+        grains=$(ncdump -v name_nod_var fields.e | sed -n '/name_nod_var =/,/;/p' | grep -o '"[A-Za-z]*"' | awk '/Grain/ { print NR }')
+        ncdump -v "vals_nod_var$grains" fields.e | sed -n "/vals_nod_var$grains =/,/;/p" | tr -cs '0-9\n' ' ' | tr ' ' '\n' | grep -x '[0-9]' >found
+        tail -24 found | cmp - expected
+        grep -q '"GRAIN"' <(ncdump -v attrib_name1 fields.e | tr -d ' ,;')
+    done
+}
+
 @test "another format, another spacing, periodic by its mirror image: the same phases everywhere" {
     for format in base64.vti binary16.tesr gzip.nrrd field.vtk; do
         sed "s/text.vti/$format/" deck.yaml | hsgen -q -s other.csv -o other.g
