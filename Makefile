@@ -64,7 +64,7 @@ CAIRO_LIBS := $(call package,--libs,cairo,-lcairo)
 IMAGE_CFLAGS := $(call package,--cflags,libtiff-4 libpng zlib,) \
                 $(call package,--cflags,hdf5-serial,-I/usr/include/hdf5/serial)
 IMAGE_LIBS := $(call package,--libs,libtiff-4 libpng zlib,-ltiff -lpng -lz) \
-              $(call package,--libs,hdf5-serial,-lhdf5_serial)
+              $(call package,--libs,hdf5-serial,-lhdf5_serial) -lbz2
 EXPAT_LIBS := $(call package,--libs,expat,-lexpat)
 JANSSON_LIBS := $(call package,--libs,jansson,-ljansson)
 MPI_CFLAGS := $(patsubst -I%,-isystem %,$(call package,--cflags,ompi-c,))

@@ -1,5 +1,5 @@
-/* NRRD, as 3D Slicer, ITK and pynrrd write it: two or three dimensions, raw, gzip or text, attached
- * or in files of their own. */
+/* NRRD, as 3D Slicer, ITK and pynrrd write it: two or three dimensions, raw, gzip, bzip2 or text,
+ * attached or in files of their own. */
 #include "image_text.h"
 
 #include "die.h"
@@ -234,6 +234,7 @@ static void take_values(const struct nrrd *nrrd, const struct image_source *data
     const int64_t voxels = image_voxels(image);
     const size_t wanted = (size_t)voxels * scalar_size(nrrd->type);
     const char *path = data->path, *encoding = nrrd->encoding;
+    const bool gzip = strcasecmp(encoding, "gzip") == 0 || strcasecmp(encoding, "gz") == 0;
     size_t skip = nrrd->byte_skip > 0 ? (size_t)nrrd->byte_skip : 0;
     if (strcasecmp(encoding, "raw") == 0) {
         if (nrrd->byte_skip == -1 && data->length >= wanted) skip = data->length - wanted;
@@ -241,8 +242,9 @@ static void take_values(const struct nrrd *nrrd, const struct image_source *data
             die_user("%s: damaged or cut off: %zu bytes of values, expected %zu", path,
                      data->length, wanted + skip);
         scalars_decode(data->bytes + skip, voxels, nrrd->type, nrrd->big_endian, image->value);
-    } else if (strcasecmp(encoding, "gzip") == 0 || strcasecmp(encoding, "gz") == 0) {
-        unsigned char *values = scalars_inflate(data->bytes, data->length, wanted);
+    } else if (gzip || strcasecmp(encoding, "bzip2") == 0 || strcasecmp(encoding, "bz2") == 0) {
+        unsigned char *values =
+            (gzip ? scalars_inflate : scalars_bunzip)(data->bytes, data->length, wanted);
         if (!values) die_user("%s: its packed values are damaged or not those of its sizes", path);
         scalars_decode(values, voxels, nrrd->type, nrrd->big_endian, image->value);
         free(values);
@@ -251,9 +253,9 @@ static void take_values(const struct nrrd *nrrd, const struct image_source *data
         struct image_text text = image_text_of(data);
         image_numbers(&text, "a number", voxels, image->value);
     } else {
-        die_user(
-            "%s: encoding %.20s is not read (raw, gzip and ascii are): save it as one of these",
-            path, encoding);
+        die_user("%s: encoding %.20s is not read (raw, gzip, bzip2 and ascii are): save it as one "
+                 "of these",
+                 path, encoding);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "die.h"
 #include "memory.h"
 
+#include <bzlib.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -117,6 +118,18 @@ unsigned char *scalars_deflate(const unsigned char *bytes, size_t length, size_t
     if (compress(out, &room, bytes, length) != Z_OK) die_run("out of memory for zlib");
     *packed = room;
     return out;
+}
+
+unsigned char *scalars_bunzip(const unsigned char *packed, size_t length, size_t wanted)
+{
+    if (length > UINT_MAX || wanted >= UINT_MAX) return NULL;
+    unsigned made = (unsigned)wanted + 1;
+    char *out = memory_new(made, 1);
+    const int status =
+        BZ2_bzBuffToBuffDecompress(out, &made, (char *)(uintptr_t)packed, (unsigned)length, 0, 0);
+    if (status == BZ_OK && made == wanted) return (unsigned char *)out;
+    free(out);
+    return NULL;
 }
 
 unsigned char *scalars_inflate(const unsigned char *packed, size_t length, size_t wanted)

@@ -38,6 +38,8 @@ unsigned char *scalars_base64(const char *text, size_t length, size_t *bytes);
 /* Unpacks zlib or gzip to exactly `wanted` bytes; NULL where it is damaged or holds fewer or more.
  * The caller frees them. */
 unsigned char *scalars_inflate(const unsigned char *packed, size_t length, size_t wanted);
+/* The same of bzip2. */
+unsigned char *scalars_bunzip(const unsigned char *packed, size_t length, size_t wanted);
 
 /* The reverse of both; the caller frees what it gets. */
 char *scalars_base64_text(const unsigned char *bytes, size_t length);

@@ -10,7 +10,7 @@ make_corpus() {
     mkdir -p "$1"/image
     cp "$here"/../data/images/*.* "$1"/image
     # what is described elsewhere, or refused as it is
-    rm "$1"/image/{README.md,values.raw,detached.nhdr,detached.bytes,bzip2.nrrd}
+    rm "$1"/image/{README.md,values.raw,detached.nhdr,detached.bytes}
     mkdir -p "$1"/{genesis,history,frames,unfinished,checkpoint}
     (
         cd "$1" || exit 1

@@ -55,6 +55,7 @@ static const struct flavour flavours[] = {
     {.file = "old.vtk"},
     {.file = "raw.nrrd"},
     {.file = "gzip.nrrd", .unit = "mm"},
+    {.file = "bzip2.nrrd"},
     {.file = "text.nrrd"},
     {.file = "detached.nhdr"},
     {.file = "text.tesr"},
@@ -417,7 +418,6 @@ static void what_is_unclear_is_asked(void **state)
     } cases[] = {
         {"square.ctf", "1\t7.2\t9.0\t8\t0\t1\t1\t1\t1\t1\t1\n",
          "no regular grid; points on square and hexagonal grids are read"},
-        {"bzip2.nrrd", "", "encoding bzip2 is not read"},
         {"appended_raw.vti", "", "say by 'array' which one is meant; there are: grey, material"},
         {"voxels.inp", "*Elset, elset=Odd\n1, 3\n", "in the sets Grain1 and Odd"},
         {"voxels.inp", "*Elset, elset=Many, generate\n2, 900000000, 2\n*Elset, elset=z\n1\n",
