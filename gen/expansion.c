@@ -125,6 +125,7 @@ static void edit_values(const struct expansion *expansion, int64_t run, const ch
     int count = 0;
     for (int k = 0; k < variations->count; k++)
         for (int j = 0; j < variations->items[k].n_keys; j++) {
+            if (!variations->items[k].keys[j].path) continue;
             varying = memory_grow(varying, count, sizeof *varying);
             varying[count++] = variations->items[k].keys[j].node;
         }
@@ -154,7 +155,12 @@ static char *words_of(const struct expansion *expansion, int64_t run)
         for (int j = 0; j < variation->n_keys; j++) {
             if (variation->role == VARIED_SCATTER || (named && variation->keys[j].path)) continue;
             char *value = shown(text_of(expansion, run, k, j));
-            char *longer = memory_print("%s, %s %s", words, variation->keys[j].name, value);
+            const bool changes = variation->role == VARIED_SENSITIVITY;
+            const bool unchanged = changes && strcmp(value, varied_unchanged) == 0;
+            char *longer = unchanged ? memory_text(words)
+                           : changes
+                               ? memory_print("%s, %s", words, value)
+                               : memory_print("%s, %s %s", words, variation->keys[j].name, value);
             free(value);
             free(words);
             words = longer;
@@ -192,7 +198,7 @@ static bool edit_title(struct deck_node map, const char *words, struct text_edit
     return true;
 }
 
-/* In place of the sections vary and refine. */
+/* In place of the sections vary, refine and sensitivity. */
 static void edit_sections(const struct expansion *expansion, const char *line,
                           struct text_edits *edits)
 {
@@ -201,7 +207,9 @@ static void edit_sections(const struct expansion *expansion, const char *line,
     bool put = false;
     for (int i = 0; i < deck_count(root); i++) {
         const char *key = deck_key(root, i);
-        if (strcmp(key, "vary") != 0 && strcmp(key, "refine") != 0) continue;
+        if (strcmp(key, "vary") != 0 && strcmp(key, "refine") != 0 &&
+            strcmp(key, "sensitivity") != 0)
+            continue;
         size_t end = deck_span(deck_value(root, i)).end;
         if (put && !block && i + 1 < deck_count(root))
             end = deck_span(deck_key_node(root, i + 1)).begin;

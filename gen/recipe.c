@@ -172,7 +172,9 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
 /* A deck of many decks is none of a body. */
 static void refuse_study(struct sections sections)
 {
-    const struct deck_node study = sections.vary.index ? sections.vary : sections.refine;
+    const struct deck_node study = sections.vary.index     ? sections.vary
+                                   : sections.refine.index ? sections.refine
+                                                           : sections.sensitivity;
     if (study.index)
         deck_error(study,
                    "this deck is a study of several: 'hsgen --study %s -o FOLDER' writes them, "

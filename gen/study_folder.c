@@ -285,11 +285,10 @@ static void write_table(const struct expansion *expansion, const struct runs *ru
     free(path);
 }
 
-static bool has_resolution(const struct variations *variations)
+static bool has_role(const struct variations *variations, enum varied_role role)
 {
     bool has = false;
-    for (int k = 0; k < variations->count; k++)
-        has = has || variations->items[k].role == VARIED_RESOLUTION;
+    for (int k = 0; k < variations->count; k++) has = has || variations->items[k].role == role;
     return has;
 }
 
@@ -299,7 +298,8 @@ static void write_makefile(const struct expansion *expansion, const struct runs 
     const size_t n = (size_t)runs->count;
     struct study_make study = {.count = runs->count,
                                .cores = runs->cores,
-                               .resolution = has_resolution(&expansion->variations)};
+                               .resolution = has_role(&expansion->variations, VARIED_RESOLUTION),
+                               .sensitivity = has_role(&expansion->variations, VARIED_SENSITIVITY)};
     study.numbers = memory_new(n, sizeof *study.numbers);
     study.makers = memory_new(n, sizeof *study.makers);
     for (size_t i = 0; i < n; i++) {
@@ -317,7 +317,7 @@ static void write_makefile(const struct expansion *expansion, const struct runs 
 
 static void say_what_varies(const struct variations *variations)
 {
-    static const char *const roles[] = {"", ", scatter", ", resolution"};
+    static const char *const roles[] = {"", ", scatter", ", resolution", ", one at a time"};
     for (int k = 0; k < variations->count; k++)
         note("%s: %d values%s", variations->items[k].name, variations->items[k].count,
              roles[variations->items[k].role]);

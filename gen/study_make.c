@@ -38,6 +38,8 @@ static const char extrapolation[] =
     "    --extrapolate-properties gathered/extrapolated_properties.csv \\\n"
     "    --band --plot gathered/extrapolated.svg >/dev/null\n";
 
+static const char sensitivity[] = "SENSITIVITY = --sensitivities gathered/sensitivities.csv\n";
+
 static const char rules[] =
     "\n"
     "all: gathered/tidy.csv\n"
@@ -117,7 +119,8 @@ static const char rules[] =
     "define GATHER\n"
     "$(LIST)\n"
     "$(EXTRAPOLATE)\n"
-    "hspost -q --files-from gathered/files --properties gathered/properties.csv \\\n"
+    "hspost -q --files-from gathered/files --properties gathered/properties.csv $(SENSITIVITY) "
+    "\\\n"
     "    --mean gathered/mean.csv --statistics gathered/statistics.csv \\\n"
     "    --band --plot gathered/curves.svg --tidy gathered/tidy.csv >/dev/null\n"
     "endef\n"
@@ -158,6 +161,7 @@ void study_make_write(FILE *file, const struct study_make *study)
     for (int i = 0; i < study->count; i++)
         fprintf(file, "%s%04ld", i % 16 == 0 ? " \\\n    " : " ", study->numbers[i]);
     fprintf(file, "\n%s", study->resolution ? extrapolation : "");
+    if (study->sensitivity) fputs(sensitivity, file);
     fputs(rules, file);
     write_cores(file, study);
 }

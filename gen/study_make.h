@@ -11,6 +11,7 @@ struct study_make {
     char *const *cores; /* [count] file of the cores that the run takes; NULL: its own */
     long *makers;       /* [count] number of the run that makes them */
     bool resolution;    /* there is something to extrapolate */
+    bool sensitivity;   /* there are changes of one key at a time */
 };
 
 void study_make_write(FILE *file, const struct study_make *study);

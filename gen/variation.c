@@ -12,7 +12,7 @@
 enum { MOST_RUNS = 100000 };
 
 /* What the study is about, and no key of a body. */
-static const char *const studies[] = {"vary", "refine", "varied", NULL};
+static const char *const studies[] = {"vary", "refine", "sensitivity", "varied", NULL};
 
 /* --- values ----------------------------------------------------------------------------------- */
 
@@ -183,6 +183,48 @@ static struct variation read_refinement(struct deck_node root, struct deck_node 
     return variation;
 }
 
+/* All keys as they are, but the last, which has one more value. */
+static void add_change(struct variation *variation, const char *text, struct deck_node where)
+{
+    const int last = variation->n_keys - 1;
+    for (int k = 0; k <= last; k++) {
+        struct variation_key *key = &variation->keys[k];
+        int count = variation->count;
+        add_value(key, &count,
+                  k == 0      ? memory_print("%s %s", variation->keys[last].name, text)
+                  : k == last ? memory_text(text)
+                              : source_of(key->node),
+                  where);
+    }
+    variation->count++;
+}
+
+/* The deck as it is, and each value of each key in it. */
+static struct variation read_sensitivity(const struct deck_paths *paths, struct deck_node map)
+{
+    struct variation variation = {.name = "sensitivity", .where = map, .role = VARIED_SENSITIVITY};
+    if (!deck_is_map(map) || deck_count(map) == 0)
+        deck_error(map, "expected keys and the values that they are to have instead, such as "
+                        "'sensitivity: {horizon: [1.5, 2]}'");
+    add_value(add_key(&variation, variation.name), &variation.count, memory_text(varied_unchanged),
+              map);
+    for (int i = 0; i < deck_count(map); i++) {
+        struct variation_key values = {.name = deck_key(map, i)};
+        const int n = add_values(&values, deck_value(map, i));
+        struct variation_key *key = add_key(&variation, values.name);
+        find_place(paths, key, deck_key_node(map, i));
+        for (int count = 0; count < variation.count;)
+            add_value(key, &count, source_of(key->node), key->node);
+        for (int v = 0; v < n; v++) {
+            add_change(&variation, values.texts[v], values.where[v]);
+            free(values.texts[v]);
+        }
+        free(values.texts);
+        free(values.where);
+    }
+    return variation;
+}
+
 /* --- roles ------------------------------------------------------------------------------------ */
 
 static void set_role(struct variations *variations, struct deck_node where, enum varied_role role)
@@ -243,27 +285,33 @@ static void count_runs(struct variations *variations)
     }
 }
 
+static void add_variation(struct variations *variations, struct variation variation)
+{
+    variations->items =
+        memory_grow(variations->items, variations->count, sizeof *variations->items);
+    variations->items[variations->count++] = variation;
+}
+
 struct variations variations_read(const struct deck *deck)
 {
     struct variations variations = {.paths = deck_paths_list(deck, studies)};
     const struct deck_node root = deck_root(deck), vary = deck_find(root, "vary");
     const struct deck_node refine = deck_find(root, "refine");
+    const struct deck_node sensitivity = deck_find(root, "sensitivity");
     const struct vary_words words = vary_words_read(vary);
     variations.zipped = words.combine == VARY_ZIPPED;
     for (int i = 0; vary.index && i < deck_count(vary); i++) {
         if (vary_is_word(deck_key(vary, i))) continue;
-        variations.items =
-            memory_grow(variations.items, variations.count, sizeof *variations.items);
-        variations.items[variations.count++] = read_variation(&variations.paths, vary, i);
+        add_variation(&variations, read_variation(&variations.paths, vary, i));
     }
     if (refine.index && (words.resolution.index || variations.zipped))
         deck_error(refine, "'refine' is a resolution of its own, crossed with all else: leave out "
                            "'resolution' and 'combine'");
-    if (refine.index) {
-        variations.items =
-            memory_grow(variations.items, variations.count, sizeof *variations.items);
-        variations.items[variations.count++] = read_refinement(root, refine);
-    }
+    if (sensitivity.index && variations.zipped)
+        deck_error(sensitivity, "'sensitivity' is crossed with all else: leave out 'combine'");
+    if (sensitivity.index)
+        add_variation(&variations, read_sensitivity(&variations.paths, sensitivity));
+    if (refine.index) add_variation(&variations, read_refinement(root, refine));
     if (variations.count == 0)
         deck_error(vary, "nothing varies here; a study has a section 'vary' with keys and their "
                          "values, such as 'vary: {seed: 1..5}', or 'refine: 2'");

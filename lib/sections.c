@@ -31,6 +31,11 @@ static const struct key rows[] = {
     {"refine", KEY_NODE, offsetof(struct sections, refine), .form = "number or list of numbers",
      .help = "hsgen --study: the same body also at the spacing divided by so much, 2 to 16, and "
              "what the spacing adds to the curve; two numbers show the order, too"},
+    {"sensitivity", KEY_NODE, offsetof(struct sections, sensitivity),
+     .form = "{KEY: [VALUE, ...], ...}",
+     .help = "hsgen --study: the same body also with each of these values, one key changed at a "
+             "time, and what that changes of the properties: {horizon: [1.5, 2], share: [0.05, "
+             "0.2]}"},
     {"varied", KEY_NODE, offsetof(struct sections, varied), .section = &varied_section,
      .help = "hspost: what varied"},
 };

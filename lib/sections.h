@@ -13,7 +13,7 @@ struct sections {
     const char *title; /* NULL: none */
     struct deck_node domain, materials, damage, cracks, boundary, initial, macroscopic, solver,
         output, post;
-    struct deck_node vary, refine, varied;
+    struct deck_node vary, refine, sensitivity, varied;
     struct choices choices; /* what post says, its title where it has none; else the defaults */
 };
 

@@ -57,9 +57,11 @@ struct vary_words vary_words_read(struct deck_node vary)
 
 /* --- varied ----------------------------------------------------------------------------------- */
 
+const char varied_unchanged[] = "none";
+
 /* Where the keys of the section stand in the deck. */
 struct places {
-    struct deck_node values, scatter, resolution;
+    struct deck_node values, scatter, resolution, sensitivity;
 };
 
 static const struct key varied_rows[] = {
@@ -69,6 +71,8 @@ static const struct key varied_rows[] = {
      .help = "over what means are taken"},
     {"resolution", KEY_NODE, offsetof(struct places, resolution), .form = "NAME",
      .help = "of what is extrapolated to zero"},
+    {"sensitivity", KEY_NODE, offsetof(struct places, sensitivity), .form = "[NAME, ...]",
+     .help = "what is changed, one at a time: the first names what"},
 };
 
 const struct section varied_section = {
@@ -85,6 +89,12 @@ static struct varied_item *find(struct varied *varied, struct deck_node where)
     deck_error(where, "'%.60s' is none of the values that varied", name);
 }
 
+static void set_role(struct varied *varied, struct deck_node names, enum varied_role role)
+{
+    for (int i = 0; names.index && i < deck_count(names); i++)
+        find(varied, deck_item(names, i))->role = role;
+}
+
 struct varied varied_read(struct deck_node section)
 {
     struct varied varied = {0};
@@ -97,8 +107,8 @@ struct varied varied_read(struct deck_node section)
         varied.items[i] = (struct varied_item){
             memory_text(deck_key(places.values, i)),
             memory_text(deck_string(deck_value(places.values, i))), VARIED_QUESTION};
-    for (int i = 0; places.scatter.index && i < deck_count(places.scatter); i++)
-        find(&varied, deck_item(places.scatter, i))->role = VARIED_SCATTER;
+    set_role(&varied, places.scatter, VARIED_SCATTER);
+    set_role(&varied, places.sensitivity, VARIED_SENSITIVITY);
     if (places.resolution.index) find(&varied, places.resolution)->role = VARIED_RESOLUTION;
     return varied;
 }
@@ -147,6 +157,19 @@ static void append_quoted(char **text, const char *before, const char *words)
     free(quoted);
 }
 
+/* ", NAME: [...]" with what has the role; nothing where nothing has. */
+static void append_role(char **text, const struct varied *varied, enum varied_role role,
+                        const char *name)
+{
+    char *before = memory_print(", %s: [", name);
+    int count = 0;
+    for (int i = 0; i < varied->count; i++)
+        if (varied->items[i].role == role)
+            append_quoted(text, count++ ? ", " : before, varied->items[i].name);
+    if (count) append(text, "]", "");
+    free(before);
+}
+
 char *varied_print(const struct varied *varied)
 {
     char *text = memory_text("varied: {values: {");
@@ -155,11 +178,8 @@ char *varied_print(const struct varied *varied)
         append_quoted(&text, ": ", varied->items[i].value);
     }
     append(&text, "}", "");
-    int scattered = 0;
-    for (int i = 0; i < varied->count; i++)
-        if (varied->items[i].role == VARIED_SCATTER)
-            append_quoted(&text, scattered++ ? ", " : ", scatter: [", varied->items[i].name);
-    if (scattered) append(&text, "]", "");
+    append_role(&text, varied, VARIED_SCATTER, "scatter");
+    append_role(&text, varied, VARIED_SENSITIVITY, "sensitivity");
     for (int i = 0; i < varied->count; i++)
         if (varied->items[i].role == VARIED_RESOLUTION)
             append_quoted(&text, ", resolution: ", varied->items[i].name);

@@ -7,9 +7,10 @@
 #include "keys.h"
 
 enum varied_role {
-    VARIED_QUESTION,   /* what the study asks about */
-    VARIED_SCATTER,    /* means and deviations are taken over it: seeds */
-    VARIED_RESOLUTION, /* what its values go to is asked: the spacing */
+    VARIED_QUESTION,    /* what the study asks about */
+    VARIED_SCATTER,     /* means and deviations are taken over it: seeds */
+    VARIED_RESOLUTION,  /* what its values go to is asked: the spacing */
+    VARIED_SENSITIVITY, /* what depends on it is asked, of one key at a time */
 };
 
 /* The words of vary that are no keys of the deck; the nodes have the index 0 where they are not
@@ -22,6 +23,9 @@ enum vary_combine { VARY_CROSSED, VARY_ZIPPED };
 extern const struct section vary_section;
 struct vary_words vary_words_read(struct deck_node vary);
 bool vary_is_word(const char *key);
+
+/* Where nothing is changed of what a sensitivity is asked to. */
+extern const char varied_unchanged[];
 
 /* One thing that varied, and its value in this deck. */
 struct varied_item {

@@ -83,18 +83,6 @@ static double spacing_of(const struct label *label)
     return value;
 }
 
-static bool same_question(const struct label *a, const struct label *b)
-{
-    if (a->values.count != b->values.count) return false;
-    for (int i = 0; i < a->values.count; i++) {
-        const struct varied_item *first = &a->values.items[i], *second = &b->values.items[i];
-        if (strcmp(first->name, second->name) != 0 || first->role != second->role) return false;
-        if (first->role == VARIED_QUESTION && strcmp(first->value, second->value) != 0)
-            return false;
-    }
-    return true;
-}
-
 /* Without ", spacing 25 um". */
 static char *title_without(const struct label *label)
 {
@@ -185,7 +173,9 @@ struct extrapolation *extrapolations_make(const struct group groups[], int n_gro
         struct extrapolation *e = &all[*count];
         for (int k = g; k < n_groups; k++) {
             const struct label *other = &labels[groups[k].first];
-            if (done[k] || !resolution_of(other) || !same_question(label, other)) continue;
+            if (done[k] || !resolution_of(other) ||
+                !labels_differ_in(label, other, VARIED_RESOLUTION))
+                continue;
             done[k] = true;
             insert(e, k, spacing_of(other));
         }
@@ -223,17 +213,6 @@ static void write_begin(FILE *file, const struct extrapolation *e, const struct 
     varied_columns_values(file, columns, label, VARIED_QUESTION);
 }
 
-/* The columns of what the question is about alone. */
-static struct varied_columns questions_of(const struct label labels[], int count)
-{
-    struct varied_columns columns = varied_columns_of(labels, count);
-    int kept = 0;
-    for (int i = 0; i < columns.count; i++)
-        if (columns.items[i].role == VARIED_QUESTION) columns.items[kept++] = columns.items[i];
-    columns.count = kept;
-    return columns;
-}
-
 static const char *source_of(const struct limit *limit)
 {
     return limit->observed ? "observed" : "assumed";
@@ -253,7 +232,7 @@ static void write_limit(FILE *file, double finest, const struct limit *limit, do
 void extrapolations_write(FILE *file, const struct extrapolation extrapolations[], int count,
                           const struct group groups[], const struct label labels[], int n_labels)
 {
-    struct varied_columns columns = questions_of(labels, n_labels);
+    struct varied_columns columns = varied_columns_questions(labels, n_labels);
     fputs("group", file);
     varied_columns_heading(file, &columns, VARIED_QUESTION);
     fputs(",spacings,engineering_strain,finest_stress_MPa,extrapolated_stress_MPa,error_MPa,order,"
@@ -273,22 +252,6 @@ void extrapolations_write(FILE *file, const struct extrapolation extrapolations[
     varied_columns_free(&columns);
 }
 
-/* Of the curves of a title that have it. */
-static double mean_property(const struct properties lists[], const struct label labels[],
-                            int n_labels, const char *title, const char *name)
-{
-    double sum = 0;
-    int there = 0;
-    for (int k = 0; k < n_labels; k++) {
-        if (strcmp(labels[k].title, title) != 0) continue;
-        const double value = properties_value(&lists[k], name);
-        if (!isfinite(value)) continue;
-        sum += value;
-        there++;
-    }
-    return there ? sum / there : NAN;
-}
-
 int extrapolation_of(const struct extrapolation *e, const struct group groups[],
                      const struct properties lists[], const struct label labels[], int n_labels,
                      const char *name, double order, double *finest, struct limit *limit)
@@ -297,8 +260,7 @@ int extrapolation_of(const struct extrapolation *e, const struct group groups[],
     double *spacing = memory_new((size_t)e->count, sizeof *spacing);
     int there = 0;
     for (int g = 0; g < e->count; g++) {
-        const double value =
-            mean_property(lists, labels, n_labels, groups[e->groups[g]].title, name);
+        const double value = group_mean(lists, labels, n_labels, groups[e->groups[g]].title, name);
         if (isnan(value)) continue;
         values[there] = value;
         spacing[there++] = e->spacing[g];
@@ -318,7 +280,7 @@ void extrapolations_write_properties(FILE *file, const struct extrapolation extr
                                      const struct properties lists[], const struct label labels[],
                                      int n_labels, double order)
 {
-    struct varied_columns columns = questions_of(labels, n_labels);
+    struct varied_columns columns = varied_columns_questions(labels, n_labels);
     fputs("group", file);
     varied_columns_heading(file, &columns, VARIED_QUESTION);
     fputs(",property,symbol,unit,spacings,finest,extrapolated,error,order,order_from\n", file);

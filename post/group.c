@@ -196,3 +196,18 @@ void groups_write_properties(FILE *file, const struct properties lists[],
     varied_columns_free(&columns);
     free(numbers);
 }
+
+double group_mean(const struct properties lists[], const struct label labels[], int count,
+                  const char *title, const char *name)
+{
+    double sum = 0;
+    int there = 0;
+    for (int k = 0; k < count; k++) {
+        if (strcmp(labels[k].title, title) != 0) continue;
+        const double value = properties_value(&lists[k], name);
+        if (!isfinite(value)) continue;
+        sum += value;
+        there++;
+    }
+    return there ? sum / there : NAN;
+}

@@ -43,6 +43,10 @@ struct statistic {
 struct statistic group_statistic(const struct properties lists[], const int numbers[], int n,
                                  const char *name);
 
+/* The mean of a property over the curves of a title; NAN where none has it. */
+double group_mean(const struct properties lists[], const struct label labels[], int count,
+                  const char *title, const char *name);
+
 /* CSV of the properties over each group:
  * group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the curves that
  * have a value, in the order of the first of them; what varied as there. */

@@ -58,7 +58,7 @@ static void check_curves(const struct request *request)
     study_free(&study);
 }
 
-enum { OUTPUTS = 15 };
+enum { OUTPUTS = 16 };
 
 static void outputs_of(const struct request *request, const char *files[OUTPUTS])
 {
@@ -69,7 +69,7 @@ static void outputs_of(const struct request *request, const char *files[OUTPUTS]
                                       request->tidy,        request->mean,
                                       request->statistics,  request->view.picture,
                                       request->extrapolate, request->extrapolate_properties,
-                                      request->report};
+                                      request->report,      request->sensitivities};
     memcpy(files, all, sizeof all);
 }
 

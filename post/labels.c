@@ -142,3 +142,16 @@ void labels_free(struct label labels[], int count)
     }
     free(labels);
 }
+
+bool labels_differ_in(const struct label *a, const struct label *b, enum varied_role role)
+{
+    if (a->values.count != b->values.count) return false;
+    for (int i = 0; i < a->values.count; i++) {
+        const struct varied_item *first = &a->values.items[i], *second = &b->values.items[i];
+        if (strcmp(first->name, second->name) != 0 || first->role != second->role) return false;
+        if (first->role != VARIED_SCATTER && first->role != role &&
+            strcmp(first->value, second->value) != 0)
+            return false;
+    }
+    return true;
+}

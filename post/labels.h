@@ -21,6 +21,9 @@ struct label {
  * not, or where one title has nothing more. */
 size_t labels_shared(const struct label labels[], int count);
 
+/* Whether all that varied has the same values in both, but the scatter and what has this role. */
+bool labels_differ_in(const struct label *a, const struct label *b, enum varied_role role);
+
 /* titles, files and decks (text, NULL where there is none) of count curves, which live longer,
  * and what their decks say varied, which goes over to the labels.  The caller frees them. */
 struct label *labels_make(const char *const titles[], const char *const files[],

@@ -45,7 +45,8 @@ void page_varied(FILE *page, const struct study *study)
 {
     static const char *const roles[] = {[VARIED_QUESTION] = "asked about",
                                         [VARIED_SCATTER] = "means and deviations are taken over it",
-                                        [VARIED_RESOLUTION] = "values are extrapolated to 0 of it"};
+                                        [VARIED_RESOLUTION] = "values are extrapolated to 0 of it",
+                                        [VARIED_SENSITIVITY] = "one changed at a time"};
     struct varied_columns columns = varied_columns_of(study->labels, study->count);
     if (columns.count > 0) {
         html_section(page, "varied", "What varied");

@@ -29,7 +29,7 @@ static const struct key own_rows[] = {
      .low = -0.99, .high = 0.4999, .usual = NAN, .help = "of --material"},
 };
 static const struct keys own_keys = KEYS(own_rows);
-enum { OWN_OPTIONS = 29, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
+enum { OWN_OPTIONS = 30, OWN_KEYS = sizeof own_rows / sizeof *own_rows };
 
 static const struct hardening_law *read_law(const char *name)
 {
@@ -58,7 +58,7 @@ static void check(const struct request *request)
     bool anything = request->report || request->crate || request->properties || request->json ||
                     request->plot || request->difference || request->loops || request->plot_loops ||
                     request->tidy || request->mean || request->statistics || request->extrapolate ||
-                    request->extrapolate_properties;
+                    request->extrapolate_properties || request->sensitivities;
     if (request->calibrate && !request->material) die_user("--calibrate needs --material NAME");
     if (request->material && request->n_files > 1)
         die_user("--material takes one curve, here are %d files", request->n_files);
@@ -141,6 +141,9 @@ static void own_options(struct option_row rows[OWN_OPTIONS], struct request *r)
          &r->extrapolate},
         {0, "extrapolate-properties", "FILE", "the same of the properties", NULL,
          &r->extrapolate_properties},
+        {0, "sensitivities", "FILE",
+         "of a study that changes one key at a time: what each change does to the properties", NULL,
+         &r->sensitivities},
         {0, "files-from", "LIST", "further FILEs, a name a line", NULL, &r->files_from},
         {0, "difference", NULL, "stress of the first FILE relative to the second", &r->difference,
          NULL},

@@ -10,7 +10,7 @@
 
 struct request {
     const char *output, *properties, *json, *plot, *voigt, *reuss, *loops, *plot_loops;
-    const char *tidy, *mean, *statistics, *extrapolate, *extrapolate_properties;
+    const char *tidy, *mean, *statistics, *extrapolate, *extrapolate_properties, *sensitivities;
     const char *report, *crate;       /* file of the page, folder; NULL */
     const char *files_from;           /* names of further files, one a line; NULL */
     const char *material, *calibrate; /* name of the phase, directory of its test; NULL */

@@ -31,8 +31,8 @@ struct study study_read(const struct request *request, const char *maker)
     size_t n = (size_t)request->n_files;
     /* The table on standard error has no laws. */
     const bool fits = request->properties || request->json || request->statistics ||
-                      request->tidy || request->extrapolate_properties || request->report ||
-                      request->crate;
+                      request->tidy || request->extrapolate_properties || request->sensitivities ||
+                      request->report || request->crate;
     struct study study = {.count = request->n_files, .maker = maker};
     study.curves = memory_new(n, sizeof *study.curves);
     study.choices = memory_new(n, sizeof *study.choices);

@@ -7,6 +7,7 @@
 #include "difference.h"
 #include "memory.h"
 #include "page.h"
+#include "sensitivity.h"
 #include "study_figure.h"
 #include "text_output.h"
 #include "tidy.h"
@@ -59,10 +60,11 @@ static void treat_groups(const struct request *request, const struct study *stud
     groups_free(groups, count);
 }
 
-/* What the curves of several spacings go to. */
+/* What the curves of several spacings go to, and what depends on the keys that are changed. */
 static void treat_resolution(const struct request *request, const struct study *study)
 {
-    if (!request->extrapolate && !request->extrapolate_properties) return;
+    if (!request->extrapolate && !request->extrapolate_properties && !request->sensitivities)
+        return;
     int n_groups, count;
     const double order = study->choices[0].resolution_order;
     struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
@@ -76,6 +78,12 @@ static void treat_resolution(const struct request *request, const struct study *
         struct text_output output = text_output_open(request->extrapolate_properties);
         extrapolations_write_properties(output.file, all, count, groups, study->properties,
                                         study->labels, study->count, order);
+        text_output_close(&output);
+    }
+    if (request->sensitivities) {
+        struct text_output output = text_output_open(request->sensitivities);
+        sensitivities_write(output.file, all, count, groups, n_groups, study->properties,
+                            study->labels, study->count, order);
         text_output_close(&output);
     }
     extrapolations_free(all, count);

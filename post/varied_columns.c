@@ -49,6 +49,16 @@ struct varied_columns varied_columns_of(const struct label labels[], int count)
     return columns;
 }
 
+struct varied_columns varied_columns_questions(const struct label labels[], int count)
+{
+    struct varied_columns columns = varied_columns_of(labels, count);
+    int kept = 0;
+    for (int i = 0; i < columns.count; i++)
+        if (columns.items[i].role == VARIED_QUESTION) columns.items[kept++] = columns.items[i];
+    columns.count = kept;
+    return columns;
+}
+
 void varied_columns_free(struct varied_columns *columns)
 {
     free(columns->items);

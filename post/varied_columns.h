@@ -20,6 +20,8 @@ struct varied_columns {
 
 /* Those of all curves, in the order of the first that has them; none where nothing varied. */
 struct varied_columns varied_columns_of(const struct label labels[], int count);
+/* Those of what the question is about alone. */
+struct varied_columns varied_columns_questions(const struct label labels[], int count);
 void varied_columns_free(struct varied_columns *columns);
 
 /* Headings (spacing_um) and values, a comma before each; without: of this role none,

@@ -331,3 +331,29 @@ numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_b
     [ "$order" = 2 ]
     near "$b" "$(awk '{ c = ($1 + $3) / 2; f = ($2 + $4) / 2; printf "%.9f", f - (c - f) / 3 }' strengths)" 1e-6
 }
+
+@test "sensitivity changes one key at a time, and says what that does to each property" {
+    deck 'sensitivity: {horizon: [1.5, 2], share: [0.2]}' 'refine: 2'
+    sed -i -e 's/model: corner/model: correspondence/' -e 's/^  type: quasi_static/&\n  horizon: 1\n  stabilisation: {law: mix, share: 0.1}/' study.yaml
+    hsgen --study study.yaml -o out 2>said
+    grep -q 'sensitivity: 4 values, one at a time' said
+    # at one spacing and at the other: as it is, two horizons, a share
+    [ "$(cut -d, -f2- out/study.csv | tr '\n' ' ')" = "sensitivity,horizon,share,spacing none,1,0.1,50 um none,1,0.1,25 um horizon 1.5,1.5,0.1,50 um horizon 1.5,1.5,0.1,25 um \
+horizon 2,2,0.1,50 um horizon 2,2,0.1,25 um share 0.2,1,0.2,50 um share 0.2,1,0.2,25 um " ]
+    grep -q '^title: "Nickel, spacing 50 um"$' out/0001/deck.yaml
+    grep -q '^title: "Nickel, horizon 2, spacing 25 um"$' out/0006/deck.yaml
+    make -s -C out -j2 >said
+    # Rp0.2 of the run of each change at the finest spacing against that of the run as it is, and the error of the latter's spacing
+    rp() { property proof_strength_0.2 "out/$1/properties.csv" | head -n 1; }
+    row() { sed 's/"[^"]*"/quoted/g' out/gathered/sensitivities.csv | grep ",Rp0.2,[^,]*,$1,"; }
+    error=$(sed -n 's/^HS,.*,Rp0.2,.*,\([^,]*\),1,assumed$/\1/p' out/gathered/extrapolated_properties.csv)
+    awk -F, -v rp="$(rp 0002)" -v error="$error" '{exit !($6 == rp && $7 == "" && $9 == error && error > 0)}' <<<"$(row none)"
+    for pair in '0004 horizon 1.5' '0006 horizon 2' '0008 share 0.2'; do
+        awk -F, -v before="$(rp 0002)" -v after="$(rp "${pair%% *}")" '{
+            off = after - before - $7
+            exit !($6 == after && after != before && off*off < 1e-12*after*after && (100*$7/before - $8)^2 < 1e-12 && $9 == "")}' <<<"$(row "${pair#* }")"
+    done
+    rm -r out
+    refused 'expected keys and the values' 'sensitivity: [1, 2]'
+    refused "crossed with all else" 'vary: {seed: [1, 2], ufg_fraction: [0.3, 0.4], combine: zipped}' 'sensitivity: {core_distance: [0.31 mm]}'
+}
