@@ -182,13 +182,15 @@ ifndef QUICK
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/error $(BENCH)/error all > docs/bench/error.csv
 	PATH=$(abspath $(BUILD)/bin):$$PATH pipelines/truths/cell $(BENCH)/cells cost > docs/bench/cells.csv
 	tests/bench/periodic $(BUILD) $(BENCH)/periodic > docs/bench/periodic.csv
+	if command -v ccx > /dev/null; then PATH=$(abspath $(BUILD)/bin):$$PATH tests/bench/elements $(BENCH)/elements > docs/bench/elements.csv; fi
 	$(MAKE) bench-tables
 endif
 
 bench-tables:
-	gnuplot -c tests/bench/error.gp docs/bench/error.csv docs/bench/error.svg
+	gnuplot -c tests/bench/error.gp docs/bench/error.csv tests/bench/front.awk docs/bench/error.svg
+	awk -f tests/bench/front.awk docs/bench/error.csv > docs/bench/error.md
 	gnuplot -c tests/bench/runs.gp docs/bench/runs.csv docs/bench/runs.svg
-	for name in kernels runs load-steps error; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
+	for name in kernels runs load-steps; do awk -f tests/bench/table.awk docs/bench/$$name.csv > docs/bench/$$name.md; done
 
 bench-compare: all $(BUILD)/tests/bench/kernels
 	@tests/bench/compare $(or $(REV),HEAD) $(BUILD) $(abspath $(BENCH))

@@ -1,6 +1,6 @@
 # From voxels to a deck of CalculiX: each voxel is one hexahedron.
 #
-#   awk -v element=C3D20R -v spacing=12.5e-6 [-v uniform=1] [-v increment=0.02] -v weights=FILE -f mesh.awk voxels.txt > bar.inp
+#   awk -v element=C3D20R -v spacing=12.5e-6 [-v uniform=1] [-v increment=0.02] [-v solver="ITERATIVE CHOLESKY"] -v weights=FILE -f mesh.awk voxels.txt > bar.inp
 #
 # Lengths in mm, stresses in MPa, forces in N.  The nodes of the grips have a prescribed u_x; three components of
 # two nodes stop translation along y and z and rotation about x.  uniform=1: phase 1 everywhere, and
@@ -79,7 +79,7 @@ END {
             if (near(y[n], 0.1)) print n ",3,3"
         }
     print "*STEP, NLGEOM, INC=2000"
-    print "*STATIC"
+    print "*STATIC" (solver ? ", SOLVER=" solver : "")
     printf "%g,1,1e-5,%g\n", increment / 4, increment
     print "*BOUNDARY"
     printf "LEFT,1,1,%.9g\nRIGHT,1,1,%.9g\n", -extension / 2, extension / 2

@@ -10,7 +10,7 @@ function exact(strain,   e, low, high, p, k) {
 function row(quantity, value, answer) {
     printf "%s,%s,%.4g,%s,%s,%s,%.6g,%.6g,%.5f,%s\n", model, solver, spacing, horizon, influence, quantity, value, answer, value / answer - 1, seconds
 }
-BEGIN { FS = ","; flows = model ~ /plastic|correspondence/; wanted = split("0.05 0.1 0.2", at, " ") }
+BEGIN { FS = ","; flows = model ~ /plastic|correspondence|corner/; wanted = split("0.05 0.1 0.2", at, " ") }
 /^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^# section_m2/ { split($0, word, ": "); section = word[2] }
 /^#/ { next }
