@@ -268,7 +268,7 @@ install: all $(if $(shell command -v mandoc),html)
 	install -m 644 $(wildcard docs/man/*.5) $(SHARE)/man/man5
 	install -m 644 $(EXAMPLES) $(DOCUMENTS)/examples
 	install -m 644 README.md LICENSE $(DOCUMENTS)
-	install -m 644 $(wildcard docs/*.md) docs/CITATION.cff docs/codemeta.json $(DOCUMENTS)/docs
+	install -m 644 $(wildcard docs/*.md) docs/CITATION.cff docs/codemeta.json docs/paper.bib $(DOCUMENTS)/docs
 	install -m 644 $(wildcard docs/figures/*) $(DOCUMENTS)/docs/figures
 	$(if $(shell command -v mandoc),install -m 644 $(HTML) $(DOCUMENTS)/html)
 	for program in $(PROGRAMS); do \

@@ -74,6 +74,16 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     done
 }
 
+@test "the paper has the figures and the references that it names, and no others" {
+    grep -o '](figures/[^)]*)' "$root/docs/paper.md" | sed 's/](\(.*\))/\1/' >figures
+    [ "$(wc -l <figures)" -ge 2 ]
+    while read -r figure; do [ -s "$root/docs/$figure" ]; done <figures
+    grep -o '@[A-Z][A-Za-z]*[0-9]*' "$root/docs/paper.md" | tr -d @ | sort -u >cited
+    sed -n 's/^@[a-z]*{\(.*\),$/\1/p' "$root/docs/paper.bib" | sort >listed
+    [ "$(wc -l <listed)" -ge 8 ]
+    diff cited listed
+}
+
 @test "make install puts programs, pages, examples, documents and completion in place, and uninstall takes them away" {
     make -s -C "$root" BUILD="$HS_BUILD" DESTDIR="$PWD/there" PREFIX=/usr install >said 2>&1 || { cat said; false; }
     for file in bin/hsgen bin/hssolve bin/hspost share/man/man1/hsgen.1 share/man/man5/hsdeck.5 share/doc/hstools/README.md \
