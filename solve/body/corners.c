@@ -17,12 +17,13 @@ static bool has_corner(const struct lattice *lattice, int x, int y, int z)
 
 static void mark_corners(struct lattice *lattice)
 {
-    lattice->corner = memory_new((size_t)lattice->n_sites, 1);
+    lattice->corner = memory_new(lattice_corner_bytes(lattice), 1);
     for (int64_t site = 0; site < lattice->n_sites; site++) {
         int at[3];
         lattice_position(lattice, site, at);
-        lattice->corner[site] = has_corner(lattice, at[0], at[1], at[2]);
-        lattice->n_nodes += lattice->corner[site];
+        if (!has_corner(lattice, at[0], at[1], at[2])) continue;
+        lattice->corner[site / 8] |= (uint8_t)(1 << (site % 8));
+        lattice->n_nodes++;
     }
 }
 
@@ -71,7 +72,7 @@ static void read_corners(struct domain_source *source, struct domain_nodes *node
     for (int64_t i = 0; i < nodes->count; own->site++) {
         int at[3];
         double x[3];
-        if (!own->lattice->corner[own->site]) continue;
+        if (!lattice_has_node(own->lattice, own->site)) continue;
         lattice_position(own->lattice, own->site, at);
         lattice_coordinates(own->lattice, at, x);
         for (int a = 0; a < 3; a++) own->x[a][i] = x[a];
@@ -112,7 +113,7 @@ int64_t *corners_of_particles(const struct lattice *lattice, const int64_t *part
             list = memory_grow(list, found, sizeof *list);
             list[found++] = node;
         }
-        node += lattice->corner[site];
+        node += lattice_has_node(lattice, site);
     }
     free(chosen);
     *count = found;

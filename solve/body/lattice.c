@@ -252,7 +252,7 @@ void lattice_share(struct lattice *lattice, int rank)
     ranks_share(lattice, sizeof *lattice);
     const int64_t n = lattice->n_sites;
     lattice->phase = share_array(lattice->phase, n, 1, rank);
-    lattice->corner = share_array(lattice->corner, n, 1, rank);
+    lattice->corner = share_array(lattice->corner, (int64_t)lattice_corner_bytes(lattice), 1, rank);
     lattice->volume = share_array(lattice->volume, n, sizeof(double), rank);
     lattice->grain = share_array(lattice->grain, n, sizeof(double), rank);
     for (int a = 0; a < 3; a++)

@@ -1,4 +1,5 @@
-/* lattice.h - the whole body as every rank knows it: one byte a lattice site.
+/* lattice.h - the whole body as every rank knows it: one byte a lattice site, and a bit for its
+ * corner.
  *
  * Sites are numbered x fastest; a site without a particle is ABSENT.  Nodes (particles) are
  * numbered in site order, as in the domain file.
@@ -36,10 +37,10 @@ struct lattice {
     double node_volume; /* m^3, of each: spacing^3, in two dimensions spacing^2 thickness */
     double origin[3];   /* m, position of site (0, 0, 0) */
     int64_t n_sites, n_nodes, n_particles;
-    uint8_t *phase; /* [n_sites] of the particle, or ABSENT */
-    uint8_t
-        *corner;   /* [n_sites] whether a particle has this corner; NULL: particles are the nodes */
-    double *grain; /* [n_sites] id of the particle's grain; NULL: none are known */
+    uint8_t *phase;      /* [n_sites] of the particle, or ABSENT */
+    uint8_t *corner;     /* [lattice_corner_bytes] a bit a site: whether a particle has this corner;
+                          * NULL: particles are the nodes */
+    double *grain;       /* [n_sites] id of the particle's grain; NULL: none are known */
     double *point[3];    /* [n_sites] m, of scattered particles and nodes of a mesh; else NULL */
     double *volume;      /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
     double extent[3];    /* m, between the outermost positions, likewise */
@@ -126,10 +127,16 @@ static inline uint8_t lattice_phase(const struct lattice *lattice, int x, int y,
     return site < 0 ? ABSENT : lattice->phase[site];
 }
 
+static inline size_t lattice_corner_bytes(const struct lattice *lattice)
+{
+    return (size_t)(lattice->n_sites + 7) / 8;
+}
+
 /* Whether a site has a node. */
 static inline bool lattice_has_node(const struct lattice *lattice, int64_t site)
 {
-    return lattice->corner ? lattice->corner[site] : lattice->phase[site] != ABSENT;
+    return lattice->corner ? lattice->corner[site / 8] >> (site % 8) & 1
+                           : lattice->phase[site] != ABSENT;
 }
 
 /* Volume of the particle kept at a site [m^3]. */

@@ -169,11 +169,11 @@ struct lattice mesh_lattice(struct domain *domain, struct domain *corners)
     lattice.size[0] = (int)n;
     lattice.n_sites = lattice.n_nodes = n;
     lattice.phase = memory_new((size_t)n, 1);
-    lattice.corner = memory_new((size_t)n, 1);
+    lattice.corner = memory_new(lattice_corner_bytes(&lattice), 1);
     lattice.volume = memory_new((size_t)n, sizeof *lattice.volume);
     lattice.hexahedron = memory_new(CORNERS * (size_t)n, sizeof *lattice.hexahedron);
     memset(lattice.phase, ABSENT, (size_t)n);
-    memset(lattice.corner, 1, (size_t)n);
+    memset(lattice.corner, 0xFF, lattice_corner_bytes(&lattice));
     memcpy(lattice.phase, domain->phase, (size_t)domain->n_nodes);
     memcpy(lattice.volume, domain->volume, (size_t)domain->n_nodes * sizeof *lattice.volume);
     for (int64_t i = 0; i < CORNERS * domain->n_nodes; i++)

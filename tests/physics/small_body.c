@@ -127,7 +127,7 @@ static struct lattice mesh_of(const struct lattice *particles, double jitter)
     struct random_stream *stream = random_new(1, "jitter");
     for (int64_t site = 0; site < cells.n_sites; site++) {
         number[site] = next;
-        next += cells.corner[site];
+        next += lattice_has_node(&cells, site);
     }
     for (int64_t i = 0; i < nodes.n_nodes; i++)
         for (int a = 0; a < 3; a++)
