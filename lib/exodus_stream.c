@@ -145,7 +145,7 @@ static bool take_head(struct stream *stream, struct domain *domain)
 bool exodus_stream_domain(const struct spool *input, struct domain *domain)
 {
     struct stream *stream = memory_new(1, sizeof *stream);
-    *stream = (struct stream){.source = {stream_read, stream_free, false},
+    *stream = (struct stream){.source = {.read = stream_read, .free = stream_free},
                               .file = exodus_open(input, true),
                               .volume = memory_new(AT_ONCE, sizeof(double)),
                               .grain = memory_new(AT_ONCE, sizeof(double))};

@@ -7,6 +7,7 @@
 #   make truths                every formulation where stress varies, against exact solutions and CalculiX: docs/errors.md (half an hour)
 #   make plate-cg              the homogeneous plate that proves E and the hardening curve
 #   make cells                 harmonic against random at equal fraction, on periodic cells: 320 runs (an hour of one core)
+#   make map                   what of a harmonic cell counts: Sobol's indices of seven factors, 1,000 runs (half an hour of one core)
 #   make ni-cell               a periodic cell of harmonic nickel, yields by Hall and Petch
 #   make flagship              pipelines/ni-hs40
 #   make flagship-horizons     the same at horizons 1, 2 and 3 spacings
@@ -46,7 +47,7 @@ RANKS ?= $(shell n=$$(nproc); echo $$((n < 2 ? n : 2)))
 SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
-STUDIES := first cells ni-cell plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking necking-bar taylor-bar fracture \
+STUDIES := first cells map ni-cell plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking necking-bar taylor-bar fracture \
            solver-switch solvers rates spacings finite-elements loops thesis-calibration strip waves
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
@@ -108,6 +109,18 @@ DECKS += $(RESULTS)/cells/decks
 .PHONY: $(RESULTS)/cells/decks
 $(RESULTS)/cells/decks:
 	pipelines/cells/run $@ decks
+
+map: $(RESULTS)/map/indices.csv
+	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
+$(RESULTS)/map/indices.csv: $(wildcard pipelines/map/*) pipelines/vary pipelines/cells/study.yaml | all
+	pipelines/map/run $(@D) $(if $(SMALL),40,1000)
+	awk -v folder=$(@D)/runs -f pipelines/map/gather.awk $(@D)/runs/study.csv > $(@D)/map.csv
+	awk -v factors=7 -v degree=$(if $(SMALL),1,3) -v names=arrangement -f pipelines/map/sobol.awk $(@D)/map.csv > $@
+	gnuplot -c pipelines/map/figure.gp $@ $(@D)/map.svg
+DECKS += $(RESULTS)/map/decks
+.PHONY: $(RESULTS)/map/decks
+$(RESULTS)/map/decks:
+	pipelines/map/run $@ 1000 decks
 
 # From a deck to everything.
 define RUN

@@ -91,7 +91,8 @@ static void free_corners(struct domain_source *source)
 struct domain corners_domain(const struct lattice *lattice)
 {
     struct corner_source *source = memory_new(1, sizeof *source);
-    *source = (struct corner_source){.source = {read_corners, free_corners}, .lattice = lattice};
+    *source = (struct corner_source){.source = {.read = read_corners, .free = free_corners},
+                                     .lattice = lattice};
     for (int a = 0; a < 3; a++) source->x[a] = memory_new(AT_ONCE, sizeof(double));
     return (struct domain){.n_nodes = lattice->n_nodes, .source = &source->source};
 }
