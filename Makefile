@@ -9,6 +9,7 @@
 #   make faults          disks that fail and kills at each call of small runs (some ten minutes)
 #   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
 #   make check-report    reports in a browser: errors, overflow, contrast (chromium)
+#   make check-paraview  fields in ParaView, by docs/open_fields.py (paraview, xvfb)
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
 #   make bench-compare REV=...  kernels and whole runs beside those of an earlier commit
@@ -89,7 +90,7 @@ SOLVE_INCLUDES := $(patsubst %/,-I%,$(sort $(dir $(wildcard solve/*.h solve/*/*.
 object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
-.PHONY: all check check-unit check-cli check-physics check-report check-format docs html deb install uninstall clean format help \
+.PHONY: all check check-unit check-cli check-physics check-report check-paraview check-format docs html deb install uninstall clean format help \
         stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -219,6 +220,10 @@ fuzz-runs:
 check-report: all
 	PATH=$(abspath $(BUILD)/bin):$$PATH tests/report/check $(BUILD)/results/report
 
+# Fields as docs/open_fields.py shows them (paraview, xvfb).
+check-paraview: all
+	PATH=$(abspath $(BUILD)/bin):$$PATH tests/report/paraview $(BUILD)/results/paraview
+
 # Numerical stability: the long form of what check has in short.
 stress: all
 	LONG=1 $(PROVE) $(sort $(wildcard tests/stress/*.bats))
@@ -268,7 +273,7 @@ install: all $(if $(shell command -v mandoc),html)
 	install -m 644 $(wildcard docs/man/*.5) $(SHARE)/man/man5
 	install -m 644 $(EXAMPLES) $(DOCUMENTS)/examples
 	install -m 644 README.md LICENSE $(DOCUMENTS)
-	install -m 644 $(wildcard docs/*.md) docs/CITATION.cff docs/codemeta.json docs/paper.bib $(DOCUMENTS)/docs
+	install -m 644 $(wildcard docs/*.md) docs/open_fields.py docs/CITATION.cff docs/codemeta.json docs/paper.bib $(DOCUMENTS)/docs
 	install -m 644 $(wildcard docs/figures/*) $(DOCUMENTS)/docs/figures
 	$(if $(shell command -v mandoc),install -m 644 $(HTML) $(DOCUMENTS)/html)
 	for program in $(PROGRAMS); do \
@@ -290,7 +295,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,24s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,25s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
