@@ -45,6 +45,7 @@ END {
     within("limit", "cylinder cut", "corner_flowing", 8, 0.5)
     falls("limit", "notch", "corner_flowing", small ? 4 : 8, small ? 8 : 16, 0.9)
     within("bending", "stiffness", "corner_flowing", 4, 2)
+    within("torsion", "torsion of a square bar", "corner_flowing", 4, 3)
     # One volume ratio a particle does not lock; several do, and the documents say so.  1 %: C3D20R's own
     # ratio moves by 0.4 % from four elements to eight, and the rest is the discretisation of eight particles.
     within("block", "two phases nu 0.499 over 0.3", "corner_flowing", 8, 1)

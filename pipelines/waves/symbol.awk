@@ -80,12 +80,15 @@ function capped(stiffness,   b, z, a, sum) {
     for (a = 1; a <= 3; a++) D[a, a] += stiffness * (lambda + 4) / K11 * sum
 }
 
-# (corner.1), (corner.2), and (flowing.2) below its limit.
-function corner(share,   a, s, c, residual) {
+# (corner.1), (corner.2), and (flowing.2) below its limit; h: amplitude of the mode in the plane across an axis, whose part along it is in
+# the shear strains of (flowing.1).
+function corner(share,   a, b, s, c, h, all) {
     for (a = 1; a <= 3; a++) { s[a] = sin(k[a] / 2); c[a] = cos(k[a] / 2) }
     add_acoustic(1, 2 * s[1] * c[2] * c[3], 2 * c[1] * s[2] * c[3], 2 * c[1] * c[2] * s[3])
-    residual = 8 / 3 * ((s[1] * s[2] * c[3]) ^ 2 + (c[1] * s[2] * s[3]) ^ 2 + (s[1] * c[2] * s[3]) ^ 2) + 4 / 3 * (s[1] * s[2] * s[3]) ^ 2
-    for (a = 1; a <= 3; a++) D[a, a] += share * residual
+    h[1] = c[1] * s[2] * s[3]; h[2] = s[1] * c[2] * s[3]; h[3] = s[1] * s[2] * c[3]
+    all = 8 / 3 * (h[1] ^ 2 + h[2] ^ 2 + h[3] ^ 2) + 4 / 3 * (s[1] * s[2] * s[3]) ^ 2
+    for (a = 1; a <= 3; a++) for (b = 1; b <= 3; b++)
+        D[a, b] += share * (a == b ? all - 8 / 9 * h[a] ^ 2 : 8 / 9 * h[a] * h[b])
 }
 
 # factor sum w over |xi|^power of the bonds' directions: what stretching does.

@@ -379,6 +379,38 @@ static void test_layers_in_series(void **state)
     small_body_free(&small);
 }
 
+/* A cube twisted by theta for each unit of its length, about any axis, stores two thirds of its
+ * energy of shear, mu theta^2 dx^2/12 for each unit of volume: half of the gradient is rotation. */
+static void test_twist(void **state)
+{
+    (void)state;
+    const double theta = 1e-4 / spacing, mu = young / (2 * (1 + poisson)),
+                 shear = mu * pow(theta * spacing, 2) / 12 * pow(spacing, 3);
+    for (int k = 0; k < 6; k++) {
+        const int a = k % 3, b = (a + 1) % 3, c = (a + 2) % 3;
+        struct small_body small;
+        small_body_new(&small, &(struct small_case){.size = {1, 1, 1},
+                                                    .residual = residuals[0],
+                                                    .mesh = k / 3,
+                                                    .materials = ELASTIC});
+        double x[3], middle[3] = {0};
+        for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+            if (!small_body_has(&small, site)) continue;
+            body_position(&small.body, site, x);
+            for (int d = 0; d < 3; d++) middle[d] += x[d] / 8;
+        }
+        for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
+            if (!small_body_has(&small, site)) continue;
+            body_position(&small.body, site, x);
+            small.body.u[b][site] = -theta * (x[a] - middle[a]) * (x[c] - middle[c]);
+            small.body.u[c][site] = theta * (x[a] - middle[a]) * (x[b] - middle[b]);
+        }
+        small_body_force(&small, false, false);
+        assert_relative(small_body_elastic_energy(&small), 2. / 3 * shear, 1e-6);
+        small_body_free(&small);
+    }
+}
+
 /* One cell whose corners move by s_x s_y h along x alone: F stays 1, nothing but the residual acts,
  * and its force and work are those of a linear spring with a linear hardening slider, (flowing.1)
  * to (flowing.3). */
@@ -441,6 +473,7 @@ int main(void)
         cmocka_unit_test(test_cubes_as_a_mesh),
         cmocka_unit_test(test_sheet_in_plane_stress),
         cmocka_unit_test(test_layers_in_series),
+        cmocka_unit_test(test_twist),
         cmocka_unit_test(test_flow_of_the_residual),
     };
     return cmocka_run_group_tests(tests, small_ranks_start, small_ranks_stop);

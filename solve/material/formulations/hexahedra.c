@@ -16,6 +16,7 @@
 #include "residual.h"
 
 #include <gsl/gsl_linalg.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -83,6 +84,34 @@ void hexahedra_normalise(struct hexahedra *hexahedra)
             }
         }
     }
+}
+
+void hexahedra_axes(const struct hexahedra *hexahedra, double *axes)
+{
+    static const int ends[2][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}},
+                                      {{0, 3}, {1, 2}, {4, 7}, {5, 6}}};
+    const struct body *body = hexahedra->body;
+    for (int64_t s = 0; s < body->near.count; s++)
+        for (int i = 0; i < body->near.items[s].count; i++) {
+            const struct strip *strip = &body->near.items[s];
+            double edge[2][3] = {{0}}, *to = axes + TENSOR * strip->store + i;
+            struct hexahedron element;
+            mesh_hexahedron(body->lattice, strip->site + i, &element);
+            for (int k = 0; k < 24; k++)
+                edge[k / 12][k % 3] += element.corner[ends[k / 12][k / 3 % 4][1]][k % 3] -
+                                       element.corner[ends[k / 12][k / 3 % 4][0]][k % 3];
+            const double *u = edge[0], *v = edge[1];
+            const double w[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                 u[0] * v[1] - u[1] * v[0]},
+                         across = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]),
+                         along = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+            for (int a = 0; a < 3; a++) {
+                const int b = (a + 1) % 3, c = (a + 2) % 3;
+                to[a * strip->stride] = u[a] / along;
+                to[(3 + a) * strip->stride] = (w[b] * u[c] - w[c] * u[b]) / (across * along);
+                to[(6 + a) * strip->stride] = w[a] / across;
+            }
+        }
 }
 
 HS_SIMD static void add_products(int count, const double *restrict x, const double *restrict y,

@@ -17,6 +17,10 @@ void hexahedra_free(struct hexahedra *hexahedra); /* NULL is none */
  * so are they.  On a box h'_m = w_m h_m (flowing.1). */
 void hexahedra_normalise(struct hexahedra *hexahedra);
 
+/* Unit vectors along the elements' own axes [TENSOR], strip by strip as box fields of points are:
+ * from face to face along the first, across it in the plane of the first two, across both. */
+void hexahedra_axes(const struct hexahedra *hexahedra, double *axes);
+
 /* Gradient (corner.1), and amplitudes (corner.2) where cells is not NULL, of the particles of a
  * strip. */
 void hexahedra_load(const struct hexahedra *hexahedra, const struct strip *strip,

@@ -1,6 +1,7 @@
 /* flowing.c - a residual energy that flows at a share of the particle's own flow stress.
  *
- *   e_m = w_m F^-1 h_m,  w_m^2 = mean over the cell of |grad s_m|^2                     (flowing.1)
+ *   g_m = F^-1 h_m,  e = w_m g_m,  w_m^2 = mean over the cell of |grad s_m|^2, but      (flowing.1)
+ *   e_yz = (w_xy g_xy,z + w_zx g_zx,y)/sqrt(3), e_zx and e_xy alike, for g_xy,z, g_yz,x and g_zx,y
  *   Pi = V a mu phi(|e - e'|),  d phi/dr = r up to r_c, beyond it                       (flowing.2)
  *                               r_c + H/(1 + H) (r - r_c)
  *   r_c = (f + h alpha) sigma_y(p)/(sqrt(3) mu),  H = h sigma_y(p)/(sqrt(3) mu)         (flowing.3)
@@ -9,10 +10,14 @@
  * numbers), seen from the material (F^-1: a superposed rotation leaves it alone).  a mu e^2/2 is
  * Silling's energy of the non-affine part of a family's motion (Comput. Methods Appl. Mech. Engrg.
  * 322 (2017) 42) for the family of eight corners, and on cubes the hourglass stiffness of Flanagan,
- * Belytschko (Int. J. Numer. Methods Engrg. 17 (1981) 679) as large as the material's own.  An
- * elastic one of that size would lock what flows: so it flows like J2, with e' for the plastic
- * strain and alpha = sum |de'| for the equivalent one, the radial return in one step as it hardens
- * linearly.  It hardens by a share of the flow stress, too: a share of the shear modulus is
+ * Belytschko (Int. J. Numer. Methods Engrg. 17 (1981) 679) as large as the material's own, but for
+ * the motions across the plane of a mode.  Of their gradient a part is rotation, all but a shear
+ * where a cell is twisted, and only shear strains count, on cubes as in 2/3 2 mu eps:eps, which for
+ * bending is what the others are.  The axes are those of the lattice, of a mesh each element's own.
+ *
+ * An elastic energy of that size would lock what flows: so it flows like J2, with e' for the
+ * plastic strain and alpha = sum |de'| for the equivalent one, the radial return in one step as it
+ * hardens linearly.  It hardens by a share of the flow stress, too: a share of the shear modulus is
  * nothing in a hard phase and several times the flow stress in a soft one.  Within a step r_c and H
  * stand still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as
  * plastic. */
@@ -28,12 +33,15 @@
 #include <string.h>
 
 enum { COMPONENTS = 3 * MODES, ALPHA = COMPONENTS, WORK, STATE };
+/* Across the planes of their modes: xy along z, yz along x, zx along y. */
+enum { XY_Z = 2, YZ_X = 3, ZX_Y = 7 };
 
 struct flowing {
     double modulus, limit, hardening; /* a, f, h */
     double weight[MODES];             /* w_m [1/m] */
     double *state;   /* strip by strip: e', alpha, work over V a mu; NULL: nothing ever flows */
     double *records; /* of degradation, strip by strip; NULL: none degrades */
+    double *axes;    /* of a mesh's elements, unit vectors, strip by strip; NULL: x, y, z */
 };
 #define AT(member) offsetof(struct flowing, member)
 
@@ -63,7 +71,11 @@ static void start(void *self, const struct body *body, const struct materials *m
                 residual_slope(m, a, (double[]){sqrt(1. / 3), sqrt(1. / 3), sqrt(1. / 3)}, dx), 2);
         flowing->weight[m] = hexahedra ? 1 : sqrt(square);
     }
-    if (hexahedra) hexahedra_normalise(hexahedra);
+    if (hexahedra) {
+        hexahedra_normalise(hexahedra);
+        flowing->axes = memory_new((size_t)strips->points * TENSOR, sizeof(double));
+        hexahedra_axes(hexahedra, flowing->axes);
+    }
     for (int k = 0; k < materials->n_laws; k++) flows |= materials->laws[k].law->flow_stress >= 0;
     if (flows) flowing->state = memory_new((size_t)strips->points * STATE, sizeof(double));
     if (body->integrity) flowing->records = degradation_new(strips);
@@ -81,6 +93,7 @@ static void release(void *self)
     struct flowing *flowing = self;
     free(flowing->state);
     free(flowing->records);
+    free(flowing->axes);
     free(flowing);
 }
 
@@ -92,8 +105,10 @@ static double share(const void *self)
 
 /* What lies between e and the forces. */
 struct work {
-    double G[TENSOR][LANES]; /* F^-1 */
+    double G[TENSOR][LANES];     /* F^-1 */
+    double g[COMPONENTS][LANES]; /* [m] */
     double e[COMPONENTS][LANES];
+    double t[COMPONENTS][LANES];                                 /* conjugate to e, then to g */
     double square[LANES];                                        /* |e - e'|^2 */
     double scale[LANES];                                         /* a mu V d, times the integrity */
     double factor[LANES], increment[LANES];                      /* d, |de'| */
@@ -111,42 +126,82 @@ HS_SIMD static void find_inverse(int count, const struct points *restrict s,
     }
 }
 
-/* (flowing.1) and |e - e'|^2; all modes of a point at once, for which F^-1 is read once. */
+/* g and w_m g; all modes of a point at once, for which F^-1 is read once. */
 HS_INLINE void strain_of(int count, int modes, const double *restrict weight,
-                         double (*restrict h)[3][LANES], const double *restrict plastic,
-                         int64_t stride, struct work *restrict w)
+                         double (*restrict h)[3][LANES], struct work *restrict w)
 {
-    for (int i = 0; i < count; i++) {
-        double square = 0;
+    for (int i = 0; i < count; i++)
         for (int m = 0; m < modes; m++) {
-            const double *p = plastic + 3 * m * stride + i;
-            const double x = weight[m] * h[m][0][i], y = weight[m] * h[m][1][i],
-                         z = weight[m] * h[m][2][i];
-            const double ex = w->G[0][i] * x + w->G[1][i] * y + w->G[2][i] * z,
-                         ey = w->G[3][i] * x + w->G[4][i] * y + w->G[5][i] * z,
-                         ez = w->G[6][i] * x + w->G[7][i] * y + w->G[8][i] * z;
-            const double dx = ex - p[0], dy = ey - p[stride], dz = ez - p[2 * stride];
-            w->e[3 * m][i] = ex;
-            w->e[3 * m + 1][i] = ey;
-            w->e[3 * m + 2][i] = ez;
-            square += dx * dx + dy * dy + dz * dz;
+            const double x = h[m][0][i], y = h[m][1][i], z = h[m][2][i];
+            const double gx = w->G[0][i] * x + w->G[1][i] * y + w->G[2][i] * z,
+                         gy = w->G[3][i] * x + w->G[4][i] * y + w->G[5][i] * z,
+                         gz = w->G[6][i] * x + w->G[7][i] * y + w->G[8][i] * z;
+            w->g[3 * m][i] = gx;
+            w->g[3 * m + 1][i] = gy;
+            w->g[3 * m + 2][i] = gz;
+            w->e[3 * m][i] = weight[m] * gx;
+            w->e[3 * m + 1][i] = weight[m] * gy;
+            w->e[3 * m + 2][i] = weight[m] * gz;
         }
-        w->square[i] = square;
-    }
 }
 
 HS_SIMD static void find_strain(int count, const double *restrict weight,
-                                double (*restrict h)[3][LANES], const double *restrict plastic,
-                                int64_t stride, struct work *restrict w)
+                                double (*restrict h)[3][LANES], struct work *restrict w)
 {
-    strain_of(count, MODES, weight, h, plastic, stride, w);
+    strain_of(count, MODES, weight, h, w);
 }
 HS_SIMD static void find_strain_in_plane(int count, const double *restrict weight,
-                                         double (*restrict h)[3][LANES],
-                                         const double *restrict plastic, int64_t stride,
-                                         struct work *restrict w)
+                                         double (*restrict h)[3][LANES], struct work *restrict w)
 {
-    strain_of(count, 1, weight, h, plastic, stride, w);
+    strain_of(count, 1, weight, h, w);
+}
+
+/* The shear strains of (flowing.1) in the places of what they are made of. */
+HS_SIMD static void find_shears(int count, double *restrict z, double *restrict x,
+                                double *restrict y)
+{
+    const double share = 1 / sqrt(3.);
+    for (int i = 0; i < count; i++) {
+        const double yz = share * (z[i] + y[i]), zx = share * (x[i] + z[i]),
+                     xy = share * (y[i] + x[i]);
+        z[i] = yz, x[i] = zx, y[i] = xy;
+    }
+}
+
+/* The transpose and w_m: from what is conjugate to them to what is to g. */
+HS_SIMD static void return_shears(int count, const double *restrict weight, double *restrict yz,
+                                  double *restrict zx, double *restrict xy)
+{
+    const double share = 1 / sqrt(3.);
+    for (int i = 0; i < count; i++) {
+        const double z = share * weight[0] * (yz[i] + zx[i]),
+                     x = share * weight[1] * (zx[i] + xy[i]),
+                     y = share * weight[2] * (xy[i] + yz[i]);
+        yz[i] = z, zx[i] = x, xy[i] = y;
+    }
+}
+
+/* (x, y, z) in the axes of the elements, or back: axis a has the components 3 a + b. */
+HS_SIMD static void turn(int count, bool back, const double *restrict axes, int64_t stride,
+                         double *restrict x, double *restrict y, double *restrict z)
+{
+    const int row = back ? 1 : 3, column = back ? 3 : 1;
+    for (int i = 0; i < count; i++) {
+        const double *a = axes + i;
+        const double u = x[i], v = y[i], w = z[i];
+        x[i] = a[0] * u + a[column * stride] * v + a[2 * column * stride] * w;
+        y[i] = a[row * stride] * u + a[(row + column) * stride] * v +
+               a[(row + 2 * column) * stride] * w;
+        z[i] = a[2 * row * stride] * u + a[(2 * row + column) * stride] * v +
+               a[(2 * row + 2 * column) * stride] * w;
+    }
+}
+
+/* |e - e'|^2 */
+HS_SIMD static void add_square(int count, const double *restrict e, const double *restrict plastic,
+                               double *restrict square)
+{
+    for (int i = 0; i < count; i++) square[i] += (e[i] - plastic[i]) * (e[i] - plastic[i]);
 }
 
 /* d, and what a commit would dissipate. */
@@ -196,24 +251,28 @@ HS_SIMD static void find_scale(int count, double modulus, const double *restrict
     for (int i = 0; i < count; i++) w->scale[i] = modulus * mu[i] * volume[i] * w->factor[i];
 }
 
-/* tau = F^-T t of one mode of point i: taken off from A, and what it gives to the mode. */
-HS_INLINE struct tensor force_of(int i, int mode, double weight, const double *restrict plastic,
-                                 int64_t stride, const struct work *restrict w,
+HS_SIMD static void find_stress(int count, double weight, const double *restrict scale,
+                                const double *restrict e, const double *restrict plastic,
+                                double *restrict t)
+{
+    for (int i = 0; i < count; i++) t[i] = weight * scale[i] * (e[i] - plastic[i]);
+}
+
+/* F^-T t of one mode of point i: taken off from A, and what it gives to the mode. */
+HS_INLINE struct tensor force_of(int i, int mode, const struct work *restrict w,
                                  double (*restrict m)[3][PADDED], struct tensor A)
 {
-    const double ex = w->e[3 * mode][i], ey = w->e[3 * mode + 1][i], ez = w->e[3 * mode + 2][i];
-    const double x = w->scale[i] * (ex - plastic[3 * mode * stride + i]),
-                 y = w->scale[i] * (ey - plastic[(3 * mode + 1) * stride + i]),
-                 z = w->scale[i] * (ez - plastic[(3 * mode + 2) * stride + i]);
+    const double gx = w->g[3 * mode][i], gy = w->g[3 * mode + 1][i], gz = w->g[3 * mode + 2][i];
+    const double x = w->t[3 * mode][i], y = w->t[3 * mode + 1][i], z = w->t[3 * mode + 2][i];
     const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
                  ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
                  tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
-    m[mode][0][PAD + i] = weight * tx;
-    m[mode][1][PAD + i] = weight * ty;
-    m[mode][2][PAD + i] = weight * tz;
-    return (struct tensor){A.xx - tx * ex, A.xy - tx * ey, A.xz - tx * ez,
-                           A.yx - ty * ex, A.yy - ty * ey, A.yz - ty * ez,
-                           A.zx - tz * ex, A.zy - tz * ey, A.zz - tz * ez};
+    m[mode][0][PAD + i] = tx;
+    m[mode][1][PAD + i] = ty;
+    m[mode][2][PAD + i] = tz;
+    return (struct tensor){A.xx - tx * gx, A.xy - tx * gy, A.xz - tx * gz,
+                           A.yx - ty * gx, A.yy - ty * gy, A.yz - ty * gz,
+                           A.zx - tz * gx, A.zy - tz * gy, A.zz - tz * gz};
 }
 
 HS_INLINE struct tensor read_tensor(double (*restrict A)[PADDED], int i)
@@ -228,29 +287,60 @@ HS_INLINE void write_tensor(double (*restrict A)[PADDED], int i, struct tensor T
     A[6][i] = T.zx, A[7][i] = T.zy, A[8][i] = T.zz;
 }
 
-HS_SIMD static void add_forces(int count, const double *restrict weight,
-                               const double *restrict plastic, int64_t stride,
-                               const struct work *restrict w, double (*restrict A)[PADDED],
-                               double (*restrict m)[3][PADDED])
+HS_SIMD static void add_forces(int count, const struct work *restrict w,
+                               double (*restrict A)[PADDED], double (*restrict m)[3][PADDED])
 {
     for (int i = 0; i < count; i++) {
         struct tensor sum = read_tensor(A, PAD + i);
-        sum = force_of(i, 0, weight[0], plastic, stride, w, m, sum);
-        sum = force_of(i, 1, weight[1], plastic, stride, w, m, sum);
-        sum = force_of(i, 2, weight[2], plastic, stride, w, m, sum);
-        sum = force_of(i, 3, weight[3], plastic, stride, w, m, sum);
+        sum = force_of(i, 0, w, m, sum);
+        sum = force_of(i, 1, w, m, sum);
+        sum = force_of(i, 2, w, m, sum);
+        sum = force_of(i, 3, w, m, sum);
         write_tensor(A, PAD + i, sum);
     }
 }
-HS_SIMD static void add_forces_in_plane(int count, const double *restrict weight,
-                                        const double *restrict plastic, int64_t stride,
-                                        const struct work *restrict w, double (*restrict A)[PADDED],
+HS_SIMD static void add_forces_in_plane(int count, const struct work *restrict w,
+                                        double (*restrict A)[PADDED],
                                         double (*restrict m)[3][PADDED])
 {
-    for (int i = 0; i < count; i++) {
-        const struct tensor sum = read_tensor(A, PAD + i);
-        write_tensor(A, PAD + i, force_of(i, 0, weight[0], plastic, stride, w, m, sum));
+    for (int i = 0; i < count; i++)
+        write_tensor(A, PAD + i, force_of(i, 0, w, m, read_tensor(A, PAD + i)));
+}
+
+/* e and |e - e'|^2 */
+static void find_deviation(const struct flowing *f, bool plane, struct cells *cells,
+                           const double *plastic, int64_t stride, struct work *w)
+{
+    const struct strip *strip = cells->strip;
+    const int n = strip->count;
+    find_inverse(n, cells->points, w);
+    if (f->axes)
+        for (int b = 0; b < 3; b++)
+            turn(n, false, f->axes + TENSOR * strip->store, strip->stride, w->G[b], w->G[3 + b],
+                 w->G[6 + b]);
+    (plane ? find_strain_in_plane : find_strain)(n, f->weight, cells->h, w);
+    if (!plane) find_shears(n, w->e[XY_Z], w->e[YZ_X], w->e[ZX_Y]);
+    memset(w->square, 0, (size_t)n * sizeof *w->square);
+    for (int k = 0; k < (plane ? 3 : COMPONENTS); k++)
+        add_square(n, w->e[k], plastic + k * stride, w->square);
+}
+
+static void push(const struct flowing *f, bool plane, const double *plastic, int64_t stride,
+                 struct work *w, struct cells *cells)
+{
+    const struct strip *strip = cells->strip;
+    const int n = strip->count;
+    for (int k = 0; k < (plane ? 3 : COMPONENTS); k++) {
+        const bool across = !plane && (k == XY_Z || k == YZ_X || k == ZX_Y);
+        find_stress(n, across ? 1 : f->weight[k / 3], w->scale, w->e[k], plastic + k * stride,
+                    w->t[k]);
     }
+    if (!plane) return_shears(n, f->weight, w->t[XY_Z], w->t[YZ_X], w->t[ZX_Y]);
+    if (f->axes)
+        for (int m = 0; m < MODES; m++)
+            turn(n, true, f->axes + TENSOR * strip->store, strip->stride, w->g[3 * m],
+                 w->g[3 * m + 1], w->g[3 * m + 2]);
+    (plane ? add_forces_in_plane : add_forces)(n, w, cells->A, cells->m);
 }
 
 HS_SIMD static void find_energies(int count, double modulus, const double *restrict mu,
@@ -318,8 +408,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                  (size_t)(STATE * stride) * sizeof *state); /* of the next strip */
     } else
         memset(none, 0, sizeof none);
-    find_inverse(n, cells->points, &w);
-    (plane ? find_strain_in_plane : find_strain)(n, flowing->weight, cells->h, state, stride, &w);
+    find_deviation(flowing, plane, cells, state, stride, &w);
     if (flows)
         flow(n, flowing, mu, stress, state + ALPHA * stride, &w);
     else
@@ -330,8 +419,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
     if (mode.energy || cells->integrity) find_energies(n, flowing->modulus, mu, &w);
     if (cells->integrity) degrade(flowing, cells, mode.commit, &w);
-    (plane ? add_forces_in_plane : add_forces)(n, flowing->weight, state, stride, &w, cells->A,
-                                               cells->m);
+    push(flowing, plane, state, stride, &w, cells);
     for (int k = 0; k < (plane ? 3 : COMPONENTS) && flows && mode.commit; k++)
         move_mode_on(n, w.factor, w.e[k], state + k * stride);
     if (mode.energy) sum_energies(body, cells, &w, energy);
