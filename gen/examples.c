@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* One a file of gen/examples; the first line of each, a comment, is what it shows. */
-#define EXAMPLES(DO) DO(plate) DO(harmonic) DO(random) DO(fracture) DO(crack) DO(study)
+#define EXAMPLES(DO) DO(plate) DO(harmonic) DO(random) DO(fracture) DO(crack) DO(study) DO(compare)
 
 /* The assembler puts the file in, from the folder that the tree is built in; a NUL ends it. */
 #define TAKE(name)                                                                                 \

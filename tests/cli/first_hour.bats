@@ -44,6 +44,11 @@ setup() {
     hsgen -q --study study.yaml -o runs
     make -s -C runs -j2 >said 2>&1 || { cat said; false; }
     grep -q '8 runs done, 0 not run, 0 stopped, 0 failed' said
+    # harmonic against random: one cell, and three samples, whose fractions are equal to the particle
+    hsgen --example compare | sed 's/end_strain: 0.04/end_strain: 0.002/' >compare.yaml
+    hsgen -q --study compare.yaml -o cells
+    make -s -C cells -j2 >said 2>&1 || { cat said; false; }
+    [ "$(sed 's/"[^"]*"/quoted/g' cells/gathered/statistics.csv | awk -F, '$4 == "modulus" { print $2, $7 }' | tr '\n' ' ')" = 'harmonic 1 random 3 ' ]
     [ -s runs/gathered/extrapolated.svg ]
 }
 
@@ -61,7 +66,7 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     near "$(number yield)" 250 1
     near "$(number saturation)" 220 1
     near "$(number rate)" 12 0.1
-    for file in plate.svg mine.svg structure.png fractions/gathered/curves.svg error/gathered/extrapolated.svg; do [ -s "$file" ]; done
+    for file in plate.svg mine.svg structure.png fractions/gathered/curves.svg fair/gathered/curves.svg error/gathered/extrapolated.svg; do [ -s "$file" ]; done
     [ "$(sed 1d fractions/gathered/properties.csv | sed 's/"[^"]*"/q/g' | cut -d, -f4 | sort -u | tr '\n' ' ')" = "0.4 0.5 0.6 " ]
     tail -1 said | grep -q 'Rp0.2,MPa,2,'
 }
