@@ -2,6 +2,7 @@
 
 bats_require_minimum_version 1.5.0
 load ../columns
+load ../curves
 
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
@@ -273,4 +274,15 @@ AWK
     [[ $output == *"the body fills "*" % of its box, which the preconditioner of load steps is made for"* ]]
     run hssolve -d "$BATS_FILE_TMPDIR/study.yaml" -i bar.g -H bar.e
     [[ $output != *"of its box"* ]]
+}
+
+@test "the deck that formats.md gives for a mesh of one's own pulls one" {
+    sed -n '/^title: My specimen/,/^```/p' "$BATS_TEST_DIRNAME/../../docs/formats.md" | sed '$d' >own.yaml
+    awk -v form=dogbone -v nx=24 -v ny=4 -v nz=2 -v lx=40 -v ly=4 -v lz=2 -f "$BATS_TEST_DIRNAME/../mesh.awk" | ncgen -o mesh.e
+    sed -n 's/^    \(hssolve .*own.yaml.*\)/\1/p' "$BATS_TEST_DIRNAME/../../docs/formats.md" >commands
+    [ "$(wc -l <commands)" -eq 2 ]
+    bash -e -o pipefail commands
+    [ -s own.svg ]
+    # E of the deck in the parallel part of 4 x 2 mm: heads that are held sideways are 6 mm from the gauge, so within 1 %
+    near "$(sed -n 's/^# slope_Pa: //p' own.csv)" 206e9 2e9
 }

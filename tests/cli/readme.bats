@@ -46,7 +46,9 @@ commands() { sed -n 's/^    //p' "$readme"; }
     for folder in "$root"/pipelines/*/; do
         [ -s "$folder/README.md" ] || { echo "$folder"; false; }
         for deck in "$folder"*.yaml; do
-            hsgen -q "$deck" >domain.g 2>messages || { echo "$deck"; cat messages; false; }
+            study=()
+            if grep -q '^vary:' "$deck"; then study=(--study --check); fi
+            hsgen -q "${study[@]}" "$deck" >domain.g 2>messages || { echo "$deck"; cat messages; false; }
         done
     done
 }
@@ -71,4 +73,13 @@ commands() { sed -n 's/^    //p' "$readme"; }
     [ "$(wc -l <table)" -gt 20 ]
     awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
         END { exit !($column["engineering_strain"] >= 0.004 && $column["engineering_stress_MPa"] > 200) }' table
+}
+
+@test "the deck of the README is ten lines that all three programs take" {
+    sed -n '/^```yaml$/,/^```$/p' "$readme" | sed '1d;$d' >study.yaml
+    [ "$(wc -l <study.yaml)" -le 10 ]
+    hsgen -q study.yaml | hssolve -q | hspost -q --plot curve.svg >curve.csv
+    # harder than the coarse phase alone, softer than the fine one
+    awk -F, '/^[0-9]/ { last = $6 } END { exit !(last > 380 && last < 740) }' curve.csv
+    [ "$(wc -l <"$readme")" -lt 180 ]
 }
