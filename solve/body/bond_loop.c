@@ -11,10 +11,11 @@ void bond_move_apart(const struct bond_view *view, const struct body *body, stru
 {
     for (int a = 0; a < 3; a++) {
         const double *H = body->lattice_gradient + 3 * a, *u = pass->u[1][a];
+        double apart = H[0] * *view->xi[0] + H[1] * *view->xi[1] + H[2] * *view->xi[2];
         for (int k = 0; k < view->count; k++) {
-            const int g = k * view->geometry_step;
-            moved[a][k] =
-                u[k] + (H[0] * view->xi[0][g] + H[1] * view->xi[1][g] + H[2] * view->xi[2][g]);
+            if (view->geometry_step)
+                apart = H[0] * view->xi[0][k] + H[1] * view->xi[1][k] + H[2] * view->xi[2][k];
+            moved[a][k] = u[k] + apart;
         }
         pass->u[1][a] = moved[a];
     }

@@ -27,7 +27,7 @@
 
 #include <math.h>
 
-enum { BOND_NODE_FIELDS = 4, BOND_SUMS = 3, BOND_GIVEN = 4, BOND_EACH = 5 };
+enum { BOND_NODE_FIELDS = 4, BOND_SUMS = 3, BOND_GIVEN = 4, BOND_EACH = 6 };
 
 /* A strip as a kernel sees it: arrays of its first bond, or of one number for all bonds where they
  * are alike.  [0]: lower, [1]: upper ends.  What follows volume is the kernel's own. */

@@ -167,7 +167,7 @@ END
     body sphere 6 6 6 '(i - 2.5) ^ 2 + (j - 2.5) ^ 2 + (k - 2.5) ^ 2 < 5'
     for kind in mix corner; do
         take mix
-        [ $kind = corner ] && model=corner keys='residual: {law: flowing}'
+        [ $kind = corner ] && model=corner keys='residual: {form: flowing}'
         for type in quasi_static 'hybrid, explicit_strain: 0.002, static_when: {quiet: 0.2 us, kinetic_to_internal: 1e-2}'; do
             deck hybrid 'x, y, z' "$one" "$two" '{component: xx, rate: 1e3 1/s}, {component: yy, stress: 20 MPa}' \
                 "end_strain: 0.004, accuracy: 1e-4, type: $type, $keys"

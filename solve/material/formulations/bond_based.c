@@ -134,6 +134,19 @@ BOND_KERNELS(pull_phases_energy, pull(p, k, b, true, true))
 static bond_kernel *const *const pulling[2][2] = {{pull_alone, pull_energy},
                                                   {pull_phases, pull_phases_energy}};
 
+/* y, and the force over |y|, per volume of either end. */
+HS_INLINE void find_force(const struct bond_pass *p, int k, struct bond b, bool phases)
+{
+    const double square = b.length * b.length + b.longer, now = sqrt(square);
+    p->each[0][k] = b.x;
+    p->each[1][k] = b.y;
+    p->each[2][k] = b.z;
+    p->each[3][k] =
+        stiffness(p, k, b, phases) * (b.longer / (b.length * square + (b.length * b.length) * now));
+}
+BOND_KERNELS(find_forces, find_force(p, k, b, false))
+BOND_KERNELS(find_forces_phases, find_force(p, k, b, true))
+
 /* Extension, force state of either end, half of the force each, and energy density of the bond. */
 HS_INLINE void find_state(const struct bond_pass *p, int k, struct bond b)
 {
@@ -166,10 +179,10 @@ static void bond_based_bond_energy(const void *self, const struct body *body,
 static void sum_stress(const struct bond_based *model, const struct body *body,
                        const struct bond_strip *strip)
 {
-    double e[BOND_LANES], half[BOND_LANES], energy[BOND_LANES];
-    struct bond_pass pass = {.each = {e, half, energy}};
-    run(find_states, model, strip, 0, NULL, &pass);
-    bond_stress_sum(model->bonds, strip, e, half, half, body);
+    double y[3][BOND_LANES], force[BOND_LANES];
+    struct bond_pass pass = {.each = {y[0], y[1], y[2], force}};
+    run(model->of_node ? find_forces_phases : find_forces, model, strip, 0, NULL, &pass);
+    bond_stress_cross(model->bonds, strip, (const double *const[]){y[0], y[1], y[2]}, force, body);
 }
 
 static void bond_based_force(void *self, struct body *body, struct force_mode mode,
@@ -185,11 +198,13 @@ static void bond_based_force(void *self, struct body *body, struct force_mode mo
         struct bond_pass pass;
         pass.each[0] = terms;
         run(kernel, model, &bonds->strips[s], 3, body->f, &pass);
-        if (body->stress_sums) sum_stress(model, body, &bonds->strips[s]);
+        if (body->stress_sums && bond_stress_crosses(bonds, &bonds->strips[s]))
+            sum_stress(model, body, &bonds->strips[s]);
         if (!mode.energy) continue;
         bonds_only_owned(bonds, &bonds->strips[s], terms);
         exact_sum_add_strip(&energy->stored, bonds->strips[s].count, terms, 1);
     }
+    if (body->stress_sums) bond_stress_nodes(body);
 }
 
 static void bond_based_prepare(void *self, struct body *body, int rows)

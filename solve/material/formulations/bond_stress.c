@@ -35,21 +35,15 @@ HS_SIMD static void add_scattered(int count, const double *restrict pull, const 
     for (int k = 0; k < count; k++) S[k] += pull[k] * (y[k] * xi[k]);
 }
 
-static void find(const struct bonds *bonds, const struct bond_strip *strip, const double *extension,
-                 const double *lower, const double *upper, double found[FOUND][BOND_LANES])
-{
-    struct bond_pass pass = {.given = {extension, lower, upper}};
-    for (int k = 0; k < FOUND; k++) pass.each[k] = found[k];
-    bond_run(find_directions, bonds, strip, (struct bond_fields){0}, &pass);
-}
-
 void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
                      const double *extension, const double *lower, const double *upper, int rows,
                      struct body *body)
 {
     const struct bond_view view = bonds_view(bonds, strip);
     double found[FOUND][BOND_LANES], buffer[BOND_LANES];
-    find(bonds, strip, extension, lower, upper, found);
+    struct bond_pass pass = {.given = {extension, lower, upper}};
+    for (int k = 0; k < FOUND; k++) pass.each[k] = found[k];
+    bond_run(find_directions, bonds, strip, (struct bond_fields){0}, &pass);
     for (int end = 0; end < 2; end++)
         for (int a = 0; a < rows; a++)
             for (int b = 0; b < 3; b++) {
@@ -64,23 +58,58 @@ void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
             }
 }
 
-void bond_stress_sum(const struct bonds *bonds, const struct bond_strip *strip,
-                     const double *extension, const double *lower, const double *upper,
-                     const struct body *body)
+/* Periods by which the upper end of a lower one at this place lies beyond the cell, along an axis.
+ */
+static int periods_beyond(const struct lattice *lattice, int axis, int at)
 {
-    const struct bond_view view = bonds_view(bonds, strip);
-    double found[FOUND][BOND_LANES], force[BOND_LANES], terms[BOND_LANES];
-    find(bonds, strip, extension, lower, upper, found);
-    for (int k = 0; k < view.count; k++) {
-        const int g = k * view.geometry_step;
-        force[k] = found[PULL][k] * view.volume_i[g] + found[PULL_UPPER][k] * view.volume_j[g];
+    if (!lattice->periodic[axis]) return 0;
+    return at < 0 ? -1 : at >= lattice->size[axis];
+}
+
+bool bond_stress_crosses(const struct bonds *bonds, const struct bond_strip *strip)
+{
+    const struct lattice *lattice = bonds->body->lattice;
+    const int *step = bonds->body->family->half[strip->offset].step;
+    int at[3];
+    grid_position(&bonds->body->grid, strip->i, at);
+    for (int a = 0; a < 3; a++) {
+        const int first = at[a] + step[a], last = first + (a == 0 ? strip->count - 1 : 0);
+        if (periods_beyond(lattice, a, first) || periods_beyond(lattice, a, last)) return true;
     }
-    bonds_only_owned(bonds, strip, force);
-    for (int a = 0; a < 3; a++)
+    return false;
+}
+
+void bond_stress_cross(const struct bonds *bonds, const struct bond_strip *strip,
+                       const double *const y[3], const double *force, const struct body *body)
+{
+    const int *step = body->family->half[strip->offset].step;
+    int at[3];
+    grid_position(&body->grid, strip->i, at);
+    for (int k = 0; k < strip->count; k++) {
+        if (!(body->grid.flags[strip->i + k] & SITE_OWNED)) continue; /* counted by the owner */
         for (int b = 0; b < 3; b++) {
-            if (!view.geometry_step && view.xi[b][0] == 0) continue;
-            for (int k = 0; k < view.count; k++)
-                terms[k] = force[k] * found[Y + a][k] * view.xi[b][k * view.geometry_step];
-            exact_sum_add_strip(&body->stress_sums[3 * a + b], view.count, terms, 1);
+            const int beyond = periods_beyond(body->lattice, b, at[b] + step[b] + (b == 0 ? k : 0));
+            const double way =
+                beyond * lattice_period(body->lattice, b) * bonds->volume[0] * bonds->volume[0];
+            for (int a = 0; beyond && a < 3; a++)
+                exact_sum_add(&body->stress_sums[3 * a + b], way * (force[k] * y[a][k]));
         }
+    }
+}
+
+void bond_stress_nodes(const struct body *body)
+{
+    for (int64_t s = 0; s < body->owned.count; s++) {
+        const struct strip *strip = &body->owned.items[s];
+        for (int k = 0; k < 9; k++) {
+            double terms[LANES];
+            for (int i = 0; i < strip->count; i++) {
+                double x[3];
+                body_position(body, strip->site + i, x);
+                terms[i] = body->f[k / 3][strip->site + i] * x[k % 3];
+            }
+            body_times_volume(body, strip->site, strip->count, terms);
+            exact_sum_add_strip(&body->stress_sums[k], strip->count, terms, -1);
+        }
+    }
 }

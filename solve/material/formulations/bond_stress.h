@@ -12,9 +12,16 @@ void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
                      const double *extension, const double *lower, const double *upper, int rows,
                      struct body *body);
 
-/* (macroscopic.2): force (x) xi of the strip's bonds, added to body->stress_sums; likewise. */
-void bond_stress_sum(const struct bonds *bonds, const struct bond_strip *strip,
-                     const double *extension, const double *lower, const double *upper,
-                     const struct body *body);
+/* (macroscopic.2) of a body on a lattice: the sum of force (x) xi over the bonds is that of force
+ * (x) period over those through the cell's faces less that of force (x) position over the nodes,
+ * which takes a fraction of the terms.  Added to body->stress_sums.
+ * Whether bonds of the strip pass through a face; */
+bool bond_stress_crosses(const struct bonds *bonds, const struct bond_strip *strip);
+/* theirs, of each bond of the strip y [m], and the force along it over |y|, per volume of either
+ * end [N/m^7]; */
+void bond_stress_cross(const struct bonds *bonds, const struct bond_strip *strip,
+                       const double *const y[3], const double *force, const struct body *body);
+/* the nodes', by body->f. */
+void bond_stress_nodes(const struct body *body);
 
 #endif

@@ -69,7 +69,16 @@ enum { ELASTIC, ENERGY, STORED, YIELDING };
 
 /* Numbers of each bond: e^p of its ends, NULL where there is none, and what find_state and hold
  * find of it. */
-enum { SLIP_LOWER, SLIP_UPPER, EXTENSION, STATE_LOWER, STATE_UPPER, HELD = EXTENSION };
+enum {
+    SLIP_LOWER,
+    SLIP_UPPER,
+    EXTENSION,
+    STATE_LOWER,
+    STATE_UPPER,
+    HELD = EXTENSION,
+    WAY = EXTENSION,
+    FORCE = WAY + 3
+};
 
 /* What each bond of a strip with some through two phases is given: (interface.2). */
 enum { SHARE_LOWER, SHARE_UPPER, PART_LOWER, PART_UPPER, ENDS };
@@ -119,7 +128,7 @@ HS_INLINE void flow(const struct bond_pass *p, int k, double e, double length, i
 
 /* (ordinary.4), (t_ij + t_ji)/(w |y|) of one fraction: (pull |xi| (|y| + |xi|) + spring (|y|^2 -
  * |xi|^2))/((|y| + |xi|) |y|) */
-HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
+HS_INLINE double force_of(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
 {
     const double g_i = both_of(p, k, 0, shared), g_j = both_of(p, k, 1, shared),
                  r_i = share_of(p, k, 0, shared), r_j = share_of(p, k, 1, shared);
@@ -130,12 +139,26 @@ HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth, 
         (g_i * p->node[0][NODE_PULL][k] + g_j * p->node[1][NODE_PULL][k]) * a_over_w(p, b);
     if (depth >= STORED)
         pull -= spring_i * p->each[SLIP_LOWER][k] + spring_j * p->each[SLIP_UPPER][k];
-    const double t =
-        (pull * sum + (spring_i * r_i + spring_j * r_j) * b.longer) / (square + b.length * now);
+    return (pull * sum + (spring_i * r_i + spring_j * r_j) * b.longer) / (square + b.length * now);
+}
+
+HS_INLINE void push(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
+{
+    const double t = force_of(p, k, b, depth, shared);
     bond_push(p, k, b, (b.weight * b.volume_j) * t, (b.weight * b.volume_i) * t);
     if (depth < YIELDING) return;
-    flow(p, k, r_i * (b.longer / sum), b.length, 0);
-    flow(p, k, r_j * (b.longer / sum), b.length, 1);
+    const double e = b.longer / (sqrt(b.length * b.length + b.longer) + b.length);
+    flow(p, k, share_of(p, k, 0, shared) * e, b.length, 0);
+    flow(p, k, share_of(p, k, 1, shared) * e, b.length, 1);
+}
+
+/* y, and the force over |y|, per volume of either end. */
+HS_INLINE void find_force(const struct bond_pass *p, int k, struct bond b, int depth, bool shared)
+{
+    p->each[WAY][k] = b.x;
+    p->each[WAY + 1][k] = b.y;
+    p->each[WAY + 2][k] = b.z;
+    p->each[FORCE][k] = b.weight * force_of(p, k, b, depth, shared);
 }
 
 BOND_KERNELS(sum_elastic, sum_up(p, k, b, ELASTIC, false))
@@ -159,6 +182,14 @@ static bond_kernel *const *const pushing[2][4] = {
     {[ELASTIC] = push_elastic_shared,
      [STORED] = push_stored_shared,
      [YIELDING] = push_yielding_shared}};
+
+BOND_KERNELS(force_elastic, find_force(p, k, b, ELASTIC, false))
+BOND_KERNELS(force_stored, find_force(p, k, b, STORED, false))
+BOND_KERNELS(force_elastic_shared, find_force(p, k, b, ELASTIC, true))
+BOND_KERNELS(force_stored_shared, find_force(p, k, b, STORED, true))
+/* [shared][whether there is some e^p] */
+static bond_kernel *const *const forcing[2][2] = {{force_elastic, force_stored},
+                                                  {force_elastic_shared, force_stored_shared}};
 
 static bool is_shared(const struct ordinary *model, int64_t number)
 {
@@ -388,6 +419,18 @@ static void find_strip(const struct ordinary *model, int64_t number, double *e,
     look_at_strip(finding, model, number, &pass);
 }
 
+static void sum_stress(const struct ordinary *model, const struct body *body, int64_t number)
+{
+    double y[3][BOND_LANES], force[BOND_LANES];
+    struct bond_pass pass;
+    const bool slipped = fill_pass(model, number, &pass);
+    for (int a = 0; a < 3; a++) pass.each[WAY + a] = y[a];
+    pass.each[FORCE] = force;
+    run(forcing[is_shared(model, number)][slipped], model, number, NODE_FLOW, 0, NULL, &pass);
+    bond_stress_cross(model->bonds, &model->bonds->strips[number],
+                      (const double *const[]){y[0], y[1], y[2]}, force, body);
+}
+
 static void ordinary_force(void *self, struct body *body, struct force_mode mode,
                            struct force_energy *energy)
 {
@@ -397,11 +440,9 @@ static void ordinary_force(void *self, struct body *body, struct force_mode mode
     body_clear(body, body->f, 3);
     for (int64_t s = 0; s < model->bonds->count; s++) push_strip(model, body, s, flows);
     if (flows) settle_flow(model, body);
-    for (int64_t s = 0; body->stress_sums && s < model->bonds->count; s++) {
-        double e[BOND_LANES], t[2][BOND_LANES];
-        find_strip(model, s, e, t);
-        bond_stress_sum(model->bonds, &model->bonds->strips[s], e, t[0], t[1], body);
-    }
+    if (body->stress_sums) bond_stress_nodes(body);
+    for (int64_t s = 0; body->stress_sums && s < model->bonds->count; s++)
+        if (bond_stress_crosses(model->bonds, &model->bonds->strips[s])) sum_stress(model, body, s);
 }
 
 static void ordinary_bond_energy(const void *self, const struct body *body,
