@@ -10,7 +10,7 @@
 static const double PART = 1.0 / 24;  /* of D that stays as an error */
 static const double MEMORY = 9;       /* elastic strains after which flow has forgotten */
 static const double UNBALANCED = 0.2; /* of the residual's tolerance, that forces may differ by */
-static const double SHARE = 0.5;      /* of what is left of the accuracy, for one step */
+static const double SHARE = 0.35;     /* of what is left of the accuracy, for one step */
 
 struct step_error step_error_new(double accuracy, const struct boundary *boundary)
 {

@@ -47,7 +47,8 @@ worst() {
         echo "$name: $(worst "$name-1e-4" "$name-1e-3"), coarse $(worst "$name-1e-4" "$name-1e-2")" | tee -a all
     done
     cat all
-    run ! awk '{ gsub(",", "") } !($2 <= 1e-3 && $6 <= 1e-2 && $4 < 800) { print "not as promised: " $0; bad = 1 } END { exit !bad }' all
+    # Of corner 57 records and 352 forces; 73 and 445 where a phase that begins to yield uses up the accuracy and L-BFGS begins anew each step.
+    run ! awk '{ gsub(",", "") } !($2 <= 1e-3 && $6 <= 1e-2 && $4 < 800 && ($1 != "corner:" || $3 < 65 && $4 < 400)) { print "not as promised: " $0; bad = 1 } END { exit !bad }' all
 }
 
 @test "so it is where the load turns back, and the turns are met without short steps in the elastic part" {
