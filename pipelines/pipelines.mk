@@ -214,7 +214,7 @@ $(TRUTHS:%=$(RESULTS)/truths/%.csv): $(RESULTS)/truths/%.csv: pipelines/truths/%
 	pipelines/truths/$* $(@D)/$* $(if $(SMALL),small) > $@
 $(RESULTS)/truths/table.md: $(TRUTHS:%=$(RESULTS)/truths/%.csv) $(TRUTHS_CALCULIX) $(wildcard pipelines/truths/*.awk)
 	awk -F, -v csv=$(@D)/table.csv -f pipelines/truths/table.awk $(filter %.csv,$^) > $@
-	$(call must,truths,$(if $(SMALL),-v small=yes)) $(@D)/table.csv
+	$(call must,truths,-v blank=cpu_s $(if $(SMALL),-v small=yes)) $(@D)/table.csv
 DECKS += $(RESULTS)/truths/decks
 .PHONY: $(RESULTS)/truths/decks
 $(RESULTS)/truths/decks:
