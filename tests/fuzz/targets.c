@@ -39,6 +39,7 @@ static struct {
     long accepted;
     const struct target *target;
     char path[64]; /* of the bytes as a file */
+    int first;     /* descriptor that is not libFuzzer's own; 0: not known yet */
 } fuzz;
 
 static void come_back(int code)
@@ -309,6 +310,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     char *text = memory_new(size + 1, 1);
     const int file = memfd_create("fuzz", MFD_CLOEXEC);
     memcpy(text, bytes, size);
+    if (!fuzz.first) fuzz.first = file;
     if (file < 0 || write(file, bytes, size) != (ssize_t)size || lseek(file, 0, SEEK_SET) != 0)
         abort();
     snprintf(fuzz.path, sizeof fuzz.path, "/proc/self/fd/%d", file);
@@ -318,7 +320,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     }
     /* What a reader that died has left open. */
     for (int k = 1; k < OPEN_FILES; k++) nc_close(k * NETCDF_FILE);
-    close_range(3, ~0u, 0);
+    close_range((unsigned)fuzz.first, ~0u, 0);
     free(text);
     return 0;
 }

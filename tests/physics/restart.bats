@@ -7,11 +7,11 @@ load ../bodies
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # study CG UFG SOLVER [DAMAGE]: study.yaml and domain.g of a plate of two phases, pulled at $speed
-# FLAT=yes: of one layer; $boundary, $every
+# FLAT=yes: of one layer; $domain, which makes it another one by sed; $boundary, $every
 study() {
     cat >study.yaml <<END
 title: Goes on
-$(grains 2)
+$(grains 2 | sed "${domain:-}")
 materials:
   CG: {density: 8900 kg/m3, $1}
   UFG: {density: 8800 kg/m3, $2}
@@ -30,8 +30,8 @@ END
 # What a file holds but for the command of its run and its own length: to the last bit.
 numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
-# goes_on FIRST COUNT RANKS...: the run on FIRST ranks made at least COUNT checkpoints; from one early, one in the middle and
-# the last one it goes on with each number of ranks as the whole run went; options of the first run in $options
+# goes_on FIRST COUNT RANKS...: the run on FIRST ranks made at least COUNT checkpoints, which change no number of it; from one early,
+# one in the middle and the last one it goes on with each number of ranks as the whole run went; options of the first run in $options
 goes_on() {
     local first=$1 count=$2 found middle from ranks
     shift 2
@@ -42,6 +42,10 @@ goes_on() {
     found=$(find whole -name 'history.e.checkpoint*' | wc -l)
     echo "$found checkpoints"
     [ "$found" -ge "$count" ]
+    sed 's/checkpoint: {every: [0-9]* steps/checkpoint: {every: 1 h/' study.yaml >seldom.yaml
+    # shellcheck disable=SC2086 # words
+    (cd whole && hssolve -q -j "$first" ${options:--i ../domain.g} -d ../seldom.yaml -H seldom.e -o seldom.f) 2>/dev/null
+    cmp <(hspost -q --columns whole/history.e | grep -v '^#') <(hspost -q --columns whole/seldom.e | grep -v '^#')
     numbers whole/history.e >whole.history
     numbers whole/fields.e >whole.fields
     middle=$((found / 2))
@@ -111,7 +115,7 @@ $cracks"
     awk -v form=distorted -v nx=16 -v ny=5 -v nz=4 -v lx=16e-4 -v ly=5e-4 -v lz=4e-4 -v parts=2 \
         -f "$BATS_TEST_DIRNAME/../mesh.awk" >mesh.cdl
     ncgen -k 64-bit-offset -o mesh.g mesh.cdl
-    cat >deck.yaml <<END
+    cat >study.yaml <<END
 title: Goes on
 materials:
   A: {model: corner, density: 8900, $elastic, $soft, yield_scatter: {deviation: 0.1, seed: 2}}
@@ -128,7 +132,7 @@ output:
   fields: {frames: 6, variables: [displacement, velocity, force, stress, equivalent_plastic_strain, damage]}
   checkpoint: {every: 40 steps, keep: 100}
 END
-    options='-i ../mesh.g --deck ../deck.yaml' goes_on 2 4 1 3
+    options='-i ../mesh.g -d ../study.yaml' goes_on 2 4 1 3
     holds "$(last removed_nodes) > 2"
 }
 
@@ -258,4 +262,48 @@ linear='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
     scattered "ordinary_plastic, $steel, $linear" 'horizon: 2.6' '{pair: [A, A], law: critical_stretch, value: 0.06}'
     options='-i ../particles.txt -d ../study.yaml' goes_on 1 3 3
     holds "$(last broken_bonds) > 20"
+}
+
+# cell SOLVER [DAMAGE]: study.yaml and domain.g of random cells that repeat, under a mean strain or $mean
+cell() {
+    domain='/^  g/d; s/size: .*/size: [0.2 mm, 0.2 mm, 0.15 mm]/; s/^  spacing/  periodic: [x, y, z]\n&/' boundary="macroscopic:
+${mean:-  - {component: xx, rate: 1 1/s\}}" study "model: corner, $elastic, $soft, yield_scatter: {deviation: 0.1, seed: 2}" \
+        "model: corner, $elastic, $hard" "$@"
+}
+
+@test "periodic cells: load steps with damage, sheared and compressed ones, explicit ones" {
+    every=2 cell 'type: quasi_static, step: 0.004, end_strain: 0.05' "$ductile"
+    goes_on 2 5 1 3
+    holds "$(last removed_nodes) > 2"
+    rm -rf whole
+    mean='  - {component: xy, rate: 1 1/s}
+  - {component: zz, stress: -50 MPa}
+  - {component: yy, strain: "-0.2*t"}' every=2 cell 'type: quasi_static, step: 0.5 ms, end_time: 5 ms'
+    goes_on 3 4 2
+    rm -rf whole
+    mean='  - {component: xx, rate: 1e5 1/s}' cell 'type: explicit, end_strain: 0.04' "$ductile"
+    goes_on 1 4 3
+}
+
+@test "a cell and a bar between grips that are taken through a programme of loops" {
+    local loops='type: quasi_static, programme: [{to_strain: 0.4 %}, {unload_to: 0 MPa}, {cycles: 1, between: [-0.2 %, 0.3 %]}]'
+    every=4 cell "$loops"
+    goes_on 1 4 2
+    rm -rf whole
+    every=9 speed=1 study "model: corner, $elastic, $soft" "model: corner, $elastic, $hard" "$loops"
+    goes_on 3 4 1
+}
+
+@test "an eighth of a body, to its planes of symmetry: load steps and explicit ones" {
+    local every speed type
+    while read -r every speed type; do
+        rm -rf whole
+        boundary="boundary:
+  - {set: grip_right, direction: x, velocity: $speed m/s}" domain='s/^  spacing/  symmetry: [x, y, z]\n&/' \
+            study "model: corner, $elastic, $soft" "model: corner, $elastic, $hard" "type: $type" "$ductile"
+        goes_on 2 3 1 3
+    done <<'END'
+1 1 quasi_static, step: 0.5 us, end_time: 5 us
+20 60 explicit, end_time: 0.4 us
+END
 }
