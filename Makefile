@@ -10,6 +10,7 @@
 #   make fuzz fuzz-runs  changed files, by libFuzzer, FUZZ_SECONDS=600 for each reader; runs of 10,000 changed decks
 #   make check-report    reports in a browser: errors, overflow, contrast (chromium)
 #   make check-paraview  fields in ParaView, by docs/open_fields.py (paraview, xvfb)
+#   make check-slurm     studies as job arrays, on a Slurm of one node of its own (packages slurm-wlm, munge; three minutes)
 #   make bench           kernels beside their bounds and LAMMPS, whole runs, run time against error: docs/bench;
 #                        QUICK=1: kernels alone
 #   make bench-compare REV=...  kernels and whole runs beside those of an earlier commit
@@ -91,7 +92,7 @@ object = $(patsubst %.c,$(BUILD)/%.o,$(1))
 archive = $(BUILD)/lib$(1).a
 
 .PHONY: all check check-unit check-cli check-physics check-report check-paraview check-format docs html deb install uninstall clean format help \
-        stress faults fuzz fuzz-runs mutations bench bench-tables bench-compare
+        stress faults check-slurm fuzz fuzz-runs mutations bench bench-tables bench-compare
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -205,6 +206,9 @@ check: all $(TESTS) $(BUILD)/tests/fuzz/fuzz check-format
 faults: all
 	ALL=1 $(PROVE) $(sort $(wildcard tests/faults/*.bats))
 
+check-slurm: all
+	$(PROVE) tests/slurm/slurm.bats
+
 # Guided by coverage, under the sanitizers: FUZZ_SECONDS for each target; and whole runs of 10,000 changed decks.
 FUZZ_SECONDS ?= 600
 fuzz:
@@ -295,7 +299,7 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '3,25s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
+	@sed -n '3,26s/^# \{0,1\}//p' $(firstword $(MAKEFILE_LIST))
 
 -include pipelines/pipelines.mk
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -21,7 +21,7 @@
 struct arguments {
     const char *deck, *output, *statistics, *peridigm, *picture, *cores, *export;
     const char *example, *from, *units;
-    bool study, examples, override, check, quiet;
+    bool study, slurm, examples, override, check, quiet;
 };
 
 static _Noreturn void print_examples(const struct arguments *c)
@@ -49,6 +49,8 @@ static struct arguments read_arguments(int argc, char **argv)
         {0, "peridigm", "BASENAME", "write Peridigm's text discretisation", NULL, &c.peridigm},
         {0, "study", NULL,
          "write the decks of a study (vary, refine) and a Makefile into -o FOLDER", &c.study, NULL},
+        {0, "slurm", NULL, "with --study: a script beside them, a job array of Slurm", &c.slurm,
+         NULL},
         {0, "examples", NULL, "list the decks that --example writes, and leave", &c.examples, NULL},
         {0, "example", "NAME", "write a deck that runs, with comments, and leave", NULL,
          &c.example},
@@ -74,6 +76,7 @@ static struct arguments read_arguments(int argc, char **argv)
     if (first < argc) c.deck = argv[first];
     if (c.examples || c.example) print_examples(&c);
     if (c.units && !c.from) die_user("--units belongs to --from");
+    if (c.slurm && !c.study) die_user("--slurm belongs to --study");
     note_set_quiet(c.quiet);
     return c;
 }
@@ -168,7 +171,7 @@ static void treat_study(const struct arguments *c, const struct deck *deck)
     if (c->check)
         study_folder_check(deck);
     else
-        study_folder_write(deck, c->output);
+        study_folder_write(deck, c->output, c->slurm);
 }
 
 static void translate(const struct arguments *c)

@@ -5,6 +5,7 @@
 #include "memory.h"
 #include "output.h"
 #include "study_make.h"
+#include "study_slurm.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -315,6 +316,16 @@ static void write_makefile(const struct expansion *expansion, const struct runs 
     free(path);
 }
 
+static void write_slurm(const struct runs *runs, const char *folder)
+{
+    char *path = memory_print("%s/slurm.sh", folder);
+    struct output output = output_open(path);
+    study_slurm_write(output.stream, runs->count);
+    output_close(&output);
+    note("bash %s   queues them as a job array of Slurm", path);
+    free(path);
+}
+
 static void say_what_varies(const struct variations *variations)
 {
     static const char *const roles[] = {"", ", scatter", ", resolution", ", one at a time"};
@@ -324,7 +335,7 @@ static void say_what_varies(const struct variations *variations)
     note("%lld decks", (long long)variations->runs);
 }
 
-void study_folder_write(const struct deck *deck, const char *folder)
+void study_folder_write(const struct deck *deck, const char *folder, bool slurm)
 {
     struct expansion expansion = expansion_of(deck);
     struct contents contents = contents_of(folder);
@@ -339,6 +350,7 @@ void study_folder_write(const struct deck *deck, const char *folder)
     char *copy = memory_print("%s/study.yaml", folder);
     write_text(copy, deck_text(deck));
     note("make -j2 -C %s   runs them and gathers", folder);
+    if (slurm) write_slurm(&runs, folder);
     free(copy);
     runs_free(&runs);
     contents_free(&contents);

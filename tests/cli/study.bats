@@ -198,6 +198,19 @@ numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_b
     hspost -q history.e -d study.yaml -o curve.csv
 }
 
+@test "--slurm writes a sound script with a task a run, and up to a thousand" {
+    deck 'vary: {seed: 1..3}'
+    hsgen -q --study study.yaml --slurm -o out
+    shellcheck out/slurm.sh
+    grep -qx '#SBATCH --array=0-2' out/slurm.sh
+    deck 'vary: {seed: 1..1200}'
+    hsgen -q --study study.yaml --slurm -o many
+    grep -qx '#SBATCH --array=0-999' many/slurm.sh
+    grep -qx 'tasks=1000' many/slurm.sh
+    run -2 --separate-stderr hsgen study.yaml --slurm -o domain.g
+    [[ "$stderr" == *"--slurm belongs to --study"* ]]
+}
+
 @test "make runs what is missing, once; a study that grows keeps what it has" {
     deck 'vary: {seed: 1..2, scatter: seed}'
     hsgen -q --study study.yaml -o out
