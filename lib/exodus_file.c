@@ -169,6 +169,12 @@ static void put_provenance(const struct exodus_file *file, const struct attribut
     free(lines);
 }
 
+/* Where HDF5 has no memory to start in it ends by a signal; with this much it starts. */
+static void room_to_start(void)
+{
+    free(memory_new(2, 1 << 20));
+}
+
 /* --- files ------------------------------------------------------------------------------------ */
 
 struct exodus_file exodus_create(const struct spool *output, const struct attributes *attributes)
@@ -179,6 +185,7 @@ struct exodus_file exodus_create(const struct spool *output, const struct attrib
                              : output->final ? output->final
                                              : "standard output");
     ex_opts(0);
+    room_to_start();
     file.id = ex_create(file.path, EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API, &memory_word,
                         &file_word);
     exodus_wrote(&file, file.id < 0 ? FAILED : 0, "the beginning");
@@ -312,6 +319,7 @@ static int open_to_read(const char *path)
 {
     int memory_word = sizeof(double), file_word = 0;
     float version;
+    room_to_start();
     ex_opts(0);
     return ex_open(path, EX_READ | EX_ALL_INT64_API, &memory_word, &file_word, &version);
 }

@@ -8,3 +8,6 @@ columns() {
             next }
         { for (k = 1; k <= n; k++) printf "%.12g%s", $at[name[k]], k < n ? " " : "\n" }'
 }
+
+# numbers FILE: what a history or fields hold, to the last bit, but for the command that made them and the file's own length
+numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }

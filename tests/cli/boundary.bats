@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../columns
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     cat >bar.yaml <<'DECK'
@@ -88,9 +89,6 @@ same() {
     echo "$1 and $2"
     awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; if (b < 0) b = -b; exit !(d <= t * b) }'
 }
-
-# The numbers of a history or of fields to the last bit.
-numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
 @test "a wrong entry of boundary is refused with its place" {
     wrong 12:5 "which nodes? Expected exactly one of: set, block, box, where" 's/set: foot, direction: x/direction: x/'

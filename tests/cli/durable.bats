@@ -2,6 +2,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../columns
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     # Hours at a speed that strains little, with a record at almost every step.
@@ -189,8 +190,6 @@ short_run() {
     hsgen -q short.yaml -o short.g
     hssolve -q -i short.g -H whole.e
 }
-
-numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
 @test "checkpoints change no number of a run, the oldest go, and the names say which is which" {
     short_run

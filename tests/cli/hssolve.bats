@@ -2,6 +2,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../columns
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     cat >study.yaml <<'DECK'
@@ -57,9 +58,6 @@ change() {
     sed "$1" study.yaml >changed.yaml
     run ! cmp -s study.yaml changed.yaml
 }
-
-# What a history holds but for what names the command: the numbers to the last bit.
-numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
 # all_finite FILE VARIABLE: it has numbers, and none is NaN or infinite.
 all_finite() {

@@ -2,6 +2,7 @@
 # A deck that is a study of several: its decks, its Makefile, and what hspost gathers.
 
 bats_require_minimum_version 1.5.0
+load ../columns
 load ../curves
 
 # Makes of the tests have no jobs to share with them.
@@ -68,9 +69,6 @@ column() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" 'NR == 1 { for (
 
 # property NAME FILE: its value in a run's table, which says first what varied
 property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1; i < NF; i++) if ($i == name) print $(i + 2) }'; }
-
-# What a history holds but for the command that made it.
-numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
 @test "decks are the study's text with the values in it, comments kept" {
     deck 'vary: # what varies' '  ufg_fraction: [0.3, 0.40]' '  domain.seed: 1..3' '  scatter: domain.seed'

@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../columns
 load ../bodies
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
@@ -25,9 +26,6 @@ END
 }
 
 setup() { cd "$BATS_TEST_TMPDIR"; }
-
-# What a file holds, without the command that made it.
-numbers() { ncdump "$1" | sed -n '/^data:/,$p'; }
 
 # count TOOL COMMAND...: lines "CALL NUMBER" of the calls that it makes
 count() {

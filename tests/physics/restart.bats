@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../columns
 load ../bodies
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
@@ -26,9 +27,6 @@ output:
 END
     hsgen -q study.yaml -o domain.g
 }
-
-# What a file holds but for the command of its run and its own length: to the last bit.
-numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
 # goes_on FIRST COUNT RANKS...: the run on FIRST ranks made at least COUNT checkpoints, which change no number of it; from one early,
 # one in the middle and the last one it goes on with each number of ranks as the whole run went; options of the first run in $options

@@ -2,6 +2,7 @@
 
 bats_require_minimum_version 1.5.0
 load node
+load ../columns
 load ../bodies
 
 setup_file() {
@@ -24,9 +25,6 @@ setup() {
     unset MAKEFLAGS MFLAGS MAKELEVEL
     export SLURM_CONF=$BATS_FILE_TMPDIR/slurm.conf
 }
-
-# What a history holds but for the command that made it.
-numbers() { ncdump -p 9,17 "$1" | sed 1d | grep -v 'hs_solver_command\|hs_file_bytes'; }
 
 # study STEPS: queued, a study of two runs, and what it makes without Slurm, whole
 study() {
