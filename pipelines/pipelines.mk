@@ -112,7 +112,7 @@ $(RESULTS)/cells/decks:
 
 map: $(RESULTS)/map/indices.csv
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
-$(RESULTS)/map/indices.csv: $(wildcard pipelines/map/*) pipelines/vary pipelines/cells/study.yaml | all
+$(RESULTS)/map/indices.csv: $(wildcard pipelines/map/*) | all
 	pipelines/map/run $(@D) $(if $(SMALL),40,1000)
 	awk -v folder=$(@D)/runs -f pipelines/map/gather.awk $(@D)/runs/study.csv > $(@D)/map.csv
 	awk -v factors=7 -v degree=$(if $(SMALL),1,3) -v names=arrangement -f pipelines/map/sobol.awk $(@D)/map.csv > $@

@@ -263,7 +263,7 @@ bad() {
     printf '\0\0\0\0\0\0\0\0' | dd of="$of" bs=1 seek=32 conv=notrunc status=none
     bad 'was never finished' --restart "$of"
     cp good "$of"
-    printf '2' | dd of="$of" bs=1 seek=19 conv=notrunc status=none
+    printf '9' | dd of="$of" bs=1 seek=19 conv=notrunc status=none
     bad 'of another version' --restart "$of"
     rm "$of"
     bad "cannot be opened: No such file or directory; an older one is $of.1" --restart "$of"
