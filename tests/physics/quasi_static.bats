@@ -266,5 +266,5 @@ END
     bar wrong 24 "$correspondence" "type: explicit, $mix, end_strain: 0.01, step: 0.001"
     run ! hssolve -q -i wrong.g -H wrong.e
     echo "$output"
-    [[ $output == *"'step' belongs to type: quasi_static or hybrid, not to type: explicit"* ]]
+    [[ $output == *"'step' belongs to type: quasi_static or hybrid or auto, not to type: explicit"* ]]
 }
