@@ -53,10 +53,15 @@ END
     return 1
 }
 
-# stop_node FOLDER
+# stop_node FOLDER: until no daemon writes there any more
 stop_node() {
-    local daemon
+    local daemon process wait
     for daemon in slurmd slurmctld munged; do
-        [ ! -s "$1/$daemon.pid" ] || kill "$(cat "$1/$daemon.pid")" || true
+        [ -s "$1/$daemon.pid" ] || continue
+        process=$(cat "$1/$daemon.pid")
+        for ((wait = 0; wait < 100; wait++)); do
+            kill "$process" 2>/dev/null || break
+            sleep 0.2
+        done
     done
 }
