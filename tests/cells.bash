@@ -35,3 +35,26 @@ near() {
 }
 
 last() { columns "$@" | tail -1; }
+
+# cells_of_a_sphere: bodies of a sphere of block 1 in block 2: one cell, one cut elsewhere, and many, three times three times three
+cells_of_a_sphere() {
+    local sphere='(x - 3.5) ^ 2 + (y - 3.5) ^ 2 + (z - 3.5) ^ 2 < 7'
+    body one 8 8 8 "(x = i) * 0 + (y = j) * 0 + (z = k) * 0 + ($sphere)"
+    body cut 8 8 8 "(x = (i + 3) % 8) * 0 + (y = (j + 5) % 8) * 0 + (z = (k + 1) % 8) * 0 + ($sphere)"
+    body many 24 24 24 "(x = i % 8) * 0 + (y = j % 8) * 0 + (z = k % 8) * 0 + ($sphere)"
+}
+
+# cells_are_alike MATERIAL1 MATERIAL2 SOLVER SIDE: in tension all three carry the same stress to 1e-8, and narrow alike to SIDE
+cells_are_alike() {
+    local cell stress side other_stress other_side
+    for cell in one cut many; do
+        deck $cell 'x, y, z' "$1" "$2" '{component: xx, rate: 1 1/s}' "$3"
+        solve $cell $cell
+    done
+    read -r stress side < <(last one.e mean_stress_xx_Pa mean_gradient_yy)
+    for cell in cut many; do
+        read -r other_stress other_side < <(last $cell.e mean_stress_xx_Pa mean_gradient_yy)
+        near "$other_stress" "$stress" 1e-8 || return
+        near "$other_side" "$side" "$4" || return
+    done
+}

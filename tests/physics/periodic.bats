@@ -166,20 +166,8 @@ confined_stress='
 }
 
 @test "a cell, three times three times three of it, and one cut elsewhere carry the same stress to 1e-8" {
-    sphere='(x - 3.5) ^ 2 + (y - 3.5) ^ 2 + (z - 3.5) ^ 2 < 7'
-    body one 8 8 8 "(x = i) * 0 + (y = j) * 0 + (z = k) * 0 + ($sphere)"
-    body cut 8 8 8 "(x = (i + 3) % 8) * 0 + (y = (j + 5) % 8) * 0 + (z = (k + 1) % 8) * 0 + ($sphere)"
-    body many 24 24 24 "(x = i % 8) * 0 + (y = j % 8) * 0 + (z = k % 8) * 0 + ($sphere)"
-    for name in one cut many; do
-        deck $name 'x, y, z' "$voce_1" "$voce_2" "$tension" 'end_steps: 6, step: 0.001, tolerance: 1e-10'
-        solve $name $name
-    done
-    read -r stress side < <(last one.e mean_stress_xx_Pa mean_gradient_yy)
-    for name in cut many; do
-        read -r other_stress other_side < <(last $name.e mean_stress_xx_Pa mean_gradient_yy)
-        near "$other_stress" "$stress" 1e-8
-        near "$other_side" "$side" 1e-7
-    done
+    cells_of_a_sphere
+    cells_are_alike "$voce_1" "$voce_2" 'end_steps: 6, step: 0.001, tolerance: 1e-10' 1e-7
 }
 
 @test "cells of hsgen, bcc and fcc: their mean stress is uniaxial, their phases' stresses add up to it, the work to the energy" {

@@ -87,22 +87,10 @@ modulus() {
 }
 
 @test "a cell, three times three times three of it, and one cut elsewhere carry the same stress to 1e-8" {
-    sphere='(x - 3.5) ^ 2 + (y - 3.5) ^ 2 + (z - 3.5) ^ 2 < 7'
-    body one 8 8 8 "(x = i) * 0 + (y = j) * 0 + (z = k) * 0 + ($sphere)"
-    body cut 8 8 8 "(x = (i + 3) % 8) * 0 + (y = (j + 5) % 8) * 0 + (z = (k + 1) % 8) * 0 + ($sphere)"
-    body many 24 24 24 "(x = i % 8) * 0 + (y = j % 8) * 0 + (z = k % 8) * 0 + ($sphere)"
+    cells_of_a_sphere
     for kind in mix capped plastic ordinary bonds; do
         take "$kind"
-        for cell in one cut many; do
-            deck $cell 'x, y, z' "$one" "$two" "$tension" "end_steps: 3, step: 0.001, tolerance: 1e-10, most_evaluations: 20000, $keys"
-            solve $cell $cell
-        done
-        read -r stress side < <(last one.e mean_stress_xx_Pa mean_gradient_yy)
-        for cell in cut many; do
-            read -r other_stress other_side < <(last $cell.e mean_stress_xx_Pa mean_gradient_yy)
-            near "$other_stress" "$stress" 1e-8
-            near "$other_side" "$side" 1e-8
-        done
+        cells_are_alike "$one" "$two" "end_steps: 3, step: 0.001, tolerance: 1e-10, most_evaluations: 20000, $keys" 1e-8
     done
 }
 
