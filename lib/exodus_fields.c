@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -34,16 +33,9 @@ static uint64_t swapped(double value)
 
 static void flush(struct exodus_fields *fields)
 {
-    const char *bytes = (const char *)fields->waiting;
-    int64_t left = fields->count * WORD, at = fields->at;
-    while (left > 0 && fields->failure == 0) {
-        const ssize_t done = pwrite(fields->descriptor, bytes, (size_t)left, at);
-        if (done < 0 && errno == EINTR) continue;
-        if (done < 0) fields->failure = errno;
-        bytes += done;
-        at += done;
-        left -= done;
-    }
+    if (fields->failure == 0 && !spool_write_at(fields->descriptor, fields->waiting,
+                                                (size_t)fields->count * WORD, fields->at))
+        fields->failure = errno;
     fields->count = 0;
 }
 
@@ -61,7 +53,7 @@ struct exodus_fields *exodus_fields_join(const struct exodus_layout *layout)
     struct exodus_fields *fields = memory_new(1, sizeof *fields);
     fields->layout = *layout;
     fields->waiting = memory_new(WAITING, sizeof *fields->waiting);
-    signal(SIGXFSZ, SIG_IGN); /* a limit of the file's size is then an error, as a full disk is */
+    spool_outlive_limits();
     fields->descriptor = open(layout->path, O_WRONLY | O_CLOEXEC);
     if (fields->descriptor < 0)
         die_run("%s: cannot be opened by all ranks: %s", layout->path, strerror(errno));

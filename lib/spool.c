@@ -137,6 +137,20 @@ static bool write_all(int to, const char *bytes, size_t count)
     return true;
 }
 
+bool spool_write_at(int descriptor, const void *bytes, size_t count, int64_t at)
+{
+    const char *from = bytes;
+    while (count > 0) {
+        const ssize_t put = pwrite(descriptor, from, count, at);
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return false;
+        from += put;
+        at += put;
+        count -= (size_t)put;
+    }
+    return true;
+}
+
 static void write_fully(int to, const char *bytes, size_t count, const char *name)
 {
     if (!write_all(to, bytes, count)) die_run("cannot write %s: %s", name, strerror(errno));
@@ -255,9 +269,7 @@ static int open_stream(const char *name)
     return descriptor;
 }
 
-/* A file that outgrows its limit (ulimit -f) is then an error of a write, told as a full disk is.
- */
-static void outlive_limits(void)
+void spool_outlive_limits(void)
 {
     signal(SIGXFSZ, SIG_IGN);
 }
@@ -289,7 +301,7 @@ static struct spool stream_output(const char *name)
 
 struct spool spool_output(const char *name)
 {
-    outlive_limits();
+    spool_outlive_limits();
     if (is_standard(name)) {
         if (isatty(STDOUT_FILENO))
             die_user("no binary data to a terminal: use -o FILE, a pipe or > FILE");

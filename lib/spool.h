@@ -77,4 +77,12 @@ void spool_close(struct spool *spool);
 /* Everything of a text input, NUL-terminated, at most limit bytes; *length without the NUL. */
 char *spool_text(const char *name, long limit, long *length);
 
+/* Writes all of it from that byte of the file on, whatever else writes there; false where it
+ * cannot: errno. */
+bool spool_write_at(int descriptor, const void *bytes, size_t count, int64_t at);
+
+/* A file that outgrows its limit (ulimit -f) is from now on an error of a write, told as a full
+ * disk is. */
+void spool_outlive_limits(void);
+
 #endif

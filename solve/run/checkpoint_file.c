@@ -61,18 +61,8 @@ static uint64_t checksum(const void *bytes, size_t length)
 
 static void put(struct checkpoint_file *file, const void *bytes, size_t count, int64_t at)
 {
-    const char *from = bytes;
-    while (count > 0 && file->failure == 0) {
-        const ssize_t done = pwrite(file->descriptor, from, count, at);
-        if (done < 0 && errno == EINTR) continue;
-        if (done < 0) {
-            file->failure = errno;
-            return;
-        }
-        from += done;
-        at += done;
-        count -= (size_t)done;
-    }
+    if (file->failure == 0 && !spool_write_at(file->descriptor, bytes, count, at))
+        file->failure = errno;
 }
 
 void checkpoint_file_refuse(const struct checkpoint_file *file, const char *reason)
