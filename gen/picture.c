@@ -62,6 +62,26 @@ static void draw_section(struct canvas *canvas, const struct structure *structur
         draw_row(canvas, structure, section, cell, up);
 }
 
+/* Of a body that is turned they would be slanted. */
+static bool has_marks(const struct specimen *specimen)
+{
+    return specimen->angle == 0 && (specimen->grip_length > 0 || specimen->gauge_length > 0);
+}
+
+/* Grips and gauge, below the section whose lower left corner is the origin.  metre: points. */
+static void draw_marks(struct canvas *canvas, const struct specimen *specimen, double metre)
+{
+    const double length = specimen->size[0], grip = specimen->grip_length,
+                 gauge = specimen->gauge_length;
+    if (grip > 0) {
+        canvas_mark(canvas, 0, grip * metre, "grip");
+        canvas_mark(canvas, (length - grip) * metre, length * metre, "grip");
+    }
+    if (gauge > 0)
+        canvas_mark(canvas, 0.5 * (length - gauge) * metre, 0.5 * (length + gauge) * metre,
+                    "gauge");
+}
+
 static void draw_legend(struct canvas *canvas, const struct recipe *recipe, const double cell[3])
 {
     double length = recipe->specimen.size[0], metre = cell[0] / recipe->specimen.spacing[0];
@@ -96,14 +116,18 @@ void picture_write(const struct recipe *recipe, const struct structure *structur
     const double longest = size_cell(structure->sites, cell);
     double width = fmax(longest, 500) + 2 * MARGIN;
     const int shown = sections_of(recipe);
-    double height = 2 * MARGIN;
+    const double marks = has_marks(&recipe->specimen) ? CANVAS_MARK : 0;
+    double height = 2 * MARGIN + marks;
     for (int s = 0; s < shown; s++)
         height += (double)count[sections[s].up] * cell[sections[s].up] + GAP;
     struct canvas *canvas = canvas_open(path, width, height);
     canvas_move(canvas, MARGIN, MARGIN);
     for (int s = 0; s < shown; s++) {
         draw_section(canvas, structure, &sections[s], cell);
-        canvas_move(canvas, 0, (double)count[sections[s].up] * cell[sections[s].up] + GAP);
+        canvas_move(canvas, 0, (double)count[sections[s].up] * cell[sections[s].up]);
+        if (s == 0 && marks > 0)
+            draw_marks(canvas, &recipe->specimen, cell[0] / recipe->specimen.spacing[0]);
+        canvas_move(canvas, 0, GAP + (s == 0 ? marks : 0));
     }
     draw_legend(canvas, recipe, cell);
     canvas_close(canvas);

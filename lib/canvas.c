@@ -195,6 +195,18 @@ void canvas_text(struct canvas *canvas, double x, double y, enum canvas_align al
     cairo_show_text(canvas->cairo, text);
 }
 
+static const double black[3] = {0, 0, 0};
+
+void canvas_mark(struct canvas *canvas, double left, double right, const char *name)
+{
+    enum { TICK = 6, LINE = 2 };
+    const double width = fmax(right - left, LINE);
+    canvas_box(canvas, left, TICK / 2, width, LINE, black);
+    canvas_box(canvas, left, 0, LINE, TICK + LINE, black);
+    canvas_box(canvas, left + width - LINE, 0, LINE, TICK + LINE, black);
+    canvas_text(canvas, 0.5 * (left + right), CANVAS_MARK - 4, ALIGN_CENTRE, name);
+}
+
 double canvas_bar_length(double size)
 {
     double power = pow(10, floor(log10(size / 6)));
@@ -204,7 +216,6 @@ double canvas_bar_length(double size)
 
 void canvas_scale_bar(struct canvas *canvas, double size, double scale)
 {
-    static const double black[3] = {0, 0, 0};
     double length = canvas_bar_length(size);
     char *text = memory_print("%g mm", 1e3 * length);
     canvas_box(canvas, 0, 0, length * scale, 4, black);

@@ -44,6 +44,11 @@ const double *canvas_phase_colour(int phase);
 /* The outline of a rectangle, a thin black line. */
 void canvas_frame(struct canvas *canvas, double x, double y, double width, double height);
 
+/* A black line with ends, from left to right below a body that ends at y = 0, and its name under
+ * it; CANVAS_MARK points high. */
+enum { CANVAS_MARK = 26 };
+void canvas_mark(struct canvas *canvas, double left, double right, const char *name);
+
 /* Black text (UTF-8); x, y is on its base line at the left end, the middle or the right end. */
 void canvas_text(struct canvas *canvas, double x, double y, enum canvas_align align,
                  const char *text);

@@ -21,13 +21,12 @@ enum {
     BAR_GAP = 12,
     LEAST_HEIGHT = 100,
     LEAST_WIDTH = 640,
-    MARKS = 26,
     ROW_GAP = 18,
     CAPTION = 20,
     MOST_FIELDS = 16,
 };
 
-static const double background[3] = {0.90, 0.90, 0.90}, black[3] = {0, 0, 0};
+static const double background[3] = {0.90, 0.90, 0.90};
 
 /* --- layout ----------------------------------------------------------------------------------- */
 
@@ -70,7 +69,7 @@ static void find_size(struct panels *panels, const struct snapshot *snapshot, bo
     panels->legend = BAR_GAP + (whole ? LEGEND_WIDTH : SMALL_LEGEND);
     panels->height = fmax(fmax(panels->body[1], LEAST_HEIGHT), legend_least_height(snapshot));
     const double panel[2] = {panels->body[0] + panels->legend,
-                             TITLE + panels->height + ROW_GAP + (panels->marked ? MARKS : 0)};
+                             TITLE + panels->height + ROW_GAP + (panels->marked ? CANVAS_MARK : 0)};
     panels->size[0] =
         fmax(panels->columns * panel[0], whole ? LEAST_WIDTH : 0) + 2 * panels->margin;
     panels->size[1] = panels->rows * panel[1] + CAPTION + 2 * panels->margin;
@@ -228,27 +227,17 @@ static bool find_set(const struct panels *panels, const struct snapshot *snapsho
     return ends[0] <= ends[1];
 }
 
-/* A line from one end to the other, below the body, with what it is. */
-static void draw_mark(struct canvas *canvas, const double ends[2], const char *name)
-{
-    enum { TICK = 6, LINE = 2 };
-    const double width = fmax(ends[1] - ends[0], LINE);
-    canvas_box(canvas, ends[0], TICK / 2, width, LINE, black);
-    canvas_box(canvas, ends[0], 0, LINE, TICK + LINE, black);
-    canvas_box(canvas, ends[0] + width - LINE, 0, LINE, TICK + LINE, black);
-    canvas_text(canvas, 0.5 * (ends[0] + ends[1]), MARKS - 4, ALIGN_CENTRE, name);
-}
-
 static void draw_marks(struct canvas *canvas, const struct panels *panels,
                        const struct snapshot *snapshot, double factor)
 {
     double left[2], right[2];
-    if (find_set(panels, snapshot, factor, "grip_left", left)) draw_mark(canvas, left, "grip");
-    if (find_set(panels, snapshot, factor, "grip_right", right)) draw_mark(canvas, right, "grip");
+    if (find_set(panels, snapshot, factor, "grip_left", left))
+        canvas_mark(canvas, left[0], left[1], "grip");
+    if (find_set(panels, snapshot, factor, "grip_right", right))
+        canvas_mark(canvas, right[0], right[1], "grip");
     if (find_set(panels, snapshot, factor, "gauge_left", left) &&
         find_set(panels, snapshot, factor, "gauge_right", right)) {
-        const double planes[2] = {0.5 * (left[0] + left[1]), 0.5 * (right[0] + right[1])};
-        draw_mark(canvas, planes, "gauge");
+        canvas_mark(canvas, 0.5 * (left[0] + left[1]), 0.5 * (right[0] + right[1]), "gauge");
     }
 }
 
@@ -291,7 +280,7 @@ void panels_draw(const struct panels *panels, const struct snapshot *snapshot,
                  const struct view_request *request, struct canvas *canvas, const char *words)
 {
     const double panel[2] = {panels->body[0] + panels->legend,
-                             TITLE + panels->height + ROW_GAP + (panels->marked ? MARKS : 0)};
+                             TITLE + panels->height + ROW_GAP + (panels->marked ? CANVAS_MARK : 0)};
     const double size = panels->high[0] - panels->low[0];
     canvas_move(canvas, panels->margin, panels->margin + TITLE);
     for (int i = 0; i < snapshot->n_fields; i++) {

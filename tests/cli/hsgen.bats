@@ -155,6 +155,11 @@ END
     hsgen -q plate.yaml -o d.g -p d.svg
     [ "$(head -c 4 d.png | tail -c 3)" = PNG ]
     grep -q '<svg' d.svg
+    # without grips and gauge there is a picture of less height
+    sed '/grips:/d; /gauge:/d; /grip/d' plate.yaml >bare.yaml
+    hsgen -q bare.yaml -o b.g -p b.svg
+    height() { sed -n 's/.*<svg.* height="\([0-9]*\).*/\1/p' "$1"; }
+    [ $(($(height d.svg) - $(height b.svg))) -eq 26 ]
     [ "$(head -n 1 d.csv)" = quantity,axis,position_m,value,unit ]
     [ "$(statistic d.csv volume '')" = 1.28e-10 ]
     [ "$(statistic d.csv section '')" = 8e-08 ]
