@@ -281,11 +281,27 @@ static void check_values(const struct expansion *expansion, int64_t run, const s
     deck_paths_free(&paths);
 }
 
-void expansion_check(const struct expansion *expansion, int64_t run, const char *text,
-                     const char *name)
+/* The study with this run's values: lines of both are the same. */
+static char *name_of_run(const struct expansion *expansion, int64_t run)
 {
+    struct varied varied = expansion_varied(expansion, run);
+    char *name = memory_text(deck_name(expansion->deck));
+    for (int i = 0; i < varied.count; i++) {
+        const struct varied_item *item = &varied.items[i];
+        char *longer = memory_print("%s%s %s %s", name, i ? "," : " with", item->name, item->value);
+        free(name);
+        name = longer;
+    }
+    varied_free(&varied);
+    return name;
+}
+
+void expansion_check(const struct expansion *expansion, int64_t run, const char *text)
+{
+    char *name = name_of_run(expansion, run);
     struct deck *deck = deck_parse(text, strlen(text), name);
     check_values(expansion, run, deck);
     recipe_read(deck);
     deck_free(deck);
+    free(name);
 }

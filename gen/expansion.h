@@ -27,9 +27,7 @@ struct varied expansion_varied(const struct expansion *expansion, int64_t run);
  * comments stay.  cores: file of the cores of expansion_maker.  The caller frees it. */
 char *expansion_text(const struct expansion *expansion, int64_t run, const char *cores);
 
-/* Dies (exit 2) where the text, of the name given, is no deck with these values that hsgen takes.
- */
-void expansion_check(const struct expansion *expansion, int64_t run, const char *text,
-                     const char *name);
+/* Dies (exit 2) where the run's text is no deck with these values that hsgen takes. */
+void expansion_check(const struct expansion *expansion, int64_t run, const char *text);
 
 #endif

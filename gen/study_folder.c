@@ -195,14 +195,9 @@ static void runs_free(struct runs *runs)
     free(runs->known);
 }
 
-static void check_runs(const struct expansion *expansion, const struct runs *runs,
-                       const char *folder)
+static void check_runs(const struct expansion *expansion, const struct runs *runs)
 {
-    for (int i = 0; i < runs->count; i++) {
-        char *name = path_of(folder, runs->numbers[i], "deck.yaml");
-        expansion_check(expansion, i, runs->texts[i], name);
-        free(name);
-    }
+    for (int i = 0; i < runs->count; i++) expansion_check(expansion, i, runs->texts[i]);
 }
 
 /* --- writing ---------------------------------------------------------------------------------- */
@@ -340,7 +335,7 @@ void study_folder_write(const struct deck *deck, const char *folder, bool slurm)
     struct expansion expansion = expansion_of(deck);
     struct contents contents = contents_of(folder);
     struct runs runs = make_runs(&expansion, &contents);
-    check_runs(&expansion, &runs, folder);
+    check_runs(&expansion, &runs);
     say_what_varies(&expansion.variations);
     make_folder(folder);
     remove_old(&contents, folder);
@@ -362,7 +357,7 @@ void study_folder_check(const struct deck *deck)
     struct expansion expansion = expansion_of(deck);
     struct contents contents = {0};
     struct runs runs = make_runs(&expansion, &contents);
-    check_runs(&expansion, &runs, ".");
+    check_runs(&expansion, &runs);
     say_what_varies(&expansion.variations);
     runs_free(&runs);
     expansion_free(&expansion);

@@ -20,7 +20,8 @@ void text_edits_add(struct text_edits *edits, size_t begin, size_t end, const ch
 /* Index of an edit that lies in the range of another one, -1 where each has its own. */
 int text_edits_clash(const struct text_edits *edits);
 
-/* The text with all of them made, in whatever order they came; the caller frees it. */
+/* The text with all of them made, in whatever order they came; empty lines where one has fewer than
+ * what it replaces keep the numbers of those that follow.  The caller frees it. */
 char *text_edits_apply(struct text_edits *edits, const char *text);
 void text_edits_free(struct text_edits *edits);
 

@@ -81,7 +81,7 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
 0005,0.40,2
 0006,0.40,3" ]
     sed -e 's/^title:.*/title: "Nickel, ufg_fraction 0.3"/' -e 's/ufg_fraction: 0.40/ufg_fraction: 0.3/' -e 's/seed: 1/seed: 2/' \
-        -e 's/title: HS/title: "HS, ufg_fraction 0.3"/' -e '/^  ufg_fraction: .0/d; /^  domain.seed/d; /^  scatter/d' \
+        -e 's/title: HS/title: "HS, ufg_fraction 0.3"/' -e 's/^  \(ufg_fraction: .0\|domain.seed\|scatter\).*//' \
         -e 's/^vary.*/varied: {values: {"ufg_fraction": "0.3", "domain.seed": "2"}, scatter: ["domain.seed"]}/' study.yaml >expected
     diff expected out/0002/deck.yaml
     hsgen -q out/0002/deck.yaml -o domain.g
@@ -165,7 +165,7 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     refused "more than 100000 decks" 'vary: {seed: 1..1000, ufg_fraction: [0.3, 0.4], core_distance: [0.3 mm], end_strain: [0.01, 0.02], CG.hardening.rate: 1..26}'
     refused "nothing varies here" 'vary: {}'
     refused "no.csv" 'vary: {a: {csv: no.csv}}'
-    refused "40 is out of range" 'vary: {ufg_fraction: [0.3, 40]}'
+    refused "study.yaml with ufg_fraction 40:12:17: 40 is out of range" 'vary: {ufg_fraction: [0.3, 40]}'
     refused "32 is out of range" 'refine: 32'
     refused "is a resolution of its own" 'refine: 2' 'vary: {seed: 1..2, resolution: seed}'
     printf 'seed, ufg_fraction\n1, 0.3\n2\n' >short.csv
@@ -173,7 +173,7 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     printf 'seed\n1\n"2\n' >short.csv
     refused "short.csv:3: a quote that does not end" 'vary: {a: {csv: short.csv}}'
     printf 'ufg_fraction\n0.3: 4\n' >short.csv
-    refused "deck.yaml" 'vary: {a: {csv: short.csv}}'
+    refused "study.yaml with ufg_fraction 0.3: 4:" 'vary: {a: {csv: short.csv}}'
 }
 
 @test "a study is no deck of a body, and says what to do" {

@@ -96,7 +96,7 @@ static void read_study(const char *text, size_t size)
     for (int k = 0; k < 2; k++) {
         const bool own = expansion_maker(&expansion, runs[k]) == runs[k];
         char *run = expansion_text(&expansion, runs[k], own ? NULL : "cores/0");
-        expansion_check(&expansion, runs[k], run, "run");
+        expansion_check(&expansion, runs[k], run);
         free(run);
     }
     expansion_free(&expansion);
