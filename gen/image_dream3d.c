@@ -6,6 +6,7 @@
 #include "die.h"
 #include "memory.h"
 
+#define H5_USE_110_API /* one signature of H5Ovisit with all versions */
 #include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>

@@ -21,7 +21,11 @@ struct reading {
 
 static unsigned long line_of(const struct reading *r)
 {
+#ifdef XML_ATTR_DEPRECATED
+    return XML_GetCurrentLineNumber64(r->parser);
+#else
     return XML_GetCurrentLineNumber(r->parser);
+#endif
 }
 
 static const char *attribute(const char **all, const char *name)
