@@ -15,6 +15,8 @@ static const struct key rows[] = {
      .help = "name of the curve"},
     {"question", KEY_TEXT, offsetof(struct choices, question), .otherwise = "none",
      .help = "that the run is to answer, for its report"},
+    {"license", KEY_TEXT, offsetof(struct choices, license), .otherwise = "not stated",
+     .form = "name or address", .help = "under which a crate's data may be used: CC-BY-4.0"},
     {"gauge_length", NUMBER(gauge_length), .unit = "m", .low = 1e-12, .high = 1e3, .usual = NAN,
      .otherwise = "the history's", .help = "initial gauge length"},
     {"section", NUMBER(section), .unit = "m2", .low = 1e-24, .high = 1e6, .usual = NAN,

@@ -13,6 +13,7 @@ enum standard { STANDARD_ISO, STANDARD_ASTM };
 struct choices {
     const char *title;       /* name of the curve, as long as the deck lives; NULL: the file's */
     const char *question;    /* that the study is to answer, as long as the deck lives; NULL */
+    const char *license;     /* of what a crate holds, as long as the deck lives; NULL */
     double gauge_length;     /* m; NAN: as the history says */
     double section;          /* m^2; NAN: as the history says */
     double modulus_range[2]; /* the slope's fit, shares of Rp0.2; NAN: the file's, else 0.1, 0.4 */

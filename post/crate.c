@@ -217,7 +217,7 @@ static void add_root(struct crate *crate)
     set(root, "description",
         study->question ? study->question : "Tensile curves, their properties, and their origin");
     set(root, "datePublished", crate->date);
-    set(root, "license", "Not stated by who made it");
+    set(root, "license", study->license ? study->license : "Not stated by who made it");
     json_object_set_new(root, "conformsTo", reference(process));
     json_object_set_new(root, "hasPart", crate->parts);
     json_object_set_new(root, "mentions", crate->actions);

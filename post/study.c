@@ -49,6 +49,7 @@ struct study study_read(const struct request *request, const char *maker)
         struct deck *deck = find_deck(request, &input);
         study.choices[i] = study_choose(request, deck);
         if (!study.question) study.question = memory_text(study.choices[i].question);
+        if (!study.license) study.license = memory_text(study.choices[i].license);
         study.curves[i] = curve_make(&input, &study.choices[i]);
         study.decks[i] = memory_text(attributes_text(&input.attributes, "deck"));
         study.builds[i] = memory_text(attributes_text(&input.attributes, "solver_program"));
@@ -94,6 +95,7 @@ void study_free(struct study *study)
     free(study->loops);
     free(study->decks);
     free(study->question);
+    free(study->license);
     free(study->kept);
     free(study->builds);
 }

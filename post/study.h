@@ -26,6 +26,7 @@ struct study {
                                linked to, a line each */
     struct kept *kept;      /* [count] for a crate, else without bytes */
     char *question;         /* what the first deck that says it wants to know; NULL */
+    char *license;          /* of the data, which the first deck says that does; NULL */
     const char *maker;      /* "# program: ..." and "# command: ..." lines */
 };
 
