@@ -34,11 +34,6 @@ static void read_particles(struct simulation *s)
 {
     domain_input_read(s->arguments, &s->domain, &s->deck, &s->lattice);
     if (s->lattice.n_sites > 0) return;
-    const char *periodic = attributes_text(&s->domain.attributes, "periodic");
-    if (periodic && *periodic)
-        die_user("the domain is periodic along %s, and its particles lie on no lattice: periodic "
-                 "bodies need one",
-                 periodic);
     double thickness = attributes_number(&s->domain.attributes, "thickness_m", 0);
     s->lattice = lattice_scattered(&s->domain, thickness);
 }
@@ -96,7 +91,8 @@ static void read_model(struct simulation *s)
 static void warn_of_pieces(const struct simulation *s)
 {
     const double reach = s->scene.horizon * s->lattice.spacing;
-    const int64_t pieces = pieces_count(s->lattice.point, s->lattice.n_sites, reach);
+    const int64_t pieces =
+        pieces_count(s->lattice.point, s->lattice.period, s->lattice.n_sites, reach);
     if (pieces > 1)
         warn("the particles are %lld bodies: no bond joins these within a horizon of %g spacings, "
              "%.4g m; where they should be one, take a longer horizon",
@@ -123,12 +119,18 @@ static void refuse_cells(const struct simulation *s)
 
 static void take_mesh(struct simulation *s)
 {
-    const int64_t coincident = mesh_coincident(&s->domain, s->scene.coincident == MESH_JOIN);
+    const int64_t coincident = mesh_coincident(&s->domain, NULL, s->scene.coincident == MESH_JOIN);
     if (coincident > 0 && s->scene.coincident < 0)
         deck_error(s->scene.solver,
                    "%lld nodes of the mesh lie on others: 'coincident_nodes: join' makes one of "
                    "those at one place, 'coincident_nodes: part' leaves the elements apart there",
                    (long long)coincident);
+    if (lattice_is_periodic(&s->lattice)) {
+        if (coincident > 0 && s->scene.coincident == MESH_PART)
+            deck_error(deck_get(s->scene.solver, "coincident_nodes"),
+                       "a periodic mesh has none of its nodes apart: take join");
+        mesh_fold(&s->domain);
+    }
     lattice_free(&s->lattice);
     s->lattice = mesh_lattice(&s->domain, &s->corners);
 }
@@ -323,12 +325,19 @@ static void refuse_lost(const struct simulation *s)
 static void check_thickness(const struct simulation *s)
 {
     const struct lattice *lattice = &s->lattice;
-    const int least = s->materials.formulation->corners ? 1 : 2 * s->family.reach;
-    for (int a = 0; a < 3; a++)
-        if (lattice->periodic[a] && lattice->size[a] < least)
+    const bool corners = s->materials.formulation->corners, row = lattice_is_row(lattice);
+    const int least = corners ? 1 : 2 * s->family.reach;
+    const double reach = s->family.horizon * lattice->spacing;
+    for (int a = 0; a < 3; a++) {
+        if (row && !corners && lattice->periodic[a] && !(lattice->period[a] > 2.001 * reach))
+            die_user("the body is periodic along %c after %g m, no more than twice the horizon of "
+                     "%g m: take more of the body or a shorter horizon",
+                     'x' + a, lattice->period[a], reach);
+        if (!row && lattice->periodic[a] && lattice->size[a] < least)
             die_user("the body is periodic along %c after %d layers, thinner than twice the "
                      "horizon: it needs %d; take more cells, a finer spacing or a shorter horizon",
                      'x' + a, lattice->size[a], least);
+    }
 }
 
 /* What is measured of nodes is that along the axis of the test, of corner alone any one. */
@@ -361,7 +370,7 @@ static void check_periods(struct simulation *s)
     if (!lattice_is_periodic(lattice)) {
         if (section.index && deck_count(section) > 0)
             deck_error(section, "the body is not periodic: domain.periodic says along which axes a "
-                                "body of hsgen is");
+                                "body is");
         return;
     }
     check_thickness(s);

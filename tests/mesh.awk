@@ -3,6 +3,7 @@
 # form: what becomes of the block between -1 and 1 along x, y, z (or 0 and 1):
 #   box        edges lx, ly, lz around the origin
 #   distorted  the same, nodes inside moved by up to a fifth of an element's edge, those of the surface within it, of the first two faces not at all
+#   cell       every node moved by up to a fifth of an element's edge times `moved` (1), those of opposite faces alike
 #   ring       a quarter of a ring between the radii 1 and 2 around z, lz high, x being radial
 #   dogbone    lx long, ly wide in the middle half and twice that at the ends, elements shorter in the fillets
 # parts = 2: elements beyond x = 0 are a block of their own, with nodes of their own.
@@ -22,6 +23,11 @@ function place(i, j, k,    p, q, r) {
         x += shift(i, nx, lx, 3 * node(i, j, k))
         y += shift(j, ny, ly, 3 * node(i, j, k) + 1)
         z += shift(k, nz, lz, 3 * node(i, j, k) + 2)
+    } else if (form == "cell") {
+        if (moved == "") moved = 1
+        x += moved * shift(1, nx, lx, 3 * node(i % nx, j % ny, k % nz))
+        y += moved * shift(1, ny, ly, 3 * node(i % nx, j % ny, k % nz) + 1)
+        z += moved * shift(1, nz, lz, 3 * node(i % nx, j % ny, k % nz) + 2)
     } else if (form == "ring") {
         x = (1.5 + p) * cos(1.5707963267949 * (q + 0.5)); y = (1.5 + p) * sin(1.5707963267949 * (q + 0.5))
     } else if (form == "dogbone") {

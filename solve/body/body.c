@@ -2,6 +2,7 @@
 
 #include "box_fields.h"
 #include "memory.h"
+#include "simd.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -65,6 +66,19 @@ void body_need_gradient(struct body *body)
     box_fields_new(body->inverse, 6, body->grid.n_sites);
     box_fields_new(body->first, 3, body->grid.n_sites);
     if (!lattice_is_scattered(body->lattice)) shape_tensors(body);
+}
+
+/* xx: of K^-1; 0: the node has no gradient */
+HS_SIMD static void add_mean(int count, double mean, const double *restrict xx, double *restrict H)
+{
+    for (int i = 0; i < count; i++) H[i] += xx[i] > 0 ? mean : 0;
+}
+
+void body_add_mean(struct body *body, int64_t site, int count)
+{
+    if (!lattice_is_periodic(body->lattice)) return;
+    for (int k = 0; k < 9; k++)
+        add_mean(count, body->lattice_gradient[k], body->inverse[0] + site, body->H[k] + site);
 }
 
 void body_profile(struct body *body, struct profile *profile)

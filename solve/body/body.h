@@ -85,6 +85,9 @@ void body_to_lattice(const struct body *body, const double T[9], double out[9]);
  */
 void body_need_gradient(struct body *body);
 
+/* Adds the mean gradient of a periodic body to body->H from a site on, where a node has one. */
+void body_add_mean(struct body *body, int64_t site, int count);
+
 /* Reference position of a site [m]. */
 static inline void body_position(const struct body *body, int64_t site, double x[3])
 {

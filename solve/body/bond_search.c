@@ -97,12 +97,13 @@ static void make_room(struct bonds *bonds, size_t entries)
 static void add_bond(struct bonds *bonds, const struct lattice *lattice, int64_t entry, int64_t i,
                      int64_t j)
 {
-    double square = 0;
+    double square = 0, way[3];
     bonds->lower[entry] = i;
     bonds->upper[entry] = j;
+    lattice_between(lattice, i, j, way);
     for (int a = 0; a < 3; a++) {
-        bonds->xi[a][entry] = lattice->point[a][j] - lattice->point[a][i];
-        square += bonds->xi[a][entry] * bonds->xi[a][entry];
+        bonds->xi[a][entry] = way[a];
+        square += way[a] * way[a];
     }
     bonds->length[entry] = sqrt(square);
     bonds->volume_lower[entry] = lattice->volume[i];
@@ -125,8 +126,8 @@ static void list_scattered(struct bonds *bonds, const struct body *body)
 {
     const struct lattice *lattice = body->lattice;
     const uint8_t *flags = body->grid.flags;
-    struct neighbours neighbours =
-        neighbours_new(lattice->point, lattice->n_sites, body->family->horizon * lattice->spacing);
+    struct neighbours neighbours = neighbours_new(lattice->point, lattice->period, lattice->n_sites,
+                                                  body->family->horizon * lattice->spacing);
     int64_t entries = 0;
     for (int pass = 0; pass < 2; pass++) {
         if (pass == 1) make_room(bonds, (size_t)entries);

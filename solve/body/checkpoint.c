@@ -111,7 +111,8 @@ static bool once_more(struct rows *rows)
  * each axis. */
 static int copies(const struct checkpoint *c)
 {
-    return lattice_is_periodic(c->body->lattice) ? 27 : 1;
+    const struct lattice *lattice = c->body->lattice;
+    return lattice_is_periodic(lattice) && !lattice_is_row(lattice) ? 27 : 1;
 }
 
 /* Where a key's numbers go on this rank, of a copy; false: it has none. */

@@ -29,19 +29,6 @@ HS_SIMD static void gradient_row(int count, const double *restrict u, const doub
     }
 }
 
-/* xx: of K^-1; 0: the node has no gradient */
-HS_SIMD static void add_mean(int count, double mean, const double *restrict xx, double *restrict H)
-{
-    for (int i = 0; i < count; i++) H[i] += xx[i] > 0 ? mean : 0;
-}
-
-void gradient_add_mean(struct body *body, int64_t site, int count)
-{
-    if (!lattice_is_periodic(body->lattice)) return;
-    for (int k = 0; k < 9; k++)
-        add_mean(count, body->lattice_gradient[k], body->inverse[0] + site, body->H[k] + site);
-}
-
 void displacement_gradient_strips(struct body *body, int64_t first, int64_t end)
 {
     double *const *K = body->inverse, *const *s = body->first;
@@ -60,7 +47,7 @@ void displacement_gradient_strips(struct body *body, int64_t first, int64_t end)
                          (const double(*)[LANES])G, body->H[3 * a] + i, body->H[3 * a + 1] + i,
                          body->H[3 * a + 2] + i);
         }
-        gradient_add_mean(body, i, count);
+        body_add_mean(body, i, count);
         if (body->broken) broken_keep_gradient(body, i, count);
     }
 }

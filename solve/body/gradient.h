@@ -11,9 +11,6 @@
 /* body->H at near sites from body->u, whose ghosts are up to date. */
 void displacement_gradient(struct body *body);
 
-/* Adds the mean gradient of a periodic body to body->H from a site on, where a node has one. */
-void gradient_add_mean(struct body *body, int64_t site, int count);
-
 /* The same of some of the near strips, first to end - 1: on a lattice, where the fields of
  * gradients have been made, and of nodes whose bonds are whole or owned. */
 void displacement_gradient_strips(struct body *body, int64_t first, int64_t end);

@@ -151,8 +151,8 @@ static struct grid grid_of_row(const struct lattice *lattice, const struct parti
     fill(&grid, lattice, partition);
     if (lattice->hexahedron) mark_hexahedra(&grid, lattice);
     if (lattice->hexahedron || grid.n_owned == lattice->n_nodes) return grid;
-    struct neighbours neighbours =
-        neighbours_new(lattice->point, lattice->n_sites, family->horizon * lattice->spacing);
+    struct neighbours neighbours = neighbours_new(lattice->point, lattice->period, lattice->n_sites,
+                                                  family->horizon * lattice->spacing);
     if (n_bonds > 0) mark_neighbours(&grid, lattice, &neighbours, SITE_OWNED, SITE_NEAR);
     mark_neighbours(&grid, lattice, &neighbours, SITE_OWNED, SITE_STRESSED);
     mark_neighbours(&grid, lattice, &neighbours, SITE_NEAR, SITE_MOVES);

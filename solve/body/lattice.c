@@ -159,16 +159,25 @@ static void find_axes(const struct domain *domain, const char *name, bool axes[3
     for (int a = 0; letters && a < 3; a++) axes[a] = strchr(letters, 'x' + a) != NULL;
 }
 
+void lattice_periods(const struct domain *domain, double period[3])
+{
+    static const char *const names[] = {"period_x_m", "period_y_m", "period_z_m"};
+    bool axes[3] = {false};
+    find_axes(domain, "periodic", axes);
+    for (int a = 0; a < 3; a++)
+        period[a] = axes[a] ? attributes_number(&domain->attributes, names[a], NAN) : 0;
+}
+
 /* Along which axes the domain says that it is periodic, and across which it is mirrored; dies where
  * its sites are not as many as its period has. */
 static void find_symmetry(const struct domain *domain, struct lattice *lattice)
 {
-    static const char *const names[] = {"period_x_m", "period_y_m", "period_z_m"};
+    double periods[3];
+    lattice_periods(domain, periods);
     find_axes(domain, "symmetry", lattice->mirror);
     find_axes(domain, "periodic", lattice->periodic);
     for (int a = 0; a < 3; a++) {
-        const double period = attributes_number(&domain->attributes, names[a], NAN),
-                     sites = period / lattice->edge[a];
+        const double period = periods[a], sites = period / lattice->edge[a];
         if (lattice->periodic[a] && lattice->mirror[a])
             die_user("the domain is periodic along %c and has a plane of symmetry across it, "
                      "expected one of them",
@@ -190,7 +199,6 @@ bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
     struct domain_nodes nodes = {0};
     int64_t last = -1;
     bool fits = fit_box(domain, lattice);
-    if (fits) find_symmetry(domain, lattice);
     if (fits) {
         lattice->phase = memory_new((size_t)lattice->n_sites, 1);
         memset(lattice->phase, ABSENT, (size_t)lattice->n_sites);
@@ -201,8 +209,35 @@ bool lattice_recognise(const struct domain *domain, struct lattice *lattice)
             lattice->grain = memory_new((size_t)lattice->n_sites, sizeof(double));
     }
     while (fits && domain_next(domain, &nodes)) fits = fit_nodes(&nodes, lattice, &last);
-    if (!fits) lattice_free(lattice);
+    if (fits)
+        find_symmetry(domain, lattice);
+    else
+        lattice_free(lattice);
     return fits;
+}
+
+/* Of particles that lie on no lattice, between the outermost of which this lies. */
+static void find_periods(const struct domain *domain, struct lattice *lattice)
+{
+    bool mirror[3] = {false};
+    find_axes(domain, "symmetry", mirror);
+    find_axes(domain, "periodic", lattice->periodic);
+    lattice_periods(domain, lattice->period);
+    for (int a = 0; a < 3; a++) {
+        const double period = lattice->period[a];
+        if (mirror[a])
+            die_user("the domain has a plane of symmetry across %c, and its particles lie on no "
+                     "lattice, which such a body needs",
+                     'x' + a);
+        if (isnan(period))
+            die_user("the domain is periodic along %c, and its particles lie on no lattice: after "
+                     "what length they repeat themselves says domain.period of the deck",
+                     'x' + a);
+        if (lattice->periodic[a] && !(period > lattice->extent[a]))
+            die_user("the domain is periodic along %c after %g m, and its particles lie %g m "
+                     "apart there, expected less: an image of a particle is none of them",
+                     'x' + a, period, lattice->extent[a]);
+    }
 }
 
 struct lattice lattice_scattered(const struct domain *domain, double thickness)
@@ -228,6 +263,7 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
         lattice.origin[a] = domain_smallest(position[a], n);
         lattice.extent[a] = domain_largest(position[a], n) - lattice.origin[a];
     }
+    find_periods(domain, &lattice);
     lattice.spacing = domain_spacing(domain);
     for (int a = 0; a < 3; a++) lattice.edge[a] = lattice.spacing;
     if (thickness > 0 && lattice.extent[2] < 1e-6 * lattice.spacing) {

@@ -6,7 +6,8 @@
  *
  * Scattered particles are kept as a row of sites, each with a position and a volume of its own.
  *
- * A periodic body goes on beyond its sites: what lies there are images of them.
+ * A periodic body goes on beyond its sites: what lies there are images of them.  In a row there are
+ * none: what two sites have between them is the shortest way from one to an image of the other.
  *
  * Where the unknowns are those of the corners of the particles' cells (corners.h), sites are
  * corners: the nodes are those that a particle has, and a particle is kept at the site of its
@@ -16,6 +17,7 @@
 
 #include "domain.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -27,7 +29,7 @@ enum plane { SPACE, PLANE_STRESS, PLANE_STRAIN };
 
 struct lattice {
     bool periodic[3]; /* along these axes the body repeats itself after size sites: a site beyond is
-                         the image of one */
+                         the image of one; of a row after period */
     bool mirror[3];   /* across these axes the plane below the first layer is one of symmetry */
     int dimensions;   /* 2: one layer of sites that has a thickness of its own; else 3 */
     int size[3];
@@ -44,6 +46,7 @@ struct lattice {
     double *point[3];    /* [n_sites] m, of scattered particles and nodes of a mesh; else NULL */
     double *volume;      /* [n_sites] m^3, likewise, and of those cut by the surface; else NULL */
     double extent[3];    /* m, between the outermost positions, likewise */
+    double period[3];    /* m, of a row along its periodic axes; else 0 */
     int32_t *hexahedron; /* [8 n_sites] of a mesh: sites of the corners of the particle at a site,
                           * in the order of Exodus; else NULL */
     bool sorted;         /* the domain's nodes were in the order of their sites */
@@ -69,8 +72,12 @@ bool lattice_recognise(const struct domain *domain, struct lattice *lattice);
 /* Site nearest to a position (m) within the lattice. */
 int64_t lattice_nearest(const struct lattice *lattice, const double x[3]);
 
+/* Periods that a domain says [m]: 0 along axes that are not periodic, NAN where it says none. */
+void lattice_periods(const struct domain *domain, double period[3]);
+
 /* Particles that lie on no lattice; of one layer where they lie in a plane and the thickness is not
- * 0. */
+ * 0.  Dies where the domain is periodic and says no period, or one that the particles do not fit.
+ */
 struct lattice lattice_scattered(const struct domain *domain, double thickness);
 
 /* Copies rank 0's lattice to all ranks. */
@@ -97,12 +104,19 @@ static inline bool lattice_contains(const struct lattice *lattice, int x, int y,
     return x >= 0 && y >= 0 && z >= 0 && x < n[0] && y < n[1] && z < n[2];
 }
 
+/* Whether its sites are a row, each with a position of its own. */
+static inline bool lattice_is_row(const struct lattice *lattice)
+{
+    return lattice->point[0] != NULL;
+}
+
 /* The position among the sites of which this one is an image; itself where it is none. */
 static inline void lattice_original(const struct lattice *lattice, const int at[3], int original[3])
 {
     for (int a = 0; a < 3; a++) {
         const int n = lattice->size[a];
-        original[a] = lattice->periodic[a] ? ((at[a] % n) + n) % n : at[a];
+        const bool wraps = lattice->periodic[a] && !lattice_is_row(lattice);
+        original[a] = wraps ? ((at[a] % n) + n) % n : at[a];
     }
 }
 
@@ -188,12 +202,6 @@ static inline int64_t lattice_corner_site(const struct lattice *lattice, int64_t
     return lattice_site_of(lattice, at);
 }
 
-/* Whether its sites are a row, each with a position of its own. */
-static inline bool lattice_is_row(const struct lattice *lattice)
-{
-    return lattice->point[0] != NULL;
-}
-
 /* Whether its particles lie on no lattice: a row of sites with a list of neighbours. */
 static inline bool lattice_is_scattered(const struct lattice *lattice)
 {
@@ -203,7 +211,31 @@ static inline bool lattice_is_scattered(const struct lattice *lattice)
 /* Length after which a body repeats itself along a periodic axis [m]. */
 static inline double lattice_period(const struct lattice *lattice, int axis)
 {
-    return lattice->size[axis] * lattice->edge[axis];
+    return lattice_is_row(lattice) ? lattice->period[axis]
+                                   : lattice->size[axis] * lattice->edge[axis];
+}
+
+/* As many sites as a lattice of its spacing has along a periodic axis. */
+static inline int lattice_places(const struct lattice *lattice, int axis)
+{
+    const double places = lattice->period[axis] / lattice->spacing;
+    if (!lattice_is_row(lattice)) return lattice->size[axis];
+    return places > 1.5 ? (int)(places + 0.5) : 1;
+}
+
+/* The shortest way between images of two places that are so far apart [m]; period 0: there are no
+ * images. */
+static inline double lattice_shortest(double apart, double period)
+{
+    return period > 0 ? apart - period * round(apart / period) : apart;
+}
+
+/* Of a row, from site i to the nearest image of j [m]. */
+static inline void lattice_between(const struct lattice *lattice, int64_t i, int64_t j,
+                                   double way[3])
+{
+    for (int a = 0; a < 3; a++)
+        way[a] = lattice_shortest(lattice->point[a][j] - lattice->point[a][i], lattice->period[a]);
 }
 
 /* Volume of a body that is periodic along all of its axes, with what holes it has; of another one
@@ -234,11 +266,17 @@ static inline void lattice_coordinates(const struct lattice *lattice, const int 
 static inline void lattice_particle(const struct lattice *lattice, const int at[3], double x[3])
 {
     if (lattice->hexahedron) {
-        for (int a = 0; a < 3; a++) {
-            x[a] = 0;
-            for (int k = 0; k < 8; k++)
-                x[a] += 0.125 * lattice->point[a][lattice->hexahedron[8 * at[0] + k]];
+        const int32_t *corner = lattice->hexahedron + 8 * at[0];
+        for (int a = 0; a < 3; a++) x[a] = 0;
+        for (int k = 0; k < 8; k++) {
+            double way[3];
+            lattice_between(lattice, corner[0], corner[k], way);
+            for (int a = 0; a < 3; a++) x[a] += 0.125 * (lattice->point[a][corner[0]] + way[a]);
         }
+        for (int a = 0; a < 3; a++)
+            if (lattice->periodic[a])
+                x[a] -= lattice->period[a] *
+                        floor((x[a] - lattice->origin[a]) / lattice->period[a] + 1e-9);
         return;
     }
     lattice_coordinates(lattice, at, x);

@@ -22,14 +22,15 @@ static void join(int64_t *list, int64_t count, const int64_t *first)
     for (int64_t i = 0; i < count; i++) list[i] = first[list[i]];
 }
 
-int64_t mesh_coincident(struct domain *domain, bool joins)
+int64_t mesh_coincident(struct domain *domain, const double period[3], bool joins)
 {
     struct domain *nodes = domain->corners;
     double *const x[3] = {nodes->x, nodes->y, nodes->z};
     int64_t *first = memory_new((size_t)nodes->n_nodes, sizeof *first), found = 0;
     bool *used = memory_new((size_t)nodes->n_nodes, sizeof *used);
     for (int64_t i = 0; i < CORNERS * domain->n_nodes; i++) used[domain->hexahedra[i]] = true;
-    struct neighbours close = neighbours_new(x, nodes->n_nodes, 1e-5 * domain_spacing(domain));
+    struct neighbours close =
+        neighbours_new(x, period, nodes->n_nodes, 1e-5 * domain_spacing(domain));
     for (int64_t i = 0; i < nodes->n_nodes; i++) {
         const int64_t count = neighbours_find(&close, x, i);
         first[i] = i;
@@ -53,6 +54,33 @@ int64_t mesh_coincident(struct domain *domain, bool joins)
     }
     free(first);
     return found;
+}
+
+void mesh_fold(struct domain *domain)
+{
+    const struct domain *nodes = domain->corners;
+    double *const x[3] = {nodes->x, nodes->y, nodes->z};
+    const double close = 1e-5 * domain_spacing(domain);
+    double period[3];
+    lattice_periods(domain, period);
+    for (int a = 0; a < 3; a++) {
+        const double along[3] = {a == 0 ? period[0] : 0, a == 1 ? period[1] : 0,
+                                 a == 2 ? period[2] : 0};
+        double low = INFINITY;
+        if (!(period[a] > 0)) continue;
+        for (int64_t i = 0; i < CORNERS * domain->n_nodes; i++)
+            low = fmin(low, x[a][domain->hexahedra[i]]);
+        struct neighbours images = neighbours_new(x, along, nodes->n_nodes, close);
+        for (int64_t i = 0; i < CORNERS * domain->n_nodes; i++) {
+            const int64_t node = domain->hexahedra[i];
+            if (x[a][node] > low + close || neighbours_find(&images, x, node) > 0) continue;
+            die_user("the mesh is periodic along %c after %g m, and its node at (%g, %g, %g) m has "
+                     "no image there: expected faces with the same nodes",
+                     'x' + a, period[a], x[0][node], x[1][node], x[2][node]);
+        }
+        neighbours_free(&images);
+    }
+    mesh_coincident(domain, period, true);
 }
 
 /* New numbers of the mesh's nodes, -1 of those without an element; *used: how many have one. */
@@ -106,9 +134,11 @@ static struct domain renumbered(const struct domain *nodes, const int64_t *numbe
 
 void mesh_hexahedron(const struct lattice *lattice, int64_t site, struct hexahedron *hexahedron)
 {
-    for (int k = 0; k < CORNERS; k++)
-        for (int a = 0; a < 3; a++)
-            hexahedron->corner[k][a] = lattice->point[a][lattice->hexahedron[CORNERS * site + k]];
+    const int32_t *corner = lattice->hexahedron + CORNERS * site;
+    for (int k = 0; k < CORNERS; k++) {
+        lattice_between(lattice, corner[0], corner[k], hexahedron->corner[k]);
+        for (int a = 0; a < 3; a++) hexahedron->corner[k][a] += lattice->point[a][corner[0]];
+    }
 }
 
 /* Edge of the cube whose gradient reaches as far as the element's steepest: on a cube sqrt(3)/(4
@@ -182,6 +212,8 @@ struct lattice mesh_lattice(struct domain *domain, struct domain *corners)
     for (int a = 0; a < 3; a++) {
         lattice.point[a] = memory_new((size_t)n, sizeof(double));
         memcpy(lattice.point[a], position[a], (size_t)n * sizeof(double));
+        lattice.extent[a] = lattice.period[a];
+        if (lattice.periodic[a]) continue; /* from the lowest of the particles on */
         lattice.origin[a] = domain_smallest(position[a], n);
         lattice.extent[a] = domain_largest(position[a], n) - lattice.origin[a];
     }

@@ -13,9 +13,13 @@
 /* What is made of nodes that lie on each other: one node, or a cut between the elements. */
 enum mesh_coincident { MESH_JOIN, MESH_PART };
 
-/* How many nodes of elements of a domain's mesh lie on others (within 1e-5 of the mean edge); where
- * they are to be joined, the elements and sets of all have the first of them from here on. */
-int64_t mesh_coincident(struct domain *domain, bool join);
+/* How many nodes of elements of a domain's mesh lie on others, or on their images (neighbours.h),
+ * within 1e-5 of the mean edge; where they are to be joined, the elements and sets of all have the
+ * first of them from here on. */
+int64_t mesh_coincident(struct domain *domain, const double period[3], bool join);
+
+/* Of a periodic domain: a node and its image become one.  Dies where a node of a face has none. */
+void mesh_fold(struct domain *domain);
 
 /* The lattice of a domain that has a mesh.  Its particles move to the means of their corners, where
  * the means of the corners' displacements belong.  *corners: the nodes in their new order with

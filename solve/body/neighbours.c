@@ -1,6 +1,7 @@
 #include "neighbours.h"
 
 #include "domain.h"
+#include "lattice.h"
 #include "memory.h"
 
 #include <math.h>
@@ -19,7 +20,8 @@ static double bin_width(const double length[3], int64_t n, double reach)
 static int64_t bin_of(const struct neighbours *b, double *const x[3], int64_t i, int64_t at[3])
 {
     for (int a = 0; a < 3; a++) {
-        at[a] = (int64_t)floor((x[a][i] - b->origin[a]) / b->width);
+        at[a] = (int64_t)floor((x[a][i] - b->origin[a]) / b->width[a]);
+        if (b->period[a] > 0) at[a] = (at[a] % b->size[a] + b->size[a]) % b->size[a];
         at[a] = at[a] < 0 ? 0 : at[a] >= b->size[a] ? b->size[a] - 1 : at[a];
     }
     return (at[2] * b->size[1] + at[1]) * b->size[0] + at[0];
@@ -36,19 +38,23 @@ static int64_t most_candidates(const struct neighbours *b, int64_t bins, int64_t
     return 27 * most < n ? 27 * most : n;
 }
 
-struct neighbours neighbours_new(double *const x[3], int64_t n, double reach)
+struct neighbours neighbours_new(double *const x[3], const double period[3], int64_t n,
+                                 double reach)
 {
-    struct neighbours b = {0};
+    struct neighbours b = {.reach = reach};
     double length[3];
     int64_t bins = 1, at[3];
     for (int a = 0; a < 3; a++) {
+        b.period[a] = period ? period[a] : 0;
         b.origin[a] = domain_smallest(x[a], n);
-        length[a] = domain_largest(x[a], n) - b.origin[a];
+        length[a] = b.period[a] > 0 ? b.period[a] : domain_largest(x[a], n) - b.origin[a];
     }
-    b.reach = reach;
-    b.width = bin_width(length, n, reach);
+    const double width = bin_width(length, n, reach);
     for (int a = 0; a < 3; a++) {
-        b.size[a] = (int64_t)(length[a] / b.width) + 1;
+        const int64_t whole = (int64_t)(length[a] / width);
+        b.width[a] = width;
+        b.size[a] = b.period[a] > 0 && whole > 0 ? whole : whole + 1;
+        if (b.period[a] > 0) b.width[a] = b.period[a] / (double)b.size[a];
         bins *= b.size[a];
     }
     b.start = memory_new((size_t)bins + 2, sizeof *b.start);
@@ -74,26 +80,47 @@ static int ascending(const void *a, const void *b)
     return (i > j) - (i < j);
 }
 
-int64_t neighbours_find(const struct neighbours *b, double *const x[3], int64_t i)
+/* The bins beside one along an axis, itself among them; how many. */
+static int beside(const struct neighbours *b, int axis, int64_t at, int64_t bins[3])
+{
+    const int64_t size = b->size[axis];
+    int count = 0;
+    for (int64_t bin = at - 1; bin <= at + 1; bin++) {
+        const bool around = b->period[axis] > 0 && size > 2;
+        if (around || (bin >= 0 && bin < size)) bins[count++] = (bin + size) % size;
+    }
+    return count;
+}
+
+/* Adds what lies within reach among the nodes of a bin. */
+static int64_t look_into(const struct neighbours *b, double *const x[3], int64_t i, int64_t bin,
+                         int64_t count)
 {
     const double limit = b->reach * (1 + 1e-9);
-    int64_t at[3], low[3], high[3], count = 0;
-    bin_of(b, x, i, at);
-    for (int a = 0; a < 3; a++) {
-        low[a] = at[a] > 0 ? at[a] - 1 : 0;
-        high[a] = at[a] + 1 < b->size[a] ? at[a] + 1 : b->size[a] - 1;
+    for (int64_t k = b->start[bin]; k < b->start[bin + 1]; k++) {
+        const int64_t j = b->nodes[k];
+        double square = 0;
+        for (int a = 0; a < 3; a++) {
+            const double way = lattice_shortest(x[a][j] - x[a][i], b->period[a]);
+            square += way * way;
+        }
+        if (j != i && square <= limit * limit) b->found[count++] = j;
     }
-    for (int64_t p = low[2]; p <= high[2]; p++)
-        for (int64_t q = low[1]; q <= high[1]; q++)
-            for (int64_t r = low[0]; r <= high[0]; r++) {
-                const int64_t bin = (p * b->size[1] + q) * b->size[0] + r;
-                for (int64_t k = b->start[bin]; k < b->start[bin + 1]; k++) {
-                    const int64_t j = b->nodes[k];
-                    double square = 0;
-                    for (int a = 0; a < 3; a++) square += (x[a][j] - x[a][i]) * (x[a][j] - x[a][i]);
-                    if (j != i && square <= limit * limit) b->found[count++] = j;
-                }
-            }
+    return count;
+}
+
+int64_t neighbours_find(const struct neighbours *b, double *const x[3], int64_t i)
+{
+    int64_t at[3], bins[3][3], count = 0;
+    int n[3];
+    bin_of(b, x, i, at);
+    for (int a = 0; a < 3; a++) n[a] = beside(b, a, at[a], bins[a]);
+    for (int p = 0; p < n[2]; p++)
+        for (int q = 0; q < n[1]; q++)
+            for (int r = 0; r < n[0]; r++)
+                count = look_into(b, x, i,
+                                  (bins[2][p] * b->size[1] + bins[1][q]) * b->size[0] + bins[0][r],
+                                  count);
     if (count > 1) qsort(b->found, (size_t)count, sizeof *b->found, ascending);
     return count;
 }

@@ -12,10 +12,10 @@ static int64_t first_of(int64_t *towards, int64_t i)
     return i;
 }
 
-int64_t pieces_count(double *const x[3], int64_t n, double reach)
+int64_t pieces_count(double *const x[3], const double period[3], int64_t n, double reach)
 {
     int64_t *towards = memory_new((size_t)n, sizeof *towards), pieces = n;
-    struct neighbours near = neighbours_new(x, n, reach);
+    struct neighbours near = neighbours_new(x, period, n, reach);
     for (int64_t i = 0; i < n; i++) towards[i] = i;
     for (int64_t i = 0; i < n; i++) {
         const int64_t count = neighbours_find(&near, x, i);

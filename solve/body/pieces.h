@@ -4,7 +4,8 @@
 
 #include <stdint.h>
 
-/* How many parts no two of which have particles within reach [m] of each other; x[3][n] in m. */
-int64_t pieces_count(double *const x[3], int64_t n, double reach);
+/* How many parts no two of which have particles within reach [m] of each other; x, period and n as
+ * of neighbours_new. */
+int64_t pieces_count(double *const x[3], const double period[3], int64_t n, double reach);
 
 #endif

@@ -86,6 +86,8 @@ void scattered_gradient(struct body *body)
                 body->H[a + 1][i] = x * K[3][i] + y * K[1][i] + z * K[4][i];
                 body->H[a + 2][i] = x * K[5][i] + y * K[4][i] + z * K[2][i];
             }
+    for (int64_t s = 0; s < body->near.count; s++)
+        body_add_mean(body, body->near.items[s].site, body->near.items[s].count);
 }
 
 void scattered_divergence(struct body *body)

@@ -164,6 +164,30 @@ static bool cuts_any(const struct cracks *cracks, const double from[3], const do
     return false;
 }
 
+/* Of a periodic body an image of a bond, too. */
+static bool is_cut(const struct cracks *cracks, const struct body *body,
+                   const struct bond_view *view, int k)
+{
+    static const int shifts[] = {0, -1, 1};
+    const struct lattice *lattice = body->lattice;
+    double at[3];
+    bool cut = false;
+    body_position(body, bond_lower(view, k), at);
+    for (int image = 0; image < 27 && !cut; image++) {
+        const int shift[3] = {shifts[image % 3], shifts[image / 3 % 3], shifts[image / 9]};
+        double from[3], to[3];
+        bool there = true;
+        for (int a = 0; a < 3; a++) {
+            there = there && (shift[a] == 0 || lattice->periodic[a]);
+            from[a] = at[a] + (shift[a] ? shift[a] * lattice_period(lattice, a) : 0);
+            to[a] = from[a] + view->xi[a][k * view->geometry_step];
+        }
+        if (lattice->dimensions == 2) from[2] = to[2] = 0;
+        cut = there && cuts_any(cracks, from, to);
+    }
+    return cut;
+}
+
 int64_t cracks_cut(const struct cracks *cracks, struct body *body, struct bonds *bonds)
 {
     double cut = 0;
@@ -172,11 +196,8 @@ int64_t cracks_cut(const struct cracks *cracks, struct body *body, struct bonds 
     for (int64_t s = 0; s < bonds->count; s++)
         for (int k = 0; k < bonds->strips[s].count; k++) {
             const struct bond_view view = bonds_view(bonds, &bonds->strips[s]);
-            double from[3], to[3];
-            body_position(body, bond_lower(&view, k), from);
-            body_position(body, bond_upper(&view, k), to);
-            if (body->lattice->dimensions == 2) from[2] = to[2] = 0;
-            if (!(view.weight[k * view.weight_step] > 0) || !cuts_any(cracks, from, to)) continue;
+            if (!(view.weight[k * view.weight_step] > 0) || !is_cut(cracks, body, &view, k))
+                continue;
             cut += body->grid.flags[bond_lower(&view, k)] & SITE_OWNED ? 1 : 0;
             broken_add(body, bonds, &bonds->strips[s], k);
         }

@@ -16,7 +16,7 @@ struct domain_facts {
     int axis;       /* of the test */
     double section; /* m^2 between the gauge planes; 0: that of the body */
     struct deck_node length_unit, dimensions, size, spacing, volumes, grips, gauge, node_sets,
-        periodic, symmetry;
+        periodic, period, symmetry;
 };
 
 extern const struct section section_domain_facts, section_domain_grips, section_domain_gauge;

@@ -97,6 +97,34 @@ static void take_axes(struct domain *domain, struct deck_node said, const char *
     attributes_set_text(&domain->attributes, key, letters);
 }
 
+/* After what length it does, which a lattice shows by itself and a mesh by its nodes. */
+static void take_periods(struct domain *domain, const struct domain_facts *said)
+{
+    static const struct key row = {"period", KEY_LENGTH, .low = 1e-12, .high = 1e3, .size = 3};
+    const struct domain *corners = domain->corners;
+    double period[3];
+    if (!attributes_text(&domain->attributes, "periodic")) {
+        if (said->period.index)
+            deck_error(said->period, "the body is not periodic: along which axes it is says "
+                                     "domain.periodic");
+        return;
+    }
+    if (said->period.index)
+        keys_list(&row, said->period, 0, period);
+    else if (!corners)
+        return;
+    for (int a = 0; a < 3; a++) {
+        char name[] = "period_x_m";
+        name[strlen("period_")] = (char)('x' + a);
+        if (corners && !said->period.index) {
+            const double *const x[3] = {corners->x, corners->y, corners->z};
+            period[a] =
+                domain_largest(x[a], corners->n_nodes) - domain_smallest(x[a], corners->n_nodes);
+        }
+        attributes_set_number(&domain->attributes, name, period[a]);
+    }
+}
+
 /* Of scattered particles the deck may say what a spacing is to mean. */
 static void take_spacing(struct domain *domain, const struct domain_facts *said)
 {
@@ -161,8 +189,11 @@ void domain_input_read(const struct arguments *a, struct domain *domain, struct 
     domain_facts_scale(&facts, domain);
     domain_facts_node_sets(&facts, domain);
     take_dimensions(domain, &facts);
-    if (text) take_axes(domain, facts.periodic, "periodic");
-    if (text) take_axes(domain, facts.symmetry, "symmetry");
+    if (!(attributes_number(&domain->attributes, "spacing_m", 0) > 0)) {
+        take_axes(domain, facts.periodic, "periodic");
+        take_axes(domain, facts.symmetry, "symmetry");
+        take_periods(domain, &facts);
+    }
     const bool cells = text && take_cells(domain, &facts),
                sites = streamed || domain_sort(domain, lattice);
     if (cells && !sites)

@@ -11,7 +11,10 @@
 static void refuse_coincident(const struct domain *domain)
 {
     double *const x[3] = {domain->x, domain->y, domain->z};
-    struct neighbours close = neighbours_new(x, domain->n_nodes, 1e-4 * domain_spacing(domain));
+    double period[3];
+    lattice_periods(domain, period);
+    struct neighbours close =
+        neighbours_new(x, period, domain->n_nodes, 1e-4 * domain_spacing(domain));
     for (int64_t i = 0; i < domain->n_nodes; i++)
         if (neighbours_find(&close, x, i) > 0) {
             const int64_t other = close.found[0];

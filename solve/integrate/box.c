@@ -11,7 +11,9 @@ static void find_position(const struct body *body, int64_t site, double at[3])
     for (int b = 0; b < 3; b++) {
         at[b] = place[b];
         if (!lattice_is_row(lattice)) continue;
-        at[b] = (lattice->point[b][place[0]] - lattice->origin[b]) / lattice->spacing;
+        const double width = lattice->periodic[b] ? lattice->period[b] / lattice_places(lattice, b)
+                                                  : lattice->spacing;
+        at[b] = (lattice->point[b][place[0]] - lattice->origin[b]) / width;
         if (!lattice->hexahedron) at[b] = floor(at[b] + 0.5);
     }
 }
@@ -62,7 +64,7 @@ struct box box_new(const struct unknowns *unknowns, int a)
         box.periodic[b] = lattice->periodic[b];
         if (lattice->periodic[b]) {
             box.low[b] = 0;
-            box.size[b] = lattice->size[b];
+            box.size[b] = lattice_places(lattice, b);
         }
         box.count *= box.size[b];
     }
@@ -82,6 +84,7 @@ int box_places(const struct box *box, const struct body *body, int64_t site,
         for (int b = 0; b < 3; b++) {
             const double below = floor(at[b]), beyond = at[b] - below;
             places[count][b] = (int)below + (k >> b & 1) - box->low[b];
+            if (box->periodic[b]) places[count][b] %= box->size[b];
             within &= places[count][b] >= 0 && places[count][b] < box->size[b];
             if (body->lattice->hexahedron) share *= k >> b & 1 ? beyond : 1 - beyond;
         }

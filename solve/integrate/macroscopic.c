@@ -166,7 +166,7 @@ double macroscopic_reactions(const struct macroscopic *m, const struct body *bod
         const int b = k % 3;
         if (!m->axis[b]) continue;
         const double density = macroscopic_force(m, body, k) / lattice->node_volume;
-        square += 2 * density * density * lattice->size[b] / (double)lattice->n_sites;
+        square += 2 * density * density * lattice_places(lattice, b) / (double)lattice->n_sites;
     }
     return sqrt(square);
 }

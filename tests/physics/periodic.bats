@@ -394,7 +394,19 @@ END
     [[ "$stderr" == *'worst.yaml:6:'*'correspondence materials are tested along x'* ]]
     awk 'NR == 5 { $1 += 1e-6 } { print }' cube.txt >loose.txt
     run -2 --separate-stderr solve worse loose
-    [[ "$stderr" == *'periodic along xyz, and its particles lie on no lattice'* ]]
+    [[ "$stderr" == *'periodic along x, and its particles lie on no lattice: '*'says domain.period'* ]]
+    sed 's/domain: {/&period: [40 um, 39 um, 40 um], /' worse.yaml >loose.yaml
+    run -2 --separate-stderr solve loose loose
+    [[ "$stderr" == *'along x after 4e-05 m, no more than twice the horizon of 3e-05 m'* ]]
+    sed -i 's/39 um/29 um/' loose.yaml
+    run -2 --separate-stderr solve loose loose
+    [[ "$stderr" == *'periodic along y after 2.9e-05 m, and its particles lie 3e-05 m apart there'* ]]
+    sed -i 's/periodic: .x, y, z., //' loose.yaml
+    run -2 --separate-stderr solve loose loose
+    [[ "$stderr" == *'loose.yaml:1:18: the body is not periodic'* ]]
+    sed 's/\[x, y, z\]/&, symmetry: [y]/; s/periodic: .x, y, z., //' worse.yaml >half.yaml
+    run -2 --separate-stderr solve half loose
+    [[ "$stderr" == *'a plane of symmetry across y, and its particles lie on no lattice'* ]]
     sed 's/periodic: \[x, y, z\], //' bad.yaml >worse.yaml
     run -2 --separate-stderr solve worse cube
     [[ "$stderr" == *'worse.yaml:5:'*'the body is not periodic'* ]]

@@ -114,12 +114,12 @@ static void test_coincident(void **state)
 {
     struct domain domain = block();
     (void)state;
-    assert_int_equal(mesh_coincident(&domain, false), 0);
+    assert_int_equal(mesh_coincident(&domain, NULL, false), 0);
     assert_int_equal(domain.hexahedra[1], 1);
     domain.hexahedra[1] = NODES;
-    assert_int_equal(mesh_coincident(&domain, false), 1);
+    assert_int_equal(mesh_coincident(&domain, NULL, false), 1);
     assert_int_equal(domain.hexahedra[1], NODES);
-    assert_int_equal(mesh_coincident(&domain, true), 1);
+    assert_int_equal(mesh_coincident(&domain, NULL, true), 1);
     assert_int_equal(domain.hexahedra[1], 1);
     assert_int_equal(domain.corners->sets[0].count, 2);
     assert_int_equal(domain.corners->sets[0].nodes[0], 1);

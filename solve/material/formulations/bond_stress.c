@@ -8,6 +8,8 @@
 
 #include "bond_loop.h"
 
+#include <math.h>
+
 /* Of each bond, what it is found of and what is found: y, and the force state of either end times
  * the volume of the other over |y|. */
 enum { EXTENSION, STATE, STATE_UPPER };
@@ -58,39 +60,48 @@ void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
             }
 }
 
-/* Periods by which the upper end of a lower one at this place lies beyond the cell, along an axis.
- */
-static int periods_beyond(const struct lattice *lattice, int axis, int at)
+/* Periods by which the upper end of bond k of a strip lies beyond the cell that its lower one is
+ * in, along an axis. */
+static int periods_beyond(const struct bonds *bonds, const struct bond_strip *strip, int axis,
+                          int k)
 {
+    const struct body *body = bonds->body;
+    const struct lattice *lattice = body->lattice;
+    int at[3];
     if (!lattice->periodic[axis]) return 0;
-    return at < 0 ? -1 : at >= lattice->size[axis];
+    if (strip->offset < 0) {
+        const int64_t entry = strip->i + k;
+        const double *x = lattice->point[axis],
+                     apart = x[bonds->upper[entry]] - x[bonds->lower[entry]];
+        return (int)lround((bonds->xi[axis][entry] - apart) / lattice->period[axis]);
+    }
+    grid_position(&body->grid, strip->i, at);
+    const int upper = at[axis] + body->family->half[strip->offset].step[axis] + (axis == 0 ? k : 0);
+    return upper < 0 ? -1 : upper >= lattice->size[axis];
 }
 
 bool bond_stress_crosses(const struct bonds *bonds, const struct bond_strip *strip)
 {
-    const struct lattice *lattice = bonds->body->lattice;
-    const int *step = bonds->body->family->half[strip->offset].step;
-    int at[3];
-    grid_position(&bonds->body->grid, strip->i, at);
-    for (int a = 0; a < 3; a++) {
-        const int first = at[a] + step[a], last = first + (a == 0 ? strip->count - 1 : 0);
-        if (periods_beyond(lattice, a, first) || periods_beyond(lattice, a, last)) return true;
-    }
+    /* Of a strip of a lattice the first bond or the last. */
+    const int step = strip->offset < 0 || strip->count < 2 ? 1 : strip->count - 1;
+    for (int k = 0; k < strip->count; k += step)
+        for (int a = 0; a < 3; a++)
+            if (periods_beyond(bonds, strip, a, k)) return true;
     return false;
 }
 
 void bond_stress_cross(const struct bonds *bonds, const struct bond_strip *strip,
                        const double *const y[3], const double *force, const struct body *body)
 {
-    const int *step = body->family->half[strip->offset].step;
-    int at[3];
-    grid_position(&body->grid, strip->i, at);
+    const struct bond_view view = bonds_view(bonds, strip);
     for (int k = 0; k < strip->count; k++) {
-        if (!(body->grid.flags[strip->i + k] & SITE_OWNED)) continue; /* counted by the owner */
+        const int g = k * view.geometry_step;
+        if (!(body->grid.flags[bond_lower(&view, k)] & SITE_OWNED))
+            continue; /* counted by the owner */
         for (int b = 0; b < 3; b++) {
-            const int beyond = periods_beyond(body->lattice, b, at[b] + step[b] + (b == 0 ? k : 0));
+            const int beyond = periods_beyond(bonds, strip, b, k);
             const double way =
-                beyond * lattice_period(body->lattice, b) * bonds->volume[0] * bonds->volume[0];
+                beyond * lattice_period(body->lattice, b) * view.volume_i[g] * view.volume_j[g];
             for (int a = 0; beyond && a < 3; a++)
                 exact_sum_add(&body->stress_sums[3 * a + b], way * (force[k] * y[a][k]));
         }

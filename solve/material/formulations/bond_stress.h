@@ -12,7 +12,7 @@ void bond_stress_add(const struct bonds *bonds, const struct bond_strip *strip,
                      const double *extension, const double *lower, const double *upper, int rows,
                      struct body *body);
 
-/* (macroscopic.2) of a body on a lattice: the sum of force (x) xi over the bonds is that of force
+/* (macroscopic.2): the sum of force (x) xi over the bonds is that of force
  * (x) period over those through the cell's faces less that of force (x) position over the nodes,
  * which takes a fraction of the terms.  Added to body->stress_sums.
  * Whether bonds of the strip pass through a face; */
