@@ -4,23 +4,22 @@
 #ifndef HS_DIRECTION_H
 #define HS_DIRECTION_H
 
+#include "exact_sum.h"
 #include "unknowns.h"
 
 float *direction_new(const struct unknowns *unknowns);
 
-/* d = sum of a[k] x[k], k < count, and its largest magnitude; not a number where one is not.
- * Collective. */
-double direction_combine(const struct unknowns *unknowns, int count, const double a[],
-                         float *const x[], float *d);
-/* d *= a */
-void direction_scale(const struct unknowns *unknowns, double a, float *d);
+/* Largest magnitude, not a number where one is not, and that of nodes alone.  Collective. */
+double direction_largest(const struct unknowns *unknowns, const float *d, double *of_nodes);
+/* d = x - d */
+void direction_subtract_from(const struct unknowns *unknowns, const float *x, float *d);
 /* y += a d */
 void direction_add(const struct unknowns *unknowns, double a, const float *d, double *y);
 
-/* products[k] = d[k] . y, whose norms are not beyond norms[k] and norm.  Collective. */
-void direction_products(const struct unknowns *unknowns, int count, float *const d[],
-                        const double norms[], const double *y, double norm, double products[]);
+/* This rank's part of d . y, of which no number is beyond largest, and the norm not beyond norm. */
+struct exact_sum direction_sum(const struct unknowns *unknowns, const float *d, double largest,
+                               const double *y, double norm);
 /* d . y.  Collective. */
-double direction_product(const struct unknowns *unknowns, float *d, const double *y);
+double direction_product(const struct unknowns *unknowns, const float *d, const double *y);
 
 #endif

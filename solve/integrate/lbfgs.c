@@ -7,31 +7,32 @@
  *
  * z = M^-1 y = w' - w, w = M^-1 g, is kept in place of y: an iteration then preconditions once, and
  * all products that the loops need are differences of s_i.g and z_i.g between iterations, found in
- * one pass and one message; the slope g.d follows from them.  s, z and w are directions in single
- * precision (direction.h): M^-1 is no better, and s is what x moves by, to the last bit.  The step
- * t = 1 stands where the slope has fallen enough; else one secant step follows.
+ * one pass and one message; the slope g.d follows from them.  d and w are directions in single
+ * precision (direction.h), s and z in sixteen bits (narrow.h): M^-1 is no better, and what 2^-16 of
+ * the largest number of s and z misses the next w makes up for.  The step t = 1 stands where the
+ * slope has fallen enough; else one secant step follows.
  *
  * The pairs outlive their solution: the stiffness of the next load step is nearly that of the last,
- * and where it is not, six iterations have replaced them. */
+ * and where it is not, eight iterations have replaced them. */
 #include "checkpoint.h"
 #include "direction.h"
 #include "equilibrium.h"
 #include "memory.h"
+#include "narrow.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MEMORY = 6 }; /* pairs, with the one that an iteration makes */
+enum { MEMORY = 8 }; /* pairs, with the one that an iteration makes */
 
 struct lbfgs {
     const struct unknowns *unknowns;
-    int count;                               /* pairs, oldest first */
-    double scale;                            /* c */
-    float *s[MEMORY], *z[MEMORY], *w, *next; /* next: of the gradient that w follows */
-    double *before;                          /* the gradient before the step */
-    double s_norm[MEMORY], z_norm[MEMORY];   /* bounds of norms */
-    double w_norm;
+    int count;    /* pairs, oldest first */
+    double scale; /* c */
+    struct narrow s[MEMORY], z[MEMORY];
+    float *w, *next, *d;               /* next: of the gradient that w follows, then z */
+    double w_most;                     /* largest number of w, at most */
     double sg[MEMORY], zg[MEMORY], wg; /* s_i.g, z_i.g, w.g */
     double sy[MEMORY][MEMORY];         /* s_i.y_j, i <= j */
     double zy[MEMORY][MEMORY];         /* z_i.y_j, symmetric */
@@ -42,12 +43,12 @@ static void *lbfgs_start(const struct equilibrium *e)
     struct lbfgs *self = memory_new(1, sizeof *self);
     self->unknowns = &e->unknowns;
     for (int k = 0; k < MEMORY; k++) {
-        self->s[k] = direction_new(&e->unknowns);
-        self->z[k] = direction_new(&e->unknowns);
+        self->s[k] = narrow_new(&e->unknowns);
+        self->z[k] = narrow_new(&e->unknowns);
     }
     self->w = direction_new(&e->unknowns);
     self->next = direction_new(&e->unknowns);
-    self->before = vector_new(&e->unknowns);
+    self->d = direction_new(&e->unknowns);
     self->scale = 1;
     return self;
 }
@@ -56,28 +57,39 @@ static void lbfgs_free(void *object)
 {
     struct lbfgs *self = object;
     for (int k = 0; k < MEMORY; k++) {
-        free(self->s[k]);
-        free(self->z[k]);
+        narrow_free(&self->s[k]);
+        narrow_free(&self->z[k]);
     }
     free(self->w);
     free(self->next);
-    free(self->before);
+    free(self->d);
     free(self);
 }
 
 /* Two directions as one vector, number by number, and back. */
-static void visit_pair(const struct unknowns *unknowns, struct checkpoint *checkpoint, float *s,
-                       float *z)
+static void visit_pair(const struct unknowns *unknowns, struct checkpoint *checkpoint,
+                       struct narrow *s, struct narrow *z)
 {
-    double *both = vector_new(unknowns);
+    const int64_t n = 3 * unknowns->n_nodes;
+    double *both = vector_new(unknowns), units[] = {s->unit, z->unit};
     float halves[2];
-    for (int64_t i = 0; i < unknowns->length; i++)
-        memcpy(&both[i], (const float[]){s[i], z[i]}, sizeof halves);
+    for (int64_t i = 0; i < n; i++)
+        memcpy(&both[i], (float[]){s->numbers[i], z->numbers[i]}, sizeof halves);
+    for (int64_t i = n; i < unknowns->length; i++)
+        memcpy(&both[i], (float[]){s->mean[i - n], z->mean[i - n]}, sizeof halves);
+    checkpoint_numbers(checkpoint, "lbfgs: units", units, 2);
     vector_visit(unknowns, checkpoint, "lbfgs: pair", both);
+    s->unit = units[0];
+    z->unit = units[1];
     for (int64_t i = 0; i < unknowns->length; i++) {
         memcpy(halves, &both[i], sizeof halves);
-        s[i] = halves[0];
-        z[i] = halves[1];
+        if (i < n) {
+            s->numbers[i] = (int16_t)halves[0];
+            z->numbers[i] = (int16_t)halves[1];
+        } else {
+            s->mean[i - n] = halves[0];
+            z->mean[i - n] = halves[1];
+        }
     }
     free(both);
 }
@@ -90,20 +102,17 @@ static void lbfgs_visit(void *object, struct checkpoint *checkpoint)
     checkpoint_integer(checkpoint, "lbfgs: pairs", &count);
     self->count = (int)count;
     for (int k = 0; k < self->count; k++)
-        visit_pair(self->unknowns, checkpoint, self->s[k], self->z[k]);
-    checkpoint_numbers(checkpoint, "lbfgs: norms of s", self->s_norm, self->count);
-    checkpoint_numbers(checkpoint, "lbfgs: norms of z", self->z_norm, self->count);
+        visit_pair(self->unknowns, checkpoint, &self->s[k], &self->z[k]);
     checkpoint_numbers(checkpoint, "lbfgs: s.y", self->sy[0], (int64_t)MEMORY * MEMORY);
     checkpoint_numbers(checkpoint, "lbfgs: z.y", self->zy[0], (int64_t)MEMORY * MEMORY);
 }
 
-/* d = -H g; its largest number and the slope d.g. */
-static double direction(const struct lbfgs *self, const struct equilibrium *e, float *d,
-                        double *slope)
+/* d = -H g; the slope d.g. */
+static double find_direction(struct lbfgs *self)
 {
     const int n = self->count;
-    double alpha[MEMORY], gain[MEMORY], factors[2 * MEMORY + 1] = {-self->scale};
-    float *vectors[2 * MEMORY + 1] = {self->w};
+    double alpha[MEMORY], gain[MEMORY], factors[2 * MEMORY], slope = -self->scale * self->wg;
+    const struct narrow *vectors[2 * MEMORY];
     for (int i = n - 1; i >= 0; i--) {
         double sq = self->sg[i];
         for (int j = i + 1; j < n; j++) sq -= alpha[j] * self->sy[i][j];
@@ -116,25 +125,23 @@ static double direction(const struct lbfgs *self, const struct equilibrium *e, f
         for (int j = 0; j < i; j++) yr += gain[j] * self->sy[j][i];
         gain[i] = alpha[i] - yr / self->sy[i][i];
     }
-    *slope = -self->scale * self->wg;
     for (int i = 0; i < n; i++) {
-        vectors[1 + i] = self->z[i];
-        factors[1 + i] = self->scale * alpha[i];
-        vectors[1 + n + i] = self->s[i];
-        factors[1 + n + i] = -gain[i];
-        *slope += factors[1 + i] * self->zg[i] + factors[1 + n + i] * self->sg[i];
+        vectors[2 * i] = &self->z[i];
+        factors[2 * i] = self->scale * alpha[i];
+        vectors[2 * i + 1] = &self->s[i];
+        factors[2 * i + 1] = -gain[i];
+        slope += factors[2 * i] * self->zg[i] + factors[2 * i + 1] * self->sg[i];
     }
-    return direction_combine(&e->unknowns, 1 + 2 * n, factors, vectors, d);
+    narrow_combine(self->unknowns, -self->scale, self->w, 2 * n, factors, vectors, self->d);
+    return slope;
 }
 
 static void drop_oldest(struct lbfgs *self)
 {
-    float *s = self->s[0], *z = self->z[0];
+    const struct narrow s = self->s[0], z = self->z[0];
     for (int i = 1; i < self->count; i++) {
         self->s[i - 1] = self->s[i];
         self->z[i - 1] = self->z[i];
-        self->s_norm[i - 1] = self->s_norm[i];
-        self->z_norm[i - 1] = self->z_norm[i];
         self->sg[i - 1] = self->sg[i];
         self->zg[i - 1] = self->zg[i];
         for (int j = 1; j < self->count; j++) {
@@ -156,59 +163,54 @@ static void precondition(struct lbfgs *self, struct equilibrium *e)
     equilibrium_precondition(e, e->g, self->w);
 }
 
+/* Products with g of so many pairs, and of w. */
+static void multiply(struct lbfgs *self, const struct equilibrium *e, int n, double products[])
+{
+    const struct narrow *vectors[2 * MEMORY];
+    for (int i = 0; i < n; i++) {
+        vectors[2 * i] = &self->s[i];
+        vectors[2 * i + 1] = &self->z[i];
+    }
+    const struct exact_sum wg = direction_sum(&e->unknowns, self->w, self->w_most, e->g, e->norm);
+    narrow_products(&e->unknowns, 2 * n, vectors, e->g, e->norm, &wg, products);
+}
+
 /* The pair of this number has s: finds z and all products.  slope and end: s.g before and behind
- * it; norm: of g before. */
-static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slope, double end,
-                          double norm)
+ * it.  As M is symmetric, z times the g before is what w had with it less that of the w before with
+ * this one. */
+static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slope, double end)
 {
     const struct unknowns *unknowns = &e->unknowns;
     const int k = self->count;
-    float *vectors[2 * MEMORY + 1];
-    double norms[2 * MEMORY + 1], products[2 * MEMORY + 1], z_before;
+    double products[2 * MEMORY + 1], of_nodes;
     precondition(self, e);
-    self->z_norm[k] =
-        vector_bound(unknowns, direction_combine(unknowns, 2, (double[]){1, -1},
-                                                 (float *[]){self->w, self->next}, self->z[k]));
-    self->w_norm += self->z_norm[k];
-    int count = 0;
+    direction_subtract_from(unknowns, self->w, self->next);
+    self->w_most += direction_largest(unknowns, self->next, &of_nodes);
+    narrow_take(unknowns, self->next, of_nodes, &self->z[k]);
+    multiply(self, e, k + 1, products);
     for (int i = 0; i < k; i++) {
-        vectors[count] = self->s[i];
-        norms[count++] = self->s_norm[i];
+        self->sy[i][k] = products[2 * i] - self->sg[i];
+        self->zy[i][k] = self->zy[k][i] = products[2 * i + 1] - self->zg[i];
+        self->sg[i] = products[2 * i];
+        self->zg[i] = products[2 * i + 1];
     }
-    for (int i = 0; i <= k; i++) {
-        vectors[count] = self->z[i];
-        norms[count++] = self->z_norm[i];
-    }
-    vectors[count] = self->w;
-    norms[count++] = self->w_norm;
-    direction_products(unknowns, 1, &self->z[k], &self->z_norm[k], self->before, norm, &z_before);
-    direction_products(unknowns, count, vectors, norms, e->g, e->norm, products);
-    for (int i = 0; i < k; i++) {
-        self->sy[i][k] = products[i] - self->sg[i];
-        self->zy[i][k] = self->zy[k][i] = products[k + i] - self->zg[i];
-        self->sg[i] = products[i];
-        self->zg[i] = products[k + i];
-    }
+    const double zg = products[2 * k + 1], wg = products[2 * k + 2];
     self->sy[k][k] = end - slope;
-    self->zy[k][k] = products[2 * k] - z_before;
     self->sg[k] = end;
-    self->zg[k] = products[2 * k];
-    self->wg = products[2 * k + 1];
+    self->zg[k] = zg;
+    self->zy[k][k] = zg - (wg - zg) + self->wg;
+    self->wg = wg;
 }
 
-/* x goes along s of the pair at hand, whose bound is known, until its slope has fallen enough;
- * false where the force is not finite.  far: its largest number; slope: at the start, and behind
- * it.  What of s has been gone is returned. */
+/* x goes along d until its slope has fallen enough; false where the force is not finite.  far: its
+ * largest number; slope: at the start, and behind it.  What of d has been gone is returned. */
 static double go(struct lbfgs *self, struct equilibrium *e, double far, double *slope)
 {
     const struct unknowns *unknowns = &e->unknowns;
     const double farthest = 0.5 * e->body->lattice->spacing, start = *slope, before = e->norm;
-    float *d = self->s[self->count];
-    double t = far > farthest ? farthest / far : 1, taken = 0, *g = e->g;
-    e->g = self->before;
-    self->before = g;
+    double t = far > farthest ? farthest / far : 1, taken = 0;
     for (int trial = 0;; trial++) {
-        direction_add(unknowns, t - taken, d, e->x);
+        direction_add(unknowns, t - taken, self->d, e->x);
         taken = t;
         equilibrium_evaluate(e, e->x, e->g);
         if (!isfinite(e->norm)) {
@@ -216,7 +218,8 @@ static double go(struct lbfgs *self, struct equilibrium *e, double far, double *
             t *= 0.25;
             continue;
         }
-        direction_products(unknowns, 1, &d, &self->s_norm[self->count], e->g, e->norm, slope);
+        const struct exact_sum sum = direction_sum(unknowns, self->d, far, e->g, e->norm);
+        exact_sum_finish(&sum, 1, slope);
         if (fabs(*slope) <= 0.9 * -start || e->norm <= 0.5 * before || trial >= 4) return taken;
         const double secant = t * start / (start - *slope);
         t = *slope > start && isfinite(secant) ? fmin(fmax(secant, 0.1 * t), 4 * t) : 2 * t;
@@ -226,51 +229,38 @@ static double go(struct lbfgs *self, struct equilibrium *e, double far, double *
 /* M^-1 g and the products with g of the pairs at hand, those of the solution before. */
 static void begin(struct lbfgs *self, struct equilibrium *e)
 {
-    const struct unknowns *unknowns = &e->unknowns;
-    const int n = self->count;
-    float *vectors[2 * MEMORY + 1];
-    double norms[2 * MEMORY + 1], products[2 * MEMORY + 1];
+    double products[2 * MEMORY + 1], of_nodes;
     precondition(self, e);
-    self->w_norm =
-        vector_bound(unknowns, direction_combine(unknowns, 1, (double[]){1}, &self->w, self->next));
-    for (int i = 0; i < n; i++) {
-        vectors[i] = self->s[i];
-        norms[i] = self->s_norm[i];
-        vectors[n + i] = self->z[i];
-        norms[n + i] = self->z_norm[i];
+    self->w_most = direction_largest(&e->unknowns, self->w, &of_nodes);
+    multiply(self, e, self->count, products);
+    for (int i = 0; i < self->count; i++) {
+        self->sg[i] = products[2 * i];
+        self->zg[i] = products[2 * i + 1];
     }
-    vectors[2 * n] = self->w;
-    norms[2 * n] = self->w_norm;
-    direction_products(unknowns, 2 * n + 1, vectors, norms, e->g, e->norm, products);
-    for (int i = 0; i < n; i++) {
-        self->sg[i] = products[i];
-        self->zg[i] = products[n + i];
-    }
-    self->wg = products[2 * n];
+    self->wg = products[2 * self->count];
 }
 
 static bool lbfgs_solve(void *object, struct equilibrium *e)
 {
     struct lbfgs *self = object;
-    begin(self, e);
+    if (isfinite(e->norm)) begin(self, e);
     while (!equilibrium_reached(e)) {
         if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         if (self->count == MEMORY) drop_oldest(self);
         const int k = self->count;
-        double slope;
-        const double far = direction(self, e, self->s[k], &slope), norm = e->norm;
+        const double slope = find_direction(self);
         if (!(slope < 0)) {
             if (k == 0) return false;
             self->count = 0;
             continue;
         }
-        self->s_norm[k] = vector_bound(&e->unknowns, far);
-        double end = slope;
-        const double taken = go(self, e, far, &end);
+        double end = slope, of_nodes;
+        const double far = direction_largest(&e->unknowns, self->d, &of_nodes),
+                     taken = go(self, e, far, &end);
         if (!(taken > 0)) return false;
-        if (taken < 1 || taken > 1) direction_scale(&e->unknowns, taken, self->s[k]);
-        self->s_norm[k] *= taken;
-        complete_pair(self, e, taken * slope, taken * end, norm);
+        narrow_take(&e->unknowns, self->d, of_nodes, &self->s[k]);
+        narrow_scale(taken, &self->s[k]);
+        complete_pair(self, e, taken * slope, taken * end);
         /* Curvature, or rounding. */
         if (!(self->sy[k][k] > 1e-6 * taken * -slope)) continue;
         if (self->zy[k][k] > 0) self->scale = self->sy[k][k] / self->zy[k][k];
