@@ -1,6 +1,7 @@
 /* VTK's XML image (.vti), as ParaView and DAMASK write it: values as text, in base 64 or appended,
  * raw or packed by zlib, in either order of bytes.  One array of cells, or of points, which are
- * then taken for the middles of voxels. */
+ * then taken for the middles of voxels; whole or in pieces, of which those of points share planes.
+ */
 #include "image.h"
 
 #include "die.h"
@@ -18,17 +19,16 @@ enum { MOST_ARRAYS = 256 };
 struct data_array {
     struct xml_tag tag;
     char *name;
-    int components;
+    int components, piece;
     bool of_cells;
 };
 
 struct vti {
     const struct image_source *source;
-    struct xml_tag file, grid, piece, appended;
+    struct xml_tag file, grid, *pieces, appended;
     int n_pieces, n_arrays;
     struct data_array *arrays;
     bool big_endian, packed, wide; /* wide: lengths of 8 bytes */
-    enum scalar type;
 };
 
 static _Noreturn void refuse(const struct vti *vti, const char *what)
@@ -41,13 +41,13 @@ static _Noreturn void refuse(const struct vti *vti, const char *what)
 
 static void add_array(struct vti *vti, const struct xml_tag *tag, bool of_cells)
 {
-    if (vti->n_arrays == MOST_ARRAYS) refuse(vti, "more than 256 arrays");
+    if (vti->n_pieces == 1 && vti->n_arrays == MOST_ARRAYS) refuse(vti, "more than 256 arrays");
     vti->arrays = memory_grow(vti->arrays, vti->n_arrays, sizeof *vti->arrays);
     struct data_array *array = &vti->arrays[vti->n_arrays++];
     char *components = xml_attribute(tag, "NumberOfComponents");
     char *name = xml_attribute(tag, "Name");
     *array = (struct data_array){*tag, name ? name : memory_text("without a name"),
-                                 components ? atoi(components) : 1, of_cells};
+                                 components ? atoi(components) : 1, vti->n_pieces - 1, of_cells};
     free(components);
 }
 
@@ -59,18 +59,21 @@ static void read_tags(struct vti *vti)
     while (!vti->appended.name && xml_next(&xml, &tag)) {
         if (xml_is(&tag, "VTKFile")) vti->file = tag;
         if (xml_is(&tag, "ImageData")) vti->grid = tag;
-        if (xml_is(&tag, "Piece") && vti->n_pieces++ == 0) vti->piece = tag;
+        if (xml_is(&tag, "Piece")) {
+            vti->pieces = memory_grow(vti->pieces, vti->n_pieces, sizeof tag);
+            vti->pieces[vti->n_pieces++] = tag;
+        }
         if (xml_is(&tag, "CellData")) cells = true;
         if (xml_is(&tag, "PointData")) points = true;
         if (xml_is(&tag, "/CellData")) cells = false;
         if (xml_is(&tag, "/PointData")) points = false;
-        if (xml_is(&tag, "DataArray") && (cells || points)) add_array(vti, &tag, cells);
+        if (xml_is(&tag, "DataArray") && vti->n_pieces && (cells || points))
+            add_array(vti, &tag, cells);
         if (xml_is(&tag, "AppendedData")) vti->appended = tag;
     }
     if (!vti->file.name || !vti->grid.name)
         refuse(vti, "a VTK file that is no ImageData, or cut off");
-    if (vti->n_pieces != 1)
-        die_user("%s: ImageData of %d pieces, expected one", vti->source->path, vti->n_pieces);
+    if (vti->n_pieces == 0) refuse(vti, "ImageData without a Piece");
 }
 
 static bool attribute_is(const struct xml_tag *tag, const char *name, const char *value)
@@ -122,22 +125,30 @@ static bool read_list(const struct xml_tag *tag, const char *name, int count, do
     return found == count;
 }
 
-static void read_grid(struct vti *vti, bool of_cells, struct image *image, double count[3])
+/* First voxel and number of voxels of an extent, which counts the planes between cells. */
+static void read_extent(const struct vti *vti, const struct xml_tag *tag, const char *name,
+                        bool of_cells, double low[3], double count[3])
+{
+    double extent[6];
+    if (!read_list(tag, name, 6, extent))
+        die_user("%s: no %s of six numbers", vti->source->path, name);
+    for (int axis = 0; axis < 3; axis++) {
+        const double cells = extent[2 * axis + 1] - extent[2 * axis];
+        low[axis] = extent[2 * axis];
+        /* A picture in the plane has no cell along z, and one layer of them. */
+        count[axis] = of_cells ? fmax(cells, 1) : cells + 1;
+    }
+}
+
+static void read_grid(struct vti *vti, struct image *image)
 {
     static const double upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    double extent[6], direction[9];
-    if (!read_list(&vti->piece, "Extent", 6, extent))
-        refuse(vti, "its Piece has no Extent of six numbers");
+    double direction[9];
     if (!read_list(&vti->grid, "Spacing", 3, image->edge))
         image->edge[0] = image->edge[1] = image->edge[2] = 0;
     if (read_list(&vti->grid, "Direction", 9, direction) &&
         memcmp(direction, upright, sizeof upright) != 0)
         refuse(vti, "its axes are turned (Direction); resample it along x, y and z first");
-    for (int axis = 0; axis < 3; axis++) {
-        const double cells = extent[2 * axis + 1] - extent[2 * axis];
-        /* A picture in the plane has no cell along z, and one layer of them. */
-        count[axis] = of_cells ? fmax(cells, 1) : cells + 1;
-    }
 }
 
 /* --- values -------------------------------------------------------------------------------------
@@ -204,18 +215,19 @@ static unsigned char *unpack(const struct vti *vti, const unsigned char *bytes, 
 
 static void read_bytes(const struct vti *vti, const struct xml_tag *tag, struct image *image)
 {
-    const size_t wanted = (size_t)image_voxels(image) * scalar_size(vti->type);
+    const enum scalar type = read_type(vti, tag);
+    const size_t wanted = (size_t)image_voxels(image) * scalar_size(type);
     const size_t word = vti->wide ? 8 : 4;
     size_t length;
     unsigned char *bytes = bytes_of(vti, tag, &length);
     if (vti->packed) {
         unsigned char *values = unpack(vti, bytes, length, wanted);
-        scalars_decode(values, image_voxels(image), vti->type, vti->big_endian, image->value);
+        scalars_decode(values, image_voxels(image), type, vti->big_endian, image->value);
         free(values);
     } else {
         if (length < word || head_at(vti, bytes, 0) != (double)wanted || length - word < wanted)
             refuse(vti, "damaged or cut off: an array is not as long as the image");
-        scalars_decode(bytes + word, image_voxels(image), vti->type, vti->big_endian, image->value);
+        scalars_decode(bytes + word, image_voxels(image), type, vti->big_endian, image->value);
     }
     free(bytes);
 }
@@ -248,8 +260,10 @@ static const struct data_array *choose(const struct vti *vti)
     struct image_array names[MOST_ARRAYS];
     int of_cells = 0, n = 0;
     for (int i = 0; i < vti->n_arrays; i++)
-        of_cells += vti->arrays[i].of_cells && vti->arrays[i].components == 1;
+        of_cells +=
+            vti->arrays[i].piece == 0 && vti->arrays[i].of_cells && vti->arrays[i].components == 1;
     for (int i = 0; i < vti->n_arrays; i++) {
+        if (vti->arrays[i].piece > 0) continue;
         if (!vti->source->array && of_cells > 0 && !vti->arrays[i].of_cells) continue;
         offered[n] = &vti->arrays[i];
         names[n++] = (struct image_array){vti->arrays[i].name, vti->arrays[i].components};
@@ -257,21 +271,97 @@ static const struct data_array *choose(const struct vti *vti)
     return offered[image_choose(vti->source, names, n)];
 }
 
+/* --- pieces -------------------------------------------------------------------------------------
+ */
+
+static const struct data_array *array_of_piece(const struct vti *vti, const struct data_array *like,
+                                               int piece)
+{
+    for (int i = 0; i < vti->n_arrays; i++) {
+        const struct data_array *array = &vti->arrays[i];
+        if (array->piece == piece && array->of_cells == like->of_cells &&
+            strcmp(array->name, like->name) == 0)
+            return array;
+    }
+    die_user("%s: piece %d has no array '%s'", vti->source->path, piece + 1, like->name);
+}
+
+static double most_voxels(const struct vti *vti)
+{
+    return (double)vti->source->length * (vti->packed ? SCALARS_INFLATION : 1);
+}
+
+static void read_values(const struct vti *vti, const struct data_array *array,
+                        const double count[3], struct image *image)
+{
+    image_size(vti->source, image, count, most_voxels(vti));
+    (attribute_is(&array->tag, "format", "ascii") ? read_text : read_bytes)(vti, &array->tag,
+                                                                            image);
+}
+
+/* Puts the values of a piece where they belong: first voxel and number of voxels. */
+static void place(const struct vti *vti, int number, bool of_cells, const struct image *piece,
+                  const double first[3], struct image *image, bool *seen)
+{
+    const int64_t *n = image->count;
+    int64_t at = 0;
+    for (int axis = 0; axis < 3; axis++)
+        if (!(first[axis] >= 0 && first[axis] + (double)piece->count[axis] <= (double)n[axis]))
+            die_user("%s: piece %d reaches beyond WholeExtent along %c", vti->source->path, number,
+                     'x' + axis);
+    const int64_t x0 = (int64_t)first[0], y0 = (int64_t)first[1], z0 = (int64_t)first[2];
+    for (int64_t z = z0; z < z0 + piece->count[2]; z++)
+        for (int64_t y = y0; y < y0 + piece->count[1]; y++)
+            for (int64_t x = x0; x < x0 + piece->count[0]; x++, at++) {
+                const int64_t voxel = (z * n[1] + y) * n[0] + x;
+                double *value = &image->value[voxel];
+                if (seen[voxel] && (of_cells || memcmp(value, &piece->value[at], sizeof *value)))
+                    die_user("%s: piece %d and one before it both have the voxel (%lld, %lld, "
+                             "%lld), counted from 0",
+                             vti->source->path, number, (long long)x, (long long)y, (long long)z);
+                *value = piece->value[at];
+                seen[voxel] = true;
+            }
+}
+
+static void read_pieces(const struct vti *vti, const struct data_array *like, struct image *image)
+{
+    const bool of_cells = like->of_cells;
+    double origin[3], whole[3], count[3], low[3];
+    read_extent(vti, &vti->grid, "WholeExtent", of_cells, origin, whole);
+    read_extent(vti, &vti->pieces[0], "Extent", of_cells, low, count);
+    if (vti->n_pieces == 1 && memcmp(count, whole, sizeof whole) == 0) {
+        read_values(vti, like, whole, image);
+        return;
+    }
+    image_size(vti->source, image, whole, most_voxels(vti));
+    const int64_t voxels = image_voxels(image);
+    bool *seen = memory_new((size_t)voxels, sizeof *seen);
+    for (int p = 0; p < vti->n_pieces; p++) {
+        struct image piece = {0};
+        read_extent(vti, &vti->pieces[p], "Extent", of_cells, low, count);
+        read_values(vti, array_of_piece(vti, like, p), count, &piece);
+        for (int axis = 0; axis < 3; axis++) low[axis] -= origin[axis];
+        place(vti, p + 1, of_cells, &piece, low, image, seen);
+        image_free(&piece);
+    }
+    for (int64_t i = 0; i < voxels; i++)
+        if (!seen[i])
+            die_user("%s: none of its %d pieces has the voxel (%lld, %lld, %lld), counted from 0",
+                     vti->source->path, vti->n_pieces, (long long)(i % image->count[0]),
+                     (long long)(i / image->count[0] % image->count[1]),
+                     (long long)(i / image->count[0] / image->count[1]));
+    free(seen);
+}
+
 void image_vti_read(const struct image_source *source, struct image *image)
 {
     struct vti vti = {.source = source};
-    double count[3];
     read_tags(&vti);
     read_flavour(&vti);
-    const struct data_array *array = choose(&vti);
-    const bool text = attribute_is(&array->tag, "format", "ascii");
-    read_grid(&vti, array->of_cells, image, count);
-    vti.type = read_type(&vti, &array->tag);
-    image_size(source, image, count, (double)source->length * (vti.packed ? SCALARS_INFLATION : 1));
-    if (text)
-        read_text(&vti, &array->tag, image);
-    else
-        read_bytes(&vti, &array->tag, image);
+    read_grid(&vti, image);
+    read_pieces(&vti, choose(&vti), image);
     for (int i = 0; i < vti.n_arrays; i++) free(vti.arrays[i].name);
     free(vti.arrays);
+    free(vti.pieces);
 }

@@ -49,6 +49,10 @@ static const struct flavour flavours[] = {
     {.file = "appended_raw.vti", .array = "grey", .scale = 0.25},
     {.file = "appended_base64.vti", .array = "material"},
     {.file = "big_endian.vti"},
+    {.file = "pieces_text.vti"},
+    {.file = "pieces_raw.vti"},
+    {.file = "pieces_base64.vti"},
+    {.file = "pieces_packed.vti"},
     {.file = "text.vtk"},
     {.file = "binary.vtk", .array = "material"},
     {.file = "field.vtk"},
@@ -433,6 +437,34 @@ static void what_is_unclear_is_asked(void **state)
     }
 }
 
+/* The file of two pieces with a word in it replaced, once. */
+static void pieces_fill_the_whole(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *old, *new, *said;
+    } cases[] = {
+        {"0 1 0 3 0 2", "1 2 0 3 0 2", "piece 2 and one before it both have the voxel (1, 0, 0)"},
+        {"WholeExtent=\"0", "WholeExtent=\"-1", "none of its 2 pieces has the voxel (0, 0, 0)"},
+        {"0 1 0 3 0 2", "0 1 1 4 0 2", "piece 2 reaches beyond WholeExtent along y"},
+        {"WholeExtent", "HoleExtent", "no WholeExtent of six numbers"},
+        {"Extent=\"0 1", "Extents=\"0 1", "no Extent of six numbers"},
+        {"0 1 0 3 0 2", "0 1 0 2 0 2", "more than the 4 numbers of an array"},
+    };
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        char *path = at("pieces_text.vti"),
+             *command = memory_print("sed 's/%s/%s/' '%s' >pieces.vti; ! cmp -s '%s' pieces.vti",
+                                     cases[c].old, cases[c].new, path, path);
+        assert_int_equal(system(command), 0);
+        assert_dies(EXIT_USER, cases[c].said, try_read, "pieces.vti");
+        free(command);
+        free(path);
+    }
+    assert_int_equal(
+        system("awk '/material/ && n++ { sub(/material/, \"grey\") } 1' pieces.vti >named.vti"), 0);
+    assert_dies(EXIT_USER, "piece 2 has no array 'material'", try_read, "named.vti");
+}
+
 /* Exit code of reading the file in a child; 3 where it reads, and something else than the
  * structure. */
 static int code_of(const char *path, const struct flavour *flavour)
@@ -494,6 +526,7 @@ int main(void)
         cmocka_unit_test(dream3d_is_read_in_both_layouts),
         cmocka_unit_test(what_is_not_read_is_named),
         cmocka_unit_test(what_is_unclear_is_asked),
+        cmocka_unit_test(pieces_fill_the_whole),
         cmocka_unit_test(cut_files_are_refused),
     };
     data = realpath("tests/data/images", NULL);
