@@ -95,6 +95,8 @@ function behind_the_front(name,   last, i, k, time, plateau, front, expected, pa
     for (yielding = 0; yielding < n_static && speed(yielding) > elastic / 2; yielding++);
     wall = strain_of(stress[yielding] / rho / elastic, yielding)
     passed = speed(k) * time > free # and come back
+    # Half the width of a front, 0.2 mm, before what came back from the other end, which makes another bar of the rest.
+    if (!passed && speed(k) * time + 0.2e-3 > 2 * free - elastic * (time + ramp / 2)) stop(name ": its front has been met")
     printf "%s,%.3f,%.3f,%s,%s\n", name, 100 * plateau, 100 * expected, passed ? "," : sprintf("%.0f,%.0f", 25 * front, 1e6 * speed(k) * time),
         wall == "" ? "," : sprintf("%.1f,%.1f", wall_of[name], 1e-6 * stress_of(wall)) > fronts
 }
