@@ -250,22 +250,27 @@ static void set_roles(struct variations *variations, struct vary_words words)
     if (words.resolution.index) set_role(variations, words.resolution, VARIED_RESOLUTION);
 }
 
-/* Two keys may be one place of the deck. */
+static void check_pair(struct deck_node where, const struct variation_key *a,
+                       const struct variation_key *b)
+{
+    if (a->path && b->path && a->node.index == b->node.index)
+        deck_error(where, "'%s' varies already as '%s'", a->name, b->name);
+    if (strcmp(a->name, b->name) == 0) deck_error(where, "two things are called '%s'", a->name);
+}
+
+/* Two keys may be one place of the deck, and one may be called as the numbers of the runs are. */
 static void check_places(const struct variations *variations)
 {
     for (int i = 0; i < variations->count; i++)
-        for (int j = 0; j < variations->items[i].n_keys; j++)
+        for (int j = 0; j < variations->items[i].n_keys; j++) {
+            const struct variation *now = &variations->items[i];
+            if (strcmp(now->keys[j].name, "run") == 0)
+                deck_error(now->where, "'run' is what the tables call the number of a run; call "
+                                       "this something else");
             for (int k = 0; k <= i; k++)
-                for (int l = 0; l < (k < i ? variations->items[k].n_keys : j); l++) {
-                    const struct variation_key *a = &variations->items[i].keys[j];
-                    const struct variation_key *b = &variations->items[k].keys[l];
-                    if (a->path && b->path && a->node.index == b->node.index)
-                        deck_error(variations->items[i].where, "'%s' varies already as '%s'",
-                                   a->name, b->name);
-                    if (strcmp(a->name, b->name) == 0)
-                        deck_error(variations->items[i].where, "two things are called '%s'",
-                                   a->name);
-                }
+                for (int l = 0; l < (k < i ? variations->items[k].n_keys : j); l++)
+                    check_pair(now->where, &now->keys[j], &variations->items[k].keys[l]);
+        }
 }
 
 static void count_runs(struct variations *variations)

@@ -160,6 +160,7 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     refused "2 values, expected 3" 'vary: {a: {seed: 1..3, ufg_fraction: [0.3, 0.4]}}'
     refused "'sed' does not vary here" 'vary: {seed: 1..3, scatter: sed}'
     refused "'seed' is named twice" 'vary: {seed: 1..3, scatter: seed, resolution: seed}'
+    refused "'run' is what the tables call the number of a run" 'vary: {run: {name: [a, b], seed: [1, 2]}}'
     refused "varies already as 'seed'" 'vary: {seed: 1..3, domain.seed: 1..3}'
     refused "lies within another value" 'vary: {phases: [{cg: A, ufg: B}], cg: [C]}'
     refused "more than 100000 decks" 'vary: {seed: 1..1000, ufg_fraction: [0.3, 0.4], core_distance: [0.3 mm], end_strain: [0.01, 0.02], CG.hardening.rate: 1..26}'
