@@ -52,6 +52,7 @@ STUDIES := first cells map ni-cell plate-cg errors truths flagship r40 thesis st
 .PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
 
 # A check says how many of its assertions hold, or which does not.
+small := $(if $(SMALL),/small)
 must = awk -v study=$(1) $(2) -f pipelines/must.awk -f pipelines/$(1)/check.awk
 curves = awk -v study=$(1) -v blank=all -v end=$(2) -f pipelines/must.awk -f pipelines/curve.awk
 columns = awk -f pipelines/columns.awk
@@ -60,13 +61,13 @@ first: $(RESULTS)/first/curve.csv
 	$(call curves,$@,0.04) $<
 plate-cg: $(RESULTS)/plate-cg/curve.csv
 	$(call must,$@,-v blank=all) $<
-ni-cell: $(RESULTS)/ni-cell/curve.csv
+ni-cell: $(RESULTS)/ni-cell$(small)/curve.csv
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
-flagship: $(RESULTS)/ni-hs40/curve.csv
+flagship: $(RESULTS)/ni-hs40$(small)/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
-r40: $(RESULTS)/ni-r40/curve.csv
+r40: $(RESULTS)/ni-r40$(small)/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
-thesis: $(RESULTS)/ni-hs40-thesis/curve.csv
+thesis: $(RESULTS)/ni-hs40-thesis$(small)/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.25)) $<
 errors: $(RESULTS)/errors/table.md $(if $(SMALL),,$(RESULTS)/errors/finite.csv)
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $(@:%=$(RESULTS)/%/elastic.csv) $(@:%=$(RESULTS)/%/plates.csv)
@@ -78,31 +79,35 @@ $(RESULTS)/%: SHELL := /bin/bash
 $(RESULTS)/%: .SHELLFLAGS := -o pipefail -ec
 $(RESULTS)/%: export PATH := $(abspath $(BUILD)/bin):$(PATH)
 
-# A variant is a deck in which every expression finds what it replaces.
-define VARY
-@mkdir -p $(@D)
-pipelines/vary $< $(1) > $@
+# The runs of a deck, by name: its folder in $(RESULTS), itself, the names, and lines for it, in quotes, that vary it.  What is beside the deck may be of
+# it.  A run is made anew when its own deck is another.
+# What decks wait for; tests, whose programs are there, empty it.
+BUILT ?= all
+define RUNS
+DECKS += $(RESULTS)/$(1)/study.csv
+$(RESULTS)/$(1)/study.csv: $(2) $(wildcard $(dir $(2))*.csv) pipelines/expand pipelines/csv.awk | $(BUILT)
+	pipelines/expand $$< $$(@D) $(4)
+$(3:%=$(RESULTS)/$(1)/%/deck.yaml): $(RESULTS)/$(1)/study.csv
+	@test -e $$@ || { echo "$(2) has no such run: $$@" >&2; exit 1; }
 endef
+runs = $(eval $(call RUNS,$(1),$(or $(4),pipelines/$(1)/study.yaml),$(2),$(3)))
 
-model_corner = -e 's/model: correspondence$$/model: corner/'
-formulation_corner = $(model_corner) -e '/^  stabilisation: /d' -e '/^  horizon: 1/d'
-formulation = $(formulation_$(FORMULATION))
-formulation_ =
-
-# Every run has its deck beside its results: a copy, or a variant by a rule of its own.
-PLAIN := first plate-cg ni-cell ni-hs40 ni-r40 ni-hs40-thesis
-small_ni-hs40 = -e 's/end_strain: 0.30/end_strain: 0.01/'
-small_ni-r40 = $(small_ni-hs40)
-small_ni-cell = -e 's/spacing: 2.5 um/spacing: 5 um/' -e 's/minimum_shell: 3 spacings/minimum_shell: 1 spacings/' -e 's/end_strain: 0.45/end_strain: 0.01/'
-small_ni-hs40-thesis = -e 's/end_strain: 0.25/end_strain: 0.01/'
-$(PLAIN:%=$(RESULTS)/%/study.yaml): $(RESULTS)/%/study.yaml: pipelines/%/study.yaml
-	$(call VARY,$(if $(SMALL),$(small_$*)) $(if $(filter ni-hs% ni-r%,$*),$(formulation)))
-DECKS := $(PLAIN:%=$(RESULTS)/%/study.yaml)
+# Decks of one run, and the small forms of those that have one.
+small_ni-hs40 := 'vary:\n  end: {name: [small], end_strain: [0.01]}\n'
+small_ni-r40 := $(small_ni-hs40)
+small_ni-hs40-thesis := $(small_ni-hs40)
+small_ni-cell := 'vary:\n  form: {name: [small], spacing: [5 um], minimum_shell: [1 spacings], end_strain: [0.01]}\n'
+LARGE := ni-cell ni-hs40 ni-r40 ni-hs40-thesis
+PLAIN := first plate-cg $(if $(SMALL),,$(LARGE))
+$(PLAIN:%=$(RESULTS)/%/deck.yaml): $(RESULTS)/%/deck.yaml: pipelines/%/study.yaml pipelines/expand
+	pipelines/expand $< $(@D)
+DECKS := $(PLAIN:%=$(RESULTS)/%/deck.yaml)
+$(if $(SMALL),$(foreach s,$(LARGE),$(call runs,$(s),small,$(small_$(s)))))
 
 CELLS := bcc fcc sc direction-bcc direction-fcc direction-sc jitter random interface large contrast-bcc contrast-random contrast-large size
 cells: $(RESULTS)/cells/table.csv
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
-$(RESULTS)/cells/table.csv: $(wildcard pipelines/cells/*) pipelines/vary | all
+$(RESULTS)/cells/table.csv: $(wildcard pipelines/cells/*) | all
 	pipelines/cells/run $(@D) $(if $(SMALL),small)
 	awk -f pipelines/cells/table.awk $(CELLS:%=$(@D)/%/study.csv) > $@
 DECKS += $(RESULTS)/cells/decks
@@ -129,22 +134,19 @@ hsgen $< --statistics $(@D)/statistics.csv --picture $(@D)/structure.png \
 | hssolve -j $(RANKS) $(if $(FIELDS),--output $(@D)/fields.e) 2> >(tee $(@D)/hssolve.log >&2) \
 | hspost --properties $(@D)/properties.csv --plot $(@D)/curve.svg > $@
 endef
-$(RESULTS)/%/curve.csv: $(RESULTS)/%/study.yaml | all
+$(RESULTS)/%/curve.csv: $(RESULTS)/%/deck.yaml | all
 	$(RUN)
-$(patsubst %,$(RESULTS)/%/curve.csv,ni-hs40 ni-r40 ni-hs40-thesis): FIELDS := yes
+$(patsubst %,$(RESULTS)/%$(small)/curve.csv,ni-hs40 ni-r40 ni-hs40-thesis): FIELDS := yes
 
 # The README's pipe, to the letter.
 $(RESULTS)/first/curve.csv: pipelines/first/study.yaml | all
 	@mkdir -p $(@D)
 	hsgen $< | hssolve -j $(RANKS) | hspost --plot $(@D)/curve.svg > $@
 
-$(RESULTS)/ni-hs40-horizon-%/study.yaml: pipelines/ni-hs40/study.yaml
-	$(call VARY,-e 's/^  horizon: 1 /  horizon: $* /' -e 's/^  title: HS40/&$(comma) horizon $*/')
-$(RESULTS)/ni-hs40-half-speed/study.yaml: pipelines/ni-hs40/study.yaml
-	$(call VARY,$(formulation) -e 's/10 m.s/5 m\/s/' -e 's/end_strain: 0.30/end_strain: 0.10/' -e 's/^  title: HS40/&$(comma) half the speed/')
-DECKS += $(patsubst %,$(RESULTS)/ni-hs40-%/study.yaml,horizon-2 horizon-3 half-speed)
+flagship_varied := 'vary:\n  test: {name: [horizon-2, horizon-3, half-speed], post.title: [HS40 at horizon 2, HS40 at horizon 3, HS40 at half the speed],\n    solver.horizon: [2, 3, 1], end_strain: [0.30, 0.30, 0.10],\n    boundary.1.velocity: [-10 m/s, -10 m/s, -5 m/s], boundary.2.velocity: [10 m/s, 10 m/s, 5 m/s]}\n'
+$(call runs,ni-hs40-varied,horizon-2 horizon-3 half-speed,$(flagship_varied),pipelines/ni-hs40/study.yaml)
 # Differences are those of the longer horizon against horizon 1, cost is what hssolve said at the end.
-LONGER := $(foreach h,2 3,$(RESULTS)/ni-hs40-horizon-$(h)/curve.csv)
+LONGER := $(foreach h,2 3,$(RESULTS)/ni-hs40-varied/horizon-$(h)/curve.csv)
 HORIZONS := $(RESULTS)/ni-hs40/curve.csv $(LONGER)
 $(RESULTS)/ni-hs40/horizons.csv: $(HORIZONS) pipelines/compare.awk
 	hspost -q $(HORIZONS) --plot $(@D)/horizons.svg
@@ -153,28 +155,22 @@ $(RESULTS)/ni-hs40/horizons.csv: $(HORIZONS) pipelines/compare.awk
 	awk -f pipelines/compare.awk $(HORIZONS) > $@
 
 # The faster against the slower.
-RATES := $(RESULTS)/ni-hs40/curve.csv $(RESULTS)/ni-hs40-half-speed/curve.csv
+RATES := $(RESULTS)/ni-hs40/curve.csv $(RESULTS)/ni-hs40-varied/half-speed/curve.csv
 $(RESULTS)/ni-hs40/rate.csv: $(RATES)
 	hspost -q $(RATES) --plot $(@D)/rate.svg
 	hspost -q --difference $(RATES) --strain-range 0.01:0.1 > $@
 
-# The study: one deck a material; spacing and seed are all that varies.  Seeds 2, 5 and 9 are those
-# of the first twelve at which both phases percolate at either spacing; the cells are the same.
+# The study: the bodies of bodies.csv, all with one cell structure at both spacings.
 SEEDS := $(if $(SMALL),2,2 5 9)
 STUDY := $(foreach s,$(SPACINGS),$(foreach m,cg ufg hs40 $(SEEDS:%=r40-seed%),$(RESULTS)/study/$(m)-$(s)/curve.csv))
-DECKS += $(STUDY:curve.csv=study.yaml)
+$(call runs,study,$(STUDY:$(RESULTS)/study/%/curve.csv=%))
 BOUNDS = $(foreach s,$(SPACINGS),$(RESULTS)/study/voigt-$(s).csv $(RESULTS)/study/reuss-$(s).csv)
 
-study_spacing = -e 's/^  spacing: 25 um/  spacing: $(1:um= um)/' -e 's/^  title: .*/&$(comma) $(1:um= um)/'
-define STUDY_DECKS
-$(RESULTS)/study/%-$(1)/study.yaml: pipelines/study/%.yaml
-	$$(call VARY,$$(call study_spacing,$(1)) $$(formulation))
-$(RESULTS)/study/r40-seed%-$(1)/study.yaml: pipelines/study/r40.yaml
-	$$(call VARY,-e 's/^  seed: 2 /  seed: $$* /' -e 's/^  title: R40/& seed $$*/' $$(call study_spacing,$(1)) $$(formulation))
+define STUDY_BOUNDS
 $(RESULTS)/study/voigt-$(1).csv $(RESULTS)/study/reuss-$(1).csv &: $(RESULTS)/study/cg-$(1)/curve.csv $(RESULTS)/study/ufg-$(1)/curve.csv
 	hspost -q $$^ --fraction 0.4 --strain-range 0:0.1 --voigt $$(RESULTS)/study/voigt-$(1).csv --reuss $$(RESULTS)/study/reuss-$(1).csv
 endef
-$(foreach s,$(SPACINGS),$(eval $(call STUDY_DECKS,$(s))))
+$(foreach s,$(SPACINGS),$(eval $(call STUDY_BOUNDS,$(s))))
 
 $(RESULTS)/study/figure.svg: $(STUDY) $(BOUNDS) pipelines/study/figure.gp
 	gnuplot -c pipelines/study/figure.gp $(@D) $@ $(SPACINGS)
@@ -186,18 +182,16 @@ $(RESULTS)/study/table.csv: $(STUDY) $(BOUNDS) pipelines/compare.awk
 $(RESULTS)/errors/elastic.csv: $(BUILD)/tests/physics/errors
 	@mkdir -p $(@D)
 	$< > $@
-$(RESULTS)/errors/plates.csv: pipelines/errors/plate.yaml pipelines/errors/plates | all
-	pipelines/errors/plates $< $(@D)/plates $(if $(SMALL),small) > $@
+PLATES := $(if $(SMALL),ordinary_plastic-linear-3.015-whole-none correspondence-constant-1-whole-none-mix,\
+          $(shell awk -F, '!/^#|^name|^finite/ {print $$1}' pipelines/errors/plates.csv))
+$(call runs,errors-plates,$(PLATES) finite,,pipelines/errors/plate.yaml)
+$(RESULTS)/errors/plates.csv: $(RESULTS)/errors-plates/study.csv pipelines/errors/plates | all
+	@mkdir -p $(@D)
+	pipelines/errors/plates $(<D) $(PLATES) > $@
 $(RESULTS)/errors/table.md: pipelines/errors/table.awk $(RESULTS)/errors/elastic.csv $(RESULTS)/errors/plates.csv
 	awk -F, -f $^ > $@
-$(RESULTS)/errors-finite/study.yaml: pipelines/errors/plate.yaml
-	$(call VARY,-e 's/end_strain: .*/end_strain: 0.16/' -e 's/1 m.s/4 m\/s/g')
-$(RESULTS)/errors/finite.csv: $(RESULTS)/errors-finite/curve.csv pipelines/errors/finite.awk
+$(RESULTS)/errors/finite.csv: $(RESULTS)/errors-plates/finite/curve.csv pipelines/errors/finite.awk
 	$(columns) -F, -f pipelines/errors/finite.awk $< > $@
-DECKS += $(RESULTS)/errors-finite/study.yaml $(RESULTS)/errors/plates
-.PHONY: $(RESULTS)/errors/plates
-$(RESULTS)/errors/plates:
-	pipelines/errors/plates pipelines/errors/plate.yaml $@ decks
 
 # Where stress varies: each case runs through formulations and spacings and writes rows.  What CalculiX gives comes from the folder;
 # CALCULIX=yes makes it anew.  The table goes into docs/errors.md, between its marks.
@@ -228,13 +222,7 @@ BOND_NAMES := $(foreach k,$(BOND_KINDS),$(foreach h,$(BOND_HORIZONS),$(foreach s
 BOND_PLATES := $(BOND_NAMES:%=$(RESULTS)/bond-plate/%)
 bond-plate: $(RESULTS)/bond-plate/figure.svg
 
-bond_vary = -e 's/^title: .*/title: $*/' -e 's/^  plane: .*/  plane: $(word 1,$(1))/' -e 's/^  horizon: .*/  horizon: $(word 2,$(1))/' \
-	-e 's/^  spacing: .*/  spacing: $(patsubst %mm,% mm,$(word 3,$(1)))/' -e 's/^  volumes: .*/  volumes: $(word 4,$(1))/' \
-	-e 's/^  surface_correction: .*/  surface_correction: $(word 5,$(1))/' \
-	$(if $(filter 4.015 5.015,$(word 2,$(1))),-e 's/length: 3 spacings/length: 5 spacings/')
-$(BOND_PLATES:%=%/study.yaml): $(RESULTS)/bond-plate/%/study.yaml: pipelines/bond-plate/study.yaml
-	$(call VARY,$(call bond_vary,$(subst -, ,$*)))
-DECKS += $(BOND_PLATES:%=%/study.yaml)
+$(call runs,bond-plate,$(BOND_NAMES))
 $(BOND_PLATES:%=%/curve.csv): FIELDS := yes
 $(BOND_PLATES:%=%/row.csv): %/row.csv: %/curve.csv pipelines/bond-plate/measure.awk
 	hspost --frames $(@D)/fields.e --csv --variables DisplacementX,DisplacementY > $(@D)/displacement.csv
@@ -256,17 +244,9 @@ LOADS := study strong report
 HELD := $(foreach m,madenci_oterkus ordinary,$(m)-2mm $(m)-1mm)
 load-steps: $(LOADS:%=$(RESULTS)/load-steps/%/frames.png) $(RESULTS)/load-steps/table.csv
 
-DECKS += $(LOADS:%=$(RESULTS)/load-steps/%/study.yaml) $(HELD:%=$(RESULTS)/load-steps/%/study.yaml)
-$(RESULTS)/load-steps/study/study.yaml: pipelines/load-steps/study.yaml
-	$(call VARY)
-$(RESULTS)/load-steps/strong/study.yaml: pipelines/load-steps/study.yaml
-	$(call VARY,-e 's/-150 N/-4500 N/g' -e 's/ 150 N/ 4500 N/g')
-# 12 times the load, time steps shorter by sqrt(1000) than the report's 0.4 us.
-$(RESULTS)/load-steps/report/study.yaml: pipelines/load-steps/study.yaml
-	$(call VARY,-e 's/-150 N/-1800 N/g' -e 's/ 150 N/ 1800 N/g' -e 's/safety: 0.7/safety: 0.0166/')
-$(HELD:%=$(RESULTS)/load-steps/%/study.yaml): $(RESULTS)/load-steps/%/study.yaml: pipelines/load-steps/held.yaml
-	$(call VARY,-e 's/^title: .*/title: $*/' -e 's/model: .*/model: $(word 1,$(subst -, ,$*))/' -e 's/spacing: 2 mm/spacing: $(patsubst %mm,% mm,$(word 2,$(subst -, ,$*)))/')
-$(RESULTS)/load-steps/%/fields.e: $(RESULTS)/load-steps/%/study.yaml | all
+$(call runs,load-steps,$(LOADS))
+$(call runs,load-steps/held,$(HELD),,pipelines/load-steps/held.yaml)
+$(RESULTS)/load-steps/%/fields.e: $(RESULTS)/load-steps/%/deck.yaml | all
 	$(FRAMES)
 $(RESULTS)/load-steps/%/frames.png: $(RESULTS)/load-steps/%/fields.e
 	for frame in 2 3 4 5 6 7; do hspost --frames $< --frame $$frame --picture $(@D)/step-$$(((frame - 1) * 250)).png \
@@ -274,9 +254,9 @@ $(RESULTS)/load-steps/%/frames.png: $(RESULTS)/load-steps/%/fields.e
 	touch $@
 $(RESULTS)/load-steps/%/displacement.csv: $(RESULTS)/load-steps/%/fields.e
 	hspost --frames $< --csv --variables DisplacementX,DisplacementY > $@
-$(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/%/displacement.csv) $(LOADS:%=$(RESULTS)/load-steps/%/fields.e) $(wildcard pipelines/load-steps/*.awk)
+$(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/held/%/displacement.csv) $(LOADS:%=$(RESULTS)/load-steps/%/fields.e) $(wildcard pipelines/load-steps/*.awk)
 	{ echo model,spacing,strain,poissons_ratio,end_displacement_mm,strain_error_percent,poissons_ratio_error_percent,end_displacement_error_percent; \
-	for name in $(HELD); do $(columns) -v name=$$name -f pipelines/load-steps/measure.awk $(@D)/$$name/displacement.csv; done; } > $@
+	for name in $(HELD); do $(columns) -v name=$$name -f pipelines/load-steps/measure.awk $(@D)/held/$$name/displacement.csv; done; } > $@
 	{ echo deck,frame,load_N,most_damage,damage_left,damage_right; for name in $(LOADS); do for frame in 2 3 4 5 6 7; do \
 	hspost --frames $(@D)/$$name/fields.e --frame $$frame --csv --variables ExternalForceX,Damage \
 	| awk -F, -v name=$$name,$$frame '/^[#x]/ {next} $$5 > most {most = $$5} $$1 > 0 {load += $$4*12e-9; right += $$5} $$1 < 0 {left += $$5} \
@@ -285,13 +265,9 @@ $(RESULTS)/load-steps/table.csv: $(HELD:%=$(RESULTS)/load-steps/%/displacement.c
 
 # The crack in a glass plate at two spacings: its tip through the frames, pictures.
 CRACKS := 1mm$(if $(SMALL),, 0.5mm)
-DECKS += $(CRACKS:%=$(RESULTS)/crack/%/study.yaml)
+$(call runs,crack,$(CRACKS))
 crack: $(RESULTS)/crack/figure.svg $(RESULTS)/crack/table.csv $(CRACKS:%=$(RESULTS)/crack/%/pictures)
-$(RESULTS)/crack/0.5mm/study.yaml: pipelines/crack/study.yaml
-	$(call VARY)
-$(RESULTS)/crack/1mm/study.yaml: pipelines/crack/study.yaml
-	$(call VARY,-e 's/spacing: 0.5 mm/spacing: 1 mm/')
-$(CRACKS:%=$(RESULTS)/crack/%/fields.e): %/fields.e: %/study.yaml | all
+$(CRACKS:%=$(RESULTS)/crack/%/fields.e): %/fields.e: %/deck.yaml | all
 	$(FRAMES)
 $(RESULTS)/crack/track-%.csv: $(RESULTS)/crack/%/fields.e pipelines/crack/track.awk
 	for frame in $$(hspost --frames $< | awk -F, '/^[0-9]/ {print $$1}'); do \
@@ -318,12 +294,8 @@ $(RESULTS)/strip/table.csv: $(wildcard pipelines/strip/*.awk) pipelines/strip/st
 
 # The thesis' explicit runs at both velocities, with its plasticity and without.
 IMPACTS := $(if $(SMALL),,plastic-450 plastic-45) elastic-450 elastic-45
-DECKS += $(IMPACTS:%=$(RESULTS)/thesis-impact/%/study.yaml)
+$(call runs,thesis-impact,$(IMPACTS))
 thesis-impact: $(RESULTS)/thesis-impact/table.csv $(IMPACTS:%=$(RESULTS)/thesis-impact/%/pictures)
-impact_elastic = $(if $(filter elastic,$(1)),-e 's/ordinary_plastic/ordinary/' -e '/hardening:/d' -e 's/end_time: .*/end_time: 1.2 us/')
-impact_slow = $(if $(filter 45,$(1)),-e 's/450 m.s/45 m\/s/' -e 's/end_time: 2.277/end_time: 2.776/')
-$(IMPACTS:%=$(RESULTS)/thesis-impact/%/study.yaml): $(RESULTS)/thesis-impact/%/study.yaml: pipelines/thesis-impact/study.yaml
-	$(call VARY,-e 's/^title: .*/title: $*/' $(call impact_slow,$(subst -, ,$*)) $(call impact_elastic,$(subst -, ,$*)))
 $(IMPACTS:%=$(RESULTS)/thesis-impact/%/curve.csv): FIELDS := yes
 # The wave is where half the velocity of the grips is; the front of the plastic one at 2 m/s.
 $(RESULTS)/thesis-impact/%/frames.csv: $(RESULTS)/thesis-impact/%/curve.csv pipelines/thesis-impact/frames.awk
@@ -341,12 +313,9 @@ $(RESULTS)/thesis-impact/%/pictures: $(RESULTS)/thesis-impact/%/curve.csv
 
 # The thesis' boundary conditions: one plate, four sections `boundary`.
 HOLDS := 1 2 3 4
-DECKS += $(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml)
+$(call runs,thesis-boundary,$(HOLDS),,pipelines/thesis-boundary/plate.yaml)
 thesis-boundary: $(RESULTS)/thesis-boundary/table.csv $(HOLDS:%=$(RESULTS)/thesis-boundary/%/strain.png)
-$(HOLDS:%=$(RESULTS)/thesis-boundary/%/study.yaml): $(RESULTS)/thesis-boundary/%/study.yaml: pipelines/thesis-boundary/plate.yaml pipelines/thesis-boundary/boundary-%.part
-	@mkdir -p $(@D)
-	cat $^ > $@
-$(HOLDS:%=$(RESULTS)/thesis-boundary/%/fields.e): %/fields.e: %/study.yaml | all
+$(HOLDS:%=$(RESULTS)/thesis-boundary/%/fields.e): %/fields.e: %/deck.yaml | all
 	$(FRAMES)
 $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nodes.csv): %/nodes.csv: %/fields.e
 	hspost --frames $< --csv --variables EquivalentPlasticStrain,VonMises > $@
@@ -357,16 +326,11 @@ $(RESULTS)/thesis-boundary/table.csv: $(HOLDS:%=$(RESULTS)/thesis-boundary/%/nod
 	for name in $(HOLDS); do $(columns) -v name=$$name -f pipelines/thesis-boundary/measure.awk $(@D)/$$name/nodes.csv; done; } > $@
 	$(call must,thesis-boundary,-v rows=$(words $(HOLDS))) $@
 
-# Bars that part: phase, m/s of a grip, spacing in um, and whether the interval of damage is scaled by a length.
-PARTING := $(foreach m,cg$(if $(SMALL),, ufg),$(foreach v,25$(if $(SMALL),, 5),$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(v)-$(s)-$(k)))))
-DECKS += $(PARTING:%=$(RESULTS)/fracture-spacing/%/study.yaml)
+# Bars that part: phase, whether the interval of damage is scaled by a length, m/s of a grip, and spacing in um.
+PARTING := $(foreach m,cg$(if $(SMALL),, ufg),$(foreach v,25$(if $(SMALL),, 5),$(foreach s,25 16.7 12.5,$(foreach k,local length,$(m)-$(k)-$(v)-$(s)))))
+$(call runs,fracture-spacing,$(PARTING))
 fracture-spacing: $(RESULTS)/fracture-spacing/table.csv $(if $(SMALL),,$(RESULTS)/fracture-spacing/figure.svg)
-parting_ufg = $(if $(filter ufg,$(1)),-e 's/phase: CG/phase: UFG/' -e 's/onset: 0.4$(comma) full: 0.6/onset: 0.15$(comma) full: 0.3/' -e 's/end_strain: 0.55/end_strain: 0.14/')
-parting_vary = -e 's/^title: .*/title: $*/' $(call parting_ufg,$(1)) -e 's/25 m.s/$(word 2,$(1)) m\/s/' \
-	-e 's/spacing: 25 um/spacing: $(subst 16.7,16.6666666667,$(word 3,$(1))) um/' $(if $(filter local,$(1)),-e 's/$(comma) length: 25 um//')
-$(PARTING:%=$(RESULTS)/fracture-spacing/%/study.yaml): $(RESULTS)/fracture-spacing/%/study.yaml: pipelines/fracture-spacing/study.yaml
-	$(call VARY,$(call parting_vary,$(subst -, ,$*)))
-$(RESULTS)/fracture-spacing/%/columns.csv: $(RESULTS)/fracture-spacing/%/study.yaml | all
+$(RESULTS)/fracture-spacing/%/columns.csv: $(RESULTS)/fracture-spacing/%/deck.yaml | all
 	hsgen $< | hssolve -j $(RANKS) 2> >(tee $(@D)/hssolve.log >&2) | hspost --columns > $@
 $(RESULTS)/fracture-spacing/table.csv: $(PARTING:%=$(RESULTS)/fracture-spacing/%/columns.csv) $(wildcard pipelines/fracture-spacing/*.awk)
 	{ echo phase,velocity_m_per_s,spacing_um,damage,peak_MPa,first_damage_strain,fracture_strain,opening_um,dissipated_mJ,dissipated_after_peak_mJ,damaged_um,removed_nodes,drift; \
@@ -383,26 +347,13 @@ endef
 
 # Bars that neck: laws, horizons, spacings, the other stabilisation.
 NECKS := $(if $(SMALL),cg ufg linear,cg cg-16um cg-12um cg-horizon2 cg-horizon3 cg-capped ufg linear power)
-DECKS += $(NECKS:%=$(RESULTS)/necking/%/study.yaml)
+$(call runs,necking,$(NECKS))
 necking: $(RESULTS)/necking/table.csv
-neck_fine = -e 's/spacing: .*/spacing: $(1)/'
-neck_law = -e 's/hardening: .*/hardening: {law: $(1)}/' -e 's/ step: .*/ step: $(2)/' -e 's/end_strain: .*/end_strain: $(3)/'
-neck_cg :=
-neck_cg-16um = $(call neck_fine,16.6666666666666667 um)
-neck_cg-12um = $(call neck_fine,12.5 um)
-neck_cg-horizon2 = -e 's/horizon: 1/horizon: 2/' -e 's/share: 0.1/share: 0.2/'
-neck_cg-horizon3 = -e 's/horizon: 1/horizon: 3/' -e 's/share: 0.1/share: 0.2/'
-neck_cg-capped = -e 's/law: mix, share: 0.1/law: capped/'
-neck_ufg = $(call neck_law,voce$(comma) yield: 1259.8 MPa$(comma) saturation: 564.5 MPa$(comma) rate: 238.5,0.001,0.05) -e 's/reduction: 0.001/reduction: 0.0001/'
-neck_linear = $(call neck_law,linear$(comma) yield: 185 MPa$(comma) modulus: 898 MPa,0.02,1.4)
-neck_power = $(call neck_law,swift$(comma) yield: 300 MPa$(comma) strength: 4356 MPa$(comma) exponent: 0.302,0.01,0.5) -e 's/reduction: 0.001/reduction: 0.0001/'
 exact_cg := -v law=voce -v a=182.1 -v b=513.0 -v c=5.320
 exact_ufg := -v law=voce -v a=1259.8 -v b=564.5 -v c=238.5
 exact_linear := -v law=linear -v a=185 -v b=898
 exact_power := -v law=swift -v a=300 -v b=4356 -v c=0.302
-$(NECKS:%=$(RESULTS)/necking/%/study.yaml): $(RESULTS)/necking/%/study.yaml: pipelines/necking/study.yaml
-	$(call VARY,-e 's/^title: .*/title: $*/' $(neck_$*))
-$(NECKS:%=$(RESULTS)/necking/%/history.e): %/history.e: %/study.yaml | all
+$(NECKS:%=$(RESULTS)/necking/%/history.e): %/history.e: %/deck.yaml | all
 	$(HISTORY)
 $(NECKS:%=$(RESULTS)/necking/%/row.csv): $(RESULTS)/necking/%/row.csv: $(RESULTS)/necking/%/history.e pipelines/necking/measure.awk
 	hspost -q --columns $< | $(columns) -v name=$* -v section=0.04 $(exact_$(firstword $(subst -, ,$*))) -f pipelines/necking/measure.awk > $@
@@ -411,19 +362,12 @@ $(RESULTS)/necking/table.csv: $(NECKS:%=$(RESULTS)/necking/%/row.csv) pipelines/
 	cat $(filter %.csv,$^); } > $@
 	$(call must,necking,-v rows=$(words $(NECKS))) $@
 
-# The necking bar of Simo and Hughes: an eighth of a round bar between its planes of symmetry.  A name says how many particles make the radius,
-# how many the half length; soft: a residual that flows at a third of the usual stress.  CalculiX' half comes from the folder; CALCULIX=yes makes it anew.
+# The necking bar of Simo and Hughes: an eighth of a round bar between its planes of symmetry.  CalculiX' half comes from the folder; CALCULIX=yes makes it anew.
 BARS := 3-150 6-150 6-150-soft $(if $(SMALL),,6-25 6-50 6-150-four_points 12-150 12-150-soft 12-300 12-300-soft)
 BAR_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/necking-bar/calculix.csv
-DECKS += $(BARS:%=$(RESULTS)/necking-bar/%/study.yaml)
+$(call runs,necking-bar,$(BARS))
 necking-bar: $(RESULTS)/necking-bar/table.csv
-bar_soft = -e 's/form: flowing/&$(comma) limit: 0.01/'
-bar_four_points = -e 's/form: flowing/form: four_points/'
-bar_edge = $(shell awk 'BEGIN {printf "%.17g", $(1)/$(2)}')
-$(BARS:%=$(RESULTS)/necking-bar/%/study.yaml): $(RESULTS)/necking-bar/%/study.yaml: pipelines/necking-bar/study.yaml
-	$(call VARY,-e 's/^title: .*/title: Necking bar $*/' $(bar_$(word 3,$(subst -, ,$*))) \
-	-e 's/spacing: .*/spacing: [$(call bar_edge,26.667,$(word 2,$(subst -, ,$*))) mm$(comma) $(call bar_edge,6.413,$(firstword $(subst -, ,$*))) mm$(comma) $(call bar_edge,6.413,$(firstword $(subst -, ,$*))) mm]/')
-$(BARS:%=$(RESULTS)/necking-bar/%/history.e): %/history.e: %/study.yaml | all
+$(BARS:%=$(RESULTS)/necking-bar/%/history.e): %/history.e: %/deck.yaml | all
 	hsgen -q $< -o $(@D)/whole.g --peridigm $(@D)/whole
 	awk '/^#/ || $$1 > 0 && $$2 > 0 && $$3 > 0' $(@D)/whole.txt > $(@D)/eighth.txt
 	TIMEFORMAT=%U; { time hssolve -q -j 1 -d $< -i $(@D)/eighth.txt -H $@; } 2> $(@D)/seconds
@@ -439,14 +383,11 @@ $(RESULTS)/necking-bar/table.csv: $(BARS:%=$(RESULTS)/necking-bar/%/row.csv) $(B
 	for mesh in $$(cut -d, -f1 $(BAR_STORED) | grep / | uniq); do $(columns) -F, -v mesh=$$mesh -f pipelines/necking-bar/measure.awk $(BAR_STORED); done; } > $@
 	$(call must,necking-bar,-v blank="particles forces" $(if $(SMALL),-v small=yes)) $@
 
-# Taylor's bar: a quarter of a round bar that strikes a plane of symmetry.  A name says how many particles make the radius, how many the length.
+# Taylor's bar: a quarter of a round bar that strikes a plane of symmetry.
 TAYLORS := 3-30 6-60 $(if $(SMALL),,6-120 12-120)
-DECKS += $(TAYLORS:%=$(RESULTS)/taylor-bar/%/study.yaml)
+$(call runs,taylor-bar,$(TAYLORS))
 taylor-bar: $(RESULTS)/taylor-bar/table.csv
-$(TAYLORS:%=$(RESULTS)/taylor-bar/%/study.yaml): $(RESULTS)/taylor-bar/%/study.yaml: pipelines/taylor-bar/study.yaml
-	$(call VARY,-e "s/^title: .*/title: Taylor's bar $*/" \
-	-e 's/spacing: .*/spacing: [$(call bar_edge,32.4,$(word 2,$(subst -, ,$*))) mm$(comma) $(call bar_edge,3.2,$(firstword $(subst -, ,$*))) mm$(comma) $(call bar_edge,3.2,$(firstword $(subst -, ,$*))) mm]/')
-$(TAYLORS:%=$(RESULTS)/taylor-bar/%/history.e): %/history.e: %/study.yaml | all
+$(TAYLORS:%=$(RESULTS)/taylor-bar/%/history.e): %/history.e: %/deck.yaml | all
 	hsgen -q $< -o $(@D)/whole.g --peridigm $(@D)/whole
 	awk '/^#/ || $$2 > 0 && $$3 > 0' $(@D)/whole.txt > $(@D)/quarter.txt
 	TIMEFORMAT=%U; { time hssolve -q -j 1 -d $< -i $(@D)/quarter.txt -H $@ -o $(@D)/fields.e; } 2> $(@D)/seconds
@@ -460,11 +401,9 @@ $(RESULTS)/taylor-bar/table.csv: $(TAYLORS:%=$(RESULTS)/taylor-bar/%/row.csv) pi
 
 # CG, UFG, HS40 and R40 pulled apart.
 BREAKS := cg ufg hs40 r40
-DECKS += $(BREAKS:%=$(RESULTS)/fracture/%/study.yaml)
+$(call runs,fracture,$(BREAKS))
 fracture: $(RESULTS)/fracture/table.csv $(RESULTS)/fracture/figure.svg $(BREAKS:%=$(RESULTS)/fracture/%/broken.png)
-$(BREAKS:%=$(RESULTS)/fracture/%/study.yaml): $(RESULTS)/fracture/%/study.yaml: pipelines/fracture/%.yaml
-	$(call VARY,$(formulation))
-$(BREAKS:%=$(RESULTS)/fracture/%/fields.e): %/fields.e: %/study.yaml | all
+$(BREAKS:%=$(RESULTS)/fracture/%/fields.e): %/fields.e: %/deck.yaml | all
 	$(FRAMES)
 $(BREAKS:%=$(RESULTS)/fracture/%/curve.csv): %/curve.csv: %/fields.e
 	hspost $(@D)/history.e -p $(@D)/properties.csv --plot $(@D)/curve.svg > $@
@@ -483,14 +422,9 @@ $(RESULTS)/fracture/%/broken.png: $(RESULTS)/fracture/%/fields.e
 
 # The same plate by load steps, explicit steps, and both.
 SWITCHES := static-0.001 static-0.005 static-0.01 hybrid explicit-10 explicit-4 explicit-2
-DECKS += $(SWITCHES:%=$(RESULTS)/solver-switch/%/study.yaml)
+$(call runs,solver-switch,$(SWITCHES))
 solver-switch: $(RESULTS)/solver-switch/table.csv
-switch_static = -e 's/ step: .*/ step: $(1)/'
-switch_hybrid = -e 's/type: .*/type: hybrid\n  explicit_strain: 0.05/' -e 's/2 m.s/4 m\/s/'
-switch_explicit = -e 's/type: .*/type: explicit/' -e '/ step: /d' -e 's/2 m.s/$(1) m\/s/'
-$(SWITCHES:%=$(RESULTS)/solver-switch/%/study.yaml): $(RESULTS)/solver-switch/%/study.yaml: pipelines/solver-switch/study.yaml
-	$(call VARY,-e 's/^title: .*/title: $*/' $(call switch_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))))
-$(SWITCHES:%=$(RESULTS)/solver-switch/%/history.e): %/history.e: %/study.yaml | all
+$(SWITCHES:%=$(RESULTS)/solver-switch/%/history.e): %/history.e: %/deck.yaml | all
 	hsgen -q $< -o $(@D)/domain.g
 	{ time -p hssolve -i $(@D)/domain.g -H $@; } 2> $(@D)/time
 $(SWITCHES:%=$(RESULTS)/solver-switch/%/curve.csv): %/curve.csv: %/history.e
@@ -527,18 +461,9 @@ $(RESULTS)/solvers/table.md: $(RESULTS)/solvers/runs.csv $(wildcard pipelines/so
 
 # A bar of CG by explicit steps of many kinds, against the exact curve.
 RATES_OF := static hybrid explicit-5 explicit-10 explicit-20 explicit-40 ramp-5 mass-10 mass-100 mass-1000 viscous-1e6 viscous-1e7 local-0.2 local-0.5 local-0.8
-DECKS += $(RATES_OF:%=$(RESULTS)/rates/%/study.yaml)
+$(call runs,rates,$(RATES_OF))
 rates: $(RESULTS)/rates/table.csv
-rate_static = -e 's/type: .*/type: quasi_static/' -e '/start: affine/d'
-rate_hybrid = -e 's/type: .*/type: hybrid\n  explicit_strain: 0.03/' -e '/start: affine/d'
-rate_explicit = -e 's/10 m.s/$(1) m\/s/'
-rate_ramp = -e 's/10 m.s/$(1) m\/s/' -e 's/start: affine/start: ramp\n  ramp: 5 us/'
-rate_mass = -e 's/10 m.s/5 m\/s/' -e 's/start: affine/&\n  mass_scaling: $(1)/'
-rate_viscous = -e 's/start: affine/&\n  damping: $(1) 1\/s/'
-rate_local = -e 's/start: affine/&\n  local_damping: $(1)/'
-$(RATES_OF:%=$(RESULTS)/rates/%/study.yaml): $(RESULTS)/rates/%/study.yaml: pipelines/rates/study.yaml
-	$(call VARY,-e 's/^title: .*/title: $*/' $(call rate_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))))
-$(RATES_OF:%=$(RESULTS)/rates/%/history.e): %/history.e: %/study.yaml | all
+$(RATES_OF:%=$(RESULTS)/rates/%/history.e): %/history.e: %/deck.yaml | all
 	hsgen -q $< -o $(@D)/domain.g
 	{ time -p hssolve -i $(@D)/domain.g -H $@; } 2> $(@D)/log
 $(RATES_OF:%=$(RESULTS)/rates/%/row.csv): $(RESULTS)/rates/%/row.csv: $(RESULTS)/rates/%/history.e pipelines/rates/measure.awk
@@ -552,7 +477,7 @@ $(RESULTS)/rates/table.csv: $(RATES_OF:%=$(RESULTS)/rates/%/row.csv) pipelines/r
 # come from the folder; CALCULIX=yes makes them anew.
 FE := $(RESULTS)/finite-elements
 FE_SPLITS := 1 2$(if $(SMALL),, 3 4)
-DECKS += $(FE_SPLITS:%=$(FE)/hstools-%.yaml)
+$(call runs,finite-elements,$(FE_SPLITS:%=hstools-%))
 FE_RUNS := C3D8-1-0.04 C3D8I-1-0.04 C3D8I-2-0.04 C3D20R-1-0.08 C3D20R-2-0.08
 FE_UNIFORM := C3D8I-1-0.08 C3D20R-1-0.08
 FE_STORED := $(if $(CALCULIX),$(FE),pipelines/finite-elements)
@@ -560,13 +485,11 @@ fe_um = $(word $(1),25 12.5 8.3333333333333 6.25)
 finite-elements: $(FE)/table.csv
 	@command -v ccx > /dev/null || echo "finite-elements: CalculiX' half is that of pipelines/finite-elements: anew it needs ccx"
 
-$(FE)/voxels.txt: pipelines/finite-elements/study.yaml | all
+$(FE)/voxels.txt: $(FE)/hstools-1/deck.yaml | all
 	@mkdir -p $(@D)
 	hsgen $< -o $(@D)/domain.g --statistics $(@D)/statistics.csv --picture $(@D)/structure.png --peridigm $(@D)/voxels
 define FE_HSTOOLS
-$(FE)/hstools-$(1).yaml: pipelines/finite-elements/study.yaml
-	$$(call VARY,-e 's/spacing: 25 um/spacing: $(call fe_um,$(1)) um/' -e 's/25e-6/$(call fe_um,$(1))*1e-6/')
-$(FE)/hstools-$(1).csv: $(FE)/hstools-$(1).yaml $(FE)/voxels.txt pipelines/finite-elements/split.awk pipelines/finite-elements/hstools.awk
+$(FE)/hstools-$(1).csv: $(FE)/hstools-$(1)/deck.yaml $(FE)/voxels.txt pipelines/finite-elements/split.awk pipelines/finite-elements/hstools.awk
 	awk -v by=$(1) -v spacing=25e-6 -f pipelines/finite-elements/split.awk $(FE)/voxels.txt > $(FE)/voxels-$(1).txt
 	TIMEFORMAT=%U; { time hssolve -d $$< -i $(FE)/voxels-$(1).txt -H $(FE)/hstools-$(1).e 2> >(tee $(FE)/hssolve-$(1).log >&2); } 2> $(FE)/hstools-$(1).cpu
 	hspost --columns $(FE)/hstools-$(1).e | $(columns) -F, -v spacing=$(call fe_um,$(1)) -v cpu=$$$$(tail -n 1 $(FE)/hstools-$(1).cpu) -f pipelines/finite-elements/hstools.awk > $$@
@@ -587,31 +510,20 @@ $(FE)/table.csv: $(FE_SPLITS:%=$(FE)/hstools-%.csv) $(FE_STORED)/calculix.csv pi
 	awk -F, -f pipelines/finite-elements/table.awk $(FE_STORED)/calculix.csv $(FE_SPLITS:%=$(FE)/hstools-%.csv) > $@
 	$(call must,finite-elements,-v voxels=$$(cksum < $(FE)/voxels.txt | cut -d' ' -f1) -v blank=stress_5_MPa $(if $(SMALL),-v small=yes)) $(FE_STORED)/calculix.csv $@
 
-# Unloading and reloading.  The programme is that of programme.awk: strains to which, and strains by which it is unloaded.
+# Unloading and reloading.  CalculiX has the programme of HS40 from programme.awk: strains to which, and strains by which it is unloaded.
 LOOPED := $(if $(SMALL),cg hs40,cg ufg hs40 r40-1 r40-2 r40-3)
-DECKS += $(LOOPED:%=$(RESULTS)/loops/%/study.yaml)
+$(call runs,loops,$(LOOPED))
 loops: $(RESULTS)/loops/table.csv
-loops_homogeneous = -e 's/^title: .*/title: $(1)/' -e 's/topology: harmonic/topology: homogeneous\n  phase: $(1)/' -e 's/phase: structure/phase: $(1)/' \
-    -e '/^  phases:/d' -e '/^  lattice:/d' -e '/^  core:/d' -e '/^  core_distance:/d' -e '/^  ufg_fraction:/d' -e '/^  minimum_shell:/d' -e '/^  seed:/d'
-loops_cg = $(call loops_homogeneous,CG)
-loops_ufg = $(call loops_homogeneous,UFG)
-loops_r40 = -e 's/^title: .*/title: R40/' -e 's/topology: harmonic/topology: random\n  override: true/' -e '/^  lattice:/d' -e '/^  minimum_shell:/d' \
-    -e 's/core_distance: .*/core_distance: 0.1 mm/' -e 's/seed: 1/seed: $(1)/'
 loops_to := 0.005 0.01 0.02 0.03 0.04
-loops_down_cg := 0.0024 0.0028 0.0034 0.0038
-loops_down_ufg := 0 0.0158 0.0197 0.0197
 loops_down := 0.0017 0.0026 0.0034 0.004
-$(LOOPED:%=$(RESULTS)/loops/%/study.yaml): $(RESULTS)/loops/%/study.yaml: pipelines/loops/study.yaml pipelines/loops/programme.awk
-	$(call VARY,$(call loops_$(firstword $(subst -, ,$*)),$(word 2,$(subst -, ,$*))) $(model_$(FORMULATION)))
-	awk -v formulation="$(FORMULATION)" -v to="$(loops_to)" -v down="$(or $(loops_down_$*),$(loops_down))" -f pipelines/loops/programme.awk >> $@
-$(LOOPED:%=$(RESULTS)/loops/%/history.e): %/history.e: %/study.yaml | all
+$(LOOPED:%=$(RESULTS)/loops/%/history.e): %/history.e: %/deck.yaml | all
 	hsgen -q $< | hssolve -q -j $(RANKS) -H $@
 LOOPS_STORED := $(if $(CALCULIX),$(RESULTS),pipelines)/loops/calculix.csv
 $(RESULTS)/loops/calculix.csv: $(FE)/voxels.txt $(addprefix pipelines/,loops/programme.awk loops/calculix.awk finite-elements/mesh.awk finite-elements/split.awk finite-elements/curve.awk)
 	@mkdir -p $(@D)/calculix
 	awk -v by=1 -v spacing=25e-6 -f pipelines/finite-elements/split.awk $< | \
 	awk -v element=C3D8I -v spacing=25e-6 -v weights=$(@D)/calculix/weights.txt -f pipelines/finite-elements/mesh.awk > $(@D)/calculix/mesh.inp
-	awk -v to="$(loops_to)" -v down="$(loops_down)" -v calculix=1 -f pipelines/loops/programme.awk > $(@D)/calculix/amplitude
+	awk -v to="$(loops_to)" -v down="$(loops_down)" -f pipelines/loops/programme.awk > $(@D)/calculix/amplitude
 	awk -v to="$(loops_to)" -f pipelines/loops/calculix.awk $(@D)/calculix/amplitude $(@D)/calculix/mesh.inp > $(@D)/calculix/bar.inp
 	cd $(@D)/calculix && OMP_NUM_THREADS=1 ccx bar > ccx.log && tail -n 1 bar.sta | awk '$$7 < 8.99 {exit 1}'
 	{ echo '# title: HS40 by CalculiX'; awk -f pipelines/finite-elements/curve.awk $(@D)/calculix/weights.txt $(@D)/calculix/bar.dat | cut -d, -f1,2; } > $@
@@ -633,63 +545,24 @@ $(RESULTS)/loops/table.csv: $(LOOPED:%=$(RESULTS)/loops/%/history.e) $(RESULTS)/
 
 # One harmonic geometry at three spacings, by load steps to 10 %.
 FINER := 25um 12.5um$(if $(SMALL),, 8.33um)
-DECKS += $(FINER:%=$(RESULTS)/spacings/%/study.yaml)
+$(call runs,spacings,$(FINER))
 spacings: $(RESULTS)/spacings/table.csv
-spacing_25um := -e 's/^title: HS40, spacings/& at 25 um/'
-spacing_12.5um := -e 's/spacing: 25 um/spacing: 12.5 um/'
-spacing_8.33um := -e 's/spacing: 25 um/spacing: 8.333333333333333 um/'
-$(FINER:%=$(RESULTS)/spacings/%/study.yaml): $(RESULTS)/spacings/%/study.yaml: pipelines/spacings/study.yaml
-	$(call VARY,$(spacing_$*) $(formulation))
 $(RESULTS)/spacings/table.csv: $(FINER:%=$(RESULTS)/spacings/%/curve.csv) $(wildcard pipelines/spacings/*.awk)
 	$(columns) -v names="$(FINER)" -f pipelines/spacings/table.awk $(filter %.csv,$^) > $@
 	$(call must,spacings) $@
 
 # The calibrations of the thesis (table 5), row by row.
-ROWS := 01 02 03 04 05 06 07 08 09 10 11 12 13 14 14-whole 15 15-whole 16 17 18 19 20
-DECKS += $(ROWS:%=$(RESULTS)/thesis-calibration/%/study.yaml)
+ROWS := 01 02 03 04 05 06 07 08 09 10 11 12 13 14 14-whole 15 15-whole 18 19 20
+MEASURED := $(ROWS) plates/16 plates/17 # the last two: a harmonic plate in place of the specimen
+$(call runs,thesis-calibration,$(ROWS))
+$(call runs,thesis-calibration/plates,16 17,,pipelines/thesis-calibration/plates.yaml)
 thesis-calibration: $(RESULTS)/thesis-calibration/table.csv
-row_stretch = -e 's/value: 0.002/value: $(1)/' -e 's/ step: 0.0005/ step: $(2)/' -e 's/first_step: 0.00002/first_step: $(3)/'
-row_harder = -e 's/modulus: 898 MPa/modulus: 2100 MPa/'
-row_ufg = -e 's/yield: 185 MPa/yield: 1502 MPa/'
-row_whole = -e '/^damage:/,/critical_stretch/d' -e 's/ step: 0.0005/ step: 0.005/' -e 's/end_strain: 0.05/end_strain: $(1)/'
-row_crack = -e 's/^boundary:/cracks:\n  - {rectangle: [[0, $(1)], [0, $(2), 0], [0, 0, $(3)]]}\n\n&/'
-row_explicit = -e 's/type: quasi_static/type: explicit\n  safety: $(1)/' -e '/step:/d' -e '/break_at_once/d' -e '/end_load/d' -e 's/end_strain: .*/end_time: 200 us/' -e 's/1 mm.s/10 m\/s/'
-# A harmonic plate in place of the specimen, of 25 um and of 25 mm.
-row_structure = -e '/^  specimen:/,/^  grips:/d' -e 's/^domain:/&\n  specimen: plate\n  size: [1.6 $(1), 0.4 $(1), 0.2 $(1)]\n  spacing: 0.025 $(1)\n  topology: harmonic\n  phases: {cg: M, ufg: UFG}\n  lattice: fcc\n  core: cell\n  core_distance: 0.25 $(1)\n  ufg_fraction: 0.40\n  seed: 1\n  grips: {length: 2 spacings, phase: structure}\n  gauge: {length: 0.8 $(1)}/' \
-	-e 's/^damage:/  UFG: {model: correspondence, density: 7850 kg\/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: linear, yield: 1502 MPa, modulus: 4356 MPa}}\n\n&/' \
-	-e 's/pair: \[M, M\], law: critical_stretch, value: 0.002/pair: [M, M], law: critical_stretch, value: 0.01/' -e 's/end_strain: 0.05/end_strain: 0.004/'
-row_01 := -e 's/^title: .*/title: row 1/'
-row_02 := $(call row_stretch,0.0005,0.00005,0.00001)
-row_03 := $(call row_stretch,0.0001,0.00001,0.000005)
-row_04 := $(call row_stretch,0.0002,0.00002,0.00001)
-row_05 := $(call row_stretch,0.0002,0.00001,0.000005)
-row_06 := $(row_harder) $(row_04)
-row_07 := $(row_harder) $(call row_stretch,0.00005,0.000005,0.000002)
-row_08 := $(row_harder) $(call row_stretch,0.00005,0.0000025,0.000001)
-row_flaw = $(row_harder) $(call row_stretch,0.001,0.0001,0.00001) -e 's/\(hardening: .*\)/\1\n    flaw: {centre: [0, 0, 0], radius: $(1) mm, reduction: 0.3}/'
-row_09 := $(call row_flaw,0.5)
-row_10 := $(call row_flaw,4)
-row_cracked = $(row_harder) $(call row_stretch,0.0001,0.00001,0.000005) $(1)
-row_11 := $(call row_cracked,$(call row_crack,-3 mm$(comma) -1.3 mm,1.3 mm,1.3 mm))
-row_12 := $(call row_cracked,$(call row_crack,-2 mm$(comma) -0.9 mm,4 mm,1.8 mm))
-row_13 := $(call row_cracked,$(call row_crack,-6 mm$(comma) -2 mm,12 mm,4 mm)) -e 's/end_strain: 0.05/end_steps: 4/' -e 's/ step: 0.00001/ step: 1 ms/' -e 's/first_step: 0.000005/first_step: 1 ms/'
-row_14 := $(row_ufg) $(call row_stretch,0.00425,0.0005,0.00002)
-row_14-whole := $(row_ufg) $(call row_whole,0.02) -e 's/ step: 0.005/ step: 0.0005/'
-row_15 := $(row_ufg) -e 's/modulus: 898/modulus: 4356/' $(call row_stretch,0.02,0.001,0.00002)
-row_15-whole := $(row_ufg) -e 's/modulus: 898/modulus: 4356/' $(call row_whole,0.10)
-row_16 := $(row_harder) $(call row_structure,mm)
-row_17 := $(row_harder) $(call row_structure,m)
-row_18 := $(row_harder) $(call row_explicit,0.4) -e 's/value: 0.002/value: 0.01/'
-row_19 := -e 's/model: .*/model: correspondence_elastic/' -e '/hardening:/d' $(call row_explicit,0.1) -e 's/value: 0.002/value: 0.02/'
-row_20 := -e 's/model: .*/model: ordinary/' -e '/hardening:/d' -e '/stabilisation/d' -e 's/horizon: 1 /horizon: 3 /' $(call row_explicit,0.4) -e 's/value: 0.002/value: 0.02/'
-$(ROWS:%=$(RESULTS)/thesis-calibration/%/study.yaml): $(RESULTS)/thesis-calibration/%/study.yaml: pipelines/thesis-calibration/study.yaml
-	$(call VARY,-e 's/^title: .*/title: row $*/' $(row_$*))
-$(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e): %/history.e: %/study.yaml | all
+$(MEASURED:%=$(RESULTS)/thesis-calibration/%/history.e): %/history.e: %/deck.yaml | all
 	$(HISTORY)
-$(RESULTS)/thesis-calibration/table.csv: $(ROWS:%=$(RESULTS)/thesis-calibration/%/history.e) $(wildcard pipelines/thesis-calibration/*.awk)
-	{ echo row,largest_stress_MPa,strain_there,broken,strain_at_the_end,broken_bonds,energy_drift; for name in $(ROWS); do \
-	hspost -q --columns $(@D)/$$name/history.e | $(columns) -v name=$$name -f pipelines/thesis-calibration/measure.awk; done; } > $@
-	$(call must,thesis-calibration,-v rows=$(words $(ROWS))) $@
+$(RESULTS)/thesis-calibration/table.csv: $(MEASURED:%=$(RESULTS)/thesis-calibration/%/history.e) $(wildcard pipelines/thesis-calibration/*.awk)
+	{ echo row,largest_stress_MPa,strain_there,broken,strain_at_the_end,broken_bonds,energy_drift; for name in $(MEASURED); do \
+	hspost -q --columns $(@D)/$$name/history.e | $(columns) -v name=$${name#plates/} -f pipelines/thesis-calibration/measure.awk; done; } > $@
+	$(call must,thesis-calibration,-v rows=$(words $(MEASURED))) $@
 
 # The decks of all studies, and of the runs of `make bench`.
 decks: $(DECKS)

@@ -32,7 +32,7 @@ END {
         if (!parted && force[k] > 0.99 * peak) high = k
         if (k > n / 10 && drifts[k] > most) most = drifts[k]
     }
-    printf "%s,%s,%s,%s,%.2f,%.4f,%.4f,%.2f,%.4f,%.4f,%.1f,%d,%.2g\n", is[1], is[2], is[3], is[4], peak / 0.02, extension[damaged] / 0.5e-3,
+    printf "%s,%s,%s,%s,%.2f,%.4f,%.4f,%.2f,%.4f,%.4f,%.1f,%d,%.2g\n", is[1], is[3], is[4], is[2], peak / 0.02, extension[damaged] / 0.5e-3,
            parted ? extension[parted] / 0.5e-3 : "nan", parted ? 1e6 * (extension[parted] - extension[damaged]) : "nan",
            1e3 * dissipated[n], 1e3 * (dissipated[n] - dissipated[high]), width, removed, most
 }

@@ -1,6 +1,6 @@
 # A deck of ../finite-elements/mesh.awk with the programme of a looped test instead of its one pull:
 #   awk -v to="0.005 ... 0.04" -f calculix.awk amplitude mesh.inp > bar.inp
-# amplitude is what programme.awk -v calculix=1 prints; the last strain is that of the prescribed displacement.
+# amplitude is what programme.awk prints; the last strain is that of the prescribed displacement.
 BEGIN { n = split(to, up, " ") }
 FNR == NR {
     amplitude = amplitude $0 "\n"
