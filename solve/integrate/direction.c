@@ -4,44 +4,37 @@
 #include "simd.h"
 
 #include <math.h>
+#include <string.h>
 
 float *direction_new(const struct unknowns *unknowns)
 {
     return memory_new((size_t)unknowns->length, sizeof(float));
 }
 
-/* Largest magnitude so far, and 0, or not a number where one is not finite; in lanes of their own.
- */
-HS_SIMD static void find_largest(int64_t count, const float *restrict d, float *restrict largest,
-                                 float *restrict nothing)
+/* The bits of magnitudes are in the order of these, infinity and what is no number at the end. */
+HS_SIMD static uint32_t find_largest(int64_t count, const float *d)
 {
-    enum { WIDTH = 16 };
-    float most[WIDTH] = {0}, sum[WIDTH] = {0};
-    for (int64_t i = 0; i < count; i += WIDTH) {
-        const int lanes = count - i < WIDTH ? (int)(count - i) : WIDTH;
-        for (int k = 0; k < lanes; k++) {
-            const float size = fabsf(d[i + k]);
-            most[k] = size > most[k] ? size : most[k];
-            sum[k] += 0 * size;
-        }
+    uint32_t largest = 0;
+    for (int64_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, &d[i], sizeof bits);
+        bits &= INT32_MAX;
+        largest = bits > largest ? bits : largest;
     }
-    for (int k = 0; k < WIDTH; k++) {
-        *largest = most[k] > *largest ? most[k] : *largest;
-        *nothing += sum[k];
-    }
+    return largest;
 }
 
 double direction_largest(const struct unknowns *unknowns, const float *d, double *of_nodes)
 {
     const int64_t n = 3 * unknowns->n_nodes;
-    float nodes = 0, largest, nothing = 0;
-    find_largest(n, d, &nodes, &nothing);
-    largest = nodes;
-    find_largest(unknowns->length - n, d + n, &largest, &nothing);
-    double least[] = {nothing == 0 ? 0 : -1, -largest, -nodes};
+    const uint32_t bits[] = {find_largest(n, d), find_largest(unknowns->length - n, d + n)};
+    float largest[2];
+    memcpy(largest, bits, sizeof largest);
+    const bool finite = isfinite(largest[0]) && isfinite(largest[1]);
+    double least[] = {finite ? 0 : -1, -largest[0], -largest[1]};
     ranks_minimum(least, 3);
-    *of_nodes = -least[2];
-    return least[0] < 0 ? NAN : -least[1];
+    *of_nodes = -least[1];
+    return least[0] < 0 ? NAN : fmax(-least[1], -least[2]);
 }
 
 HS_SIMD static void subtract(int64_t count, const float *restrict x, float *restrict d)

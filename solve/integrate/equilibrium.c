@@ -208,26 +208,25 @@ static double norm_of_loads(struct equilibrium *e)
     return sqrt(square);
 }
 
-/* g = - unbalanced() of the free components of a strip; its squares are added to a sum, a node's
- * three as one term. */
-HS_SIMD static void take_strip(int count, const double *const f[3], const double *const b[3],
-                               const double *weight, const uint8_t *const mask[3],
-                               double *const g[3], struct exact_sum *square)
+/* g = - unbalanced() of the free components of a strip along one axis. */
+HS_SIMD static void take_strip(int count, const double *restrict f, const double *restrict b,
+                               const double *restrict weight, const uint8_t *restrict mask,
+                               double *restrict g)
 {
-    const double *f_x = f[0], *f_y = f[1], *f_z = f[2], *b_x = b[0], *b_y = b[1], *b_z = b[2];
-    const uint8_t *m_x = mask[0], *m_y = mask[1], *m_z = mask[2];
-    double *g_x = g[0], *g_y = g[1], *g_z = g[2];
+    for (int i = 0; i < count; i++) g[i] = mask[i] > 0 ? (f[i] + b[i]) * -weight[i] : 0;
+}
+
+/* Adds squares to a sum, a node's three as one term. */
+HS_SIMD static void add_squares(int count, int64_t stride, const double *restrict g,
+                                struct exact_sum *square)
+{
+    const double *restrict g_y = g + stride, *restrict g_z = g_y + stride;
     const double high = square->high, low = square->low;
     double top = 0, bottom = 0;
 #pragma omp simd reduction(+ : top, bottom)
     for (int i = 0; i < count; i++) {
-        const double w = -weight[i], all_x = (f_x[i] + b_x[i]) * w, all_y = (f_y[i] + b_y[i]) * w,
-                     all_z = (f_z[i] + b_z[i]) * w;
-        const double x = m_x[i] ? all_x : 0, y = m_y[i] ? all_y : 0, z = m_z[i] ? all_z : 0,
-                     term = x * x + y * y + z * z, part = (term + high) - high;
-        g_x[i] = x;
-        g_y[i] = y;
-        g_z[i] = z;
+        const double term = g[i] * g[i] + g_y[i] * g_y[i] + g_z[i] * g_z[i],
+                     part = (term + high) - high;
         top += part;
         bottom += ((term - part) + low) - low;
     }
@@ -257,17 +256,13 @@ static struct exact_sum take_unbalanced(const struct equilibrium *e, double boun
     int64_t at = 0;
     for (int i = 0; i < LANES; i++) whole[i] = 1;
     for (int64_t s = 0; s < body->owned.count; at += body->owned.items[s++].count) {
-        const double *f[3], *b[3];
-        const uint8_t *mask[3];
-        double *out[3];
-        for (int a = 0; a < 3; a++) {
-            f[a] = body->f[a] + body->owned.items[s].site;
-            b[a] = body->b[a] ? body->b[a] + body->owned.items[s].site : none;
-            mask[a] = e->unknowns.free + a * n + at;
-            out[a] = g + a * n + at;
-        }
-        take_strip(body->owned.items[s].count, f, b, e->weights ? e->weights + at : whole, mask,
-                   out, &square);
+        const int64_t site = body->owned.items[s].site;
+        const int count = body->owned.items[s].count;
+        for (int a = 0; a < 3; a++)
+            take_strip(count, body->f[a] + site, body->b[a] ? body->b[a] + site : none,
+                       e->weights ? e->weights + at : whole, e->unknowns.free + a * n + at,
+                       g + a * n + at);
+        add_squares(count, n, g + at, &square);
     }
     take_mean_unbalanced(e, g);
     for (int64_t i = 3 * n; i < e->unknowns.length; i++) exact_sum_add(&square, g[i] * g[i]);

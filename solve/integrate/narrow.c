@@ -6,9 +6,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Nodes of a block, and bits of the two parts of a vector's numbers: (3 B)^1/2 2^HIGH and
- * 3 B 2^(LOW - 1) times 2^15 are below 2^31. */
-enum { BLOCK = 256, HIGH = 11, LOW = 7 };
+/* Nodes of a block, and bits of the two parts of a vector's numbers: B^1/2 2^HIGH and B 2^(LOW - 1)
+ * times 2^15 are below 2^31. */
+enum { BLOCK = 512, HIGH = 11, LOW = 7 };
 
 struct narrow narrow_new(const struct unknowns *unknowns)
 {
@@ -92,12 +92,17 @@ HS_SIMD static double multiply(int nodes, int64_t stride, const int16_t *restric
                                const struct block *restrict y)
 {
     const int16_t *restrict d_y = d + stride, *restrict d_z = d_y + stride;
-    int32_t high = 0, low = 0;
+    int32_t h_x = 0, h_y = 0, h_z = 0, l_x = 0, l_y = 0, l_z = 0;
     for (int i = 0; i < nodes; i++) {
-        high += d[i] * y->high[0][i] + d_y[i] * y->high[1][i] + d_z[i] * y->high[2][i];
-        low += d[i] * y->low[0][i] + d_y[i] * y->low[1][i] + d_z[i] * y->low[2][i];
+        h_x += d[i] * y->high[0][i];
+        h_y += d_y[i] * y->high[1][i];
+        h_z += d_z[i] * y->high[2][i];
+        l_x += d[i] * y->low[0][i];
+        l_y += d_y[i] * y->low[1][i];
+        l_z += d_z[i] * y->low[2][i];
     }
-    return (double)((int64_t)high * (1 << LOW) + low);
+    const int64_t high = (int64_t)h_x + h_y + h_z, low = (int64_t)l_x + l_y + l_z;
+    return (double)(high * (1 << LOW) + low);
 }
 
 void narrow_products(const struct unknowns *unknowns, int count, const struct narrow *const d[],

@@ -2,8 +2,8 @@
  * 2^-15 of the largest of their nodes' numbers.
  *
  * The products of such with a vector, which is cut to 2^-18 of its norm, are sums of integers: they
- * have no rounding, whatever their order.  Of a block of B nodes no sum of magnitudes is beyond
- * (3 B)^1/2 2^15 times the vector's norm (Cauchy, Schwarz), so that 32 bits hold it. */
+ * have no rounding, whatever their order.  Of a component of B nodes no sum of magnitudes is beyond
+ * B^1/2 2^15 times the vector's norm (Cauchy, Schwarz), so that 32 bits hold it. */
 #ifndef HS_NARROW_H
 #define HS_NARROW_H
 

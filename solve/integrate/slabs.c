@@ -39,7 +39,7 @@ static void make_columns(struct slabs *slabs)
     shares_start(&slabs->joined, slabs->ranks);
     if (size == 1) return;
     slabs->out = memory_new((size_t)slabs->cut.all, sizeof(float));
-    slabs->columns = memory_new((size_t)slabs->joined.all, sizeof(float));
+    slabs->columns = memory_new((size_t)slabs->joined.all + SLABS_SPARE, sizeof(float));
 }
 
 static void find_columns(struct slabs *slabs, int a)
@@ -79,7 +79,7 @@ struct slabs slabs_new(const struct box box[3], struct ranks ranks)
         slab->columns = shares_count(slab->plane, ranks.rank, ranks.size);
     }
     slabs.n_values = planes_before(&slabs, 3, ranks.rank);
-    slabs.values = memory_new((size_t)slabs.n_values, sizeof(float));
+    slabs.values = memory_new((size_t)slabs.n_values + SLABS_SPARE, sizeof(float));
     make_columns(&slabs);
     for (int a = 0; a < 3; a++) {
         slabs.slab[a].values = slabs.values + planes_before(&slabs, a, ranks.rank);

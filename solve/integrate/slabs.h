@@ -9,6 +9,10 @@
 #include "box.h"
 #include "shares.h"
 
+/* Numbers behind the values and the columns that may be read and written as they are: who takes
+ * some together need not stop at the last. */
+enum { SLABS_SPARE = 16 };
+
 /* The box of one component. */
 struct slab {
     int size[3];     /* places along a row, across rows, across planes */

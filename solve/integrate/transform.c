@@ -221,18 +221,53 @@ bool transform_is_crowded(const struct transform *transform)
     return transform->crowded;
 }
 
+typedef float row __attribute__((vector_size(WIDTH * sizeof(float))));
+
+/* Numbers of two rows that are so far apart change places. */
+#define LOWER(k, apart) ((k) & (apart) ? WIDTH + (k) - (apart) : (k))
+#define UPPER(k, apart) ((k) & (apart) ? WIDTH + (k) : (k) + (apart))
+#define FOUR(PLACE, k, apart)                                                                      \
+    PLACE(k, apart), PLACE(k + 1, apart), PLACE(k + 2, apart), PLACE(k + 3, apart)
+#define PLACES(PLACE, apart)                                                                       \
+    FOUR(PLACE, 0, apart), FOUR(PLACE, 4, apart), FOUR(PLACE, 8, apart), FOUR(PLACE, 12, apart)
+#define EXCHANGE(rows, apart)                                                                      \
+    for (int i = 0; i < WIDTH; i++) {                                                              \
+        if (i & (apart)) continue;                                                                 \
+        const row a = (rows)[i], b = (rows)[i + (apart)];                                          \
+        (rows)[i] = __builtin_shufflevector(a, b, PLACES(LOWER, apart));                           \
+        (rows)[i + (apart)] = __builtin_shufflevector(a, b, PLACES(UPPER, apart));                 \
+    }
+_Static_assert(WIDTH == 16, "places of a row");
+
+/* A square of WIDTH rows of WIDTH numbers, turned. */
+HS_INLINE void turn_square(const float *from, int64_t from_row, float *to, int64_t to_row)
+{
+    row rows[WIDTH];
+    for (int i = 0; i < WIDTH; i++) memcpy(&rows[i], from + i * from_row, sizeof rows[i]);
+    EXCHANGE(rows, 1)
+    EXCHANGE(rows, 2)
+    EXCHANGE(rows, 4)
+    EXCHANGE(rows, 8)
+    for (int i = 0; i < WIDTH; i++) memcpy(to + i * to_row, &rows[i], sizeof rows[i]);
+}
+
 /* WIDTH lines, or fewer, next to each other into their lanes, and back. */
 HS_SIMD static void load_rows(int lines, int n, const float *restrict values,
                               float (*restrict room)[WIDTH])
 {
-    for (int i = 0; i < n; i++)
+    int i = 0;
+    for (; lines == WIDTH && i + WIDTH <= n; i += WIDTH) turn_square(values + i, n, room[i], WIDTH);
+    for (; i < n; i++)
         for (int l = 0; l < lines; l++) room[i][l] = values[(int64_t)l * n + i];
 }
 HS_SIMD static void store_rows(int lines, int n, float *restrict values,
                                const float (*restrict room)[WIDTH])
 {
+    int first = 0;
+    for (; lines == WIDTH && first + WIDTH <= n; first += WIDTH)
+        turn_square(room[first], WIDTH, values + first, n);
     for (int l = 0; l < lines; l++)
-        for (int i = 0; i < n; i++) values[(int64_t)l * n + i] = room[i][l];
+        for (int i = first; i < n; i++) values[(int64_t)l * n + i] = room[i][l];
 }
 
 static void along_rows(struct transform *transform, int a, bool back)
@@ -249,20 +284,51 @@ static void along_rows(struct transform *transform, int a, bool back)
     }
 }
 
-/* Numbers of a row into the lanes from the first on, and back. */
-HS_INLINE void load_row(int lines, const float *values, float room[WIDTH], int first)
+/* Lanes from the first on, so many, as bits of numbers. */
+struct lanes {
+    uint32_t bits[WIDTH];
+};
+HS_INLINE struct lanes lanes_of(int first, int lines)
 {
-    if (lines == WIDTH)
-        memcpy(room, values, WIDTH * sizeof *room);
-    else
-        for (int l = 0; l < lines; l++) room[first + l] = values[l];
+    struct lanes lanes;
+    for (int l = 0; l < WIDTH; l++)
+        lanes.bits[l] = l >= first && l < first + lines ? UINT32_MAX : 0;
+    return lanes;
 }
-HS_INLINE void store_row(int lines, float *values, const float room[WIDTH], int first)
+/* Those of a row, beside what is there. */
+HS_INLINE void put_lanes(const struct lanes *lanes, const float *from, float *to)
 {
-    if (lines == WIDTH)
-        memcpy(values, room, WIDTH * sizeof *room);
-    else
-        for (int l = 0; l < lines; l++) values[l] = room[first + l];
+    uint32_t given[WIDTH], there[WIDTH];
+    memcpy(given, from, sizeof given);
+    memcpy(there, to, sizeof there);
+    for (int l = 0; l < WIDTH; l++)
+        there[l] = (given[l] & lanes->bits[l]) | (there[l] & ~lanes->bits[l]);
+    memcpy(to, there, sizeof there);
+}
+
+/* Rows of numbers into so many lanes from the first on, and back; what lies beside them is read and
+ * written as it is, too, so that whole rows of lanes are taken. */
+HS_SIMD static void load_lines(int first, int n, const float *values, int64_t apart,
+                               float (*room)[WIDTH])
+{
+    const struct lanes lanes = lanes_of(first, WIDTH);
+    for (int i = 0; i < n; i++) put_lanes(&lanes, values + i * apart - first, room[i]);
+}
+HS_SIMD static void store_lines(int first, int lines, int n, float *values, int64_t apart,
+                                float (*room)[WIDTH])
+{
+    const struct lanes lanes = lanes_of(first, lines);
+    for (int i = 0; i < n; i++) put_lanes(&lanes, room[i], values + i * apart - first);
+}
+HS_SIMD static void load_columns(int n, float *const *turned, int64_t first, float (*room)[WIDTH])
+{
+    for (int p = 0; p < n; p++) memcpy(room[p], turned[p] + first, sizeof room[p]);
+}
+HS_SIMD static void store_columns(int lines, int n, float *const *turned, int64_t first,
+                                  float (*room)[WIDTH])
+{
+    const struct lanes lanes = lanes_of(0, lines);
+    for (int p = 0; p < n; p++) put_lanes(&lanes, room[p], turned[p] + first);
 }
 
 /* Lines of several planes share lanes. */
@@ -279,11 +345,9 @@ static void across_rows(struct transform *transform, int a, bool back)
                           lines = (int)(wide - x < WIDTH - first ? wide - x : WIDTH - first);
                 float *values = slab->values + plane * slab->plane + x;
                 if (storing)
-                    for (int i = 0; i < n; i++)
-                        store_row(lines, values + (int64_t)i * wide, transform->other[i], first);
+                    store_lines(first, lines, n, values, wide, transform->other);
                 else
-                    for (int i = 0; i < n; i++)
-                        load_row(lines, values + (int64_t)i * wide, transform->room[i], first);
+                    load_lines(first, n, values, wide, transform->room);
                 at += lines;
             }
             if (!storing)
@@ -305,12 +369,11 @@ static void divide(struct transform *transform, int a)
     for (int64_t tile = 0; tile < tiles(slab); tile++) {
         const int64_t first = tile * WIDTH, left = slab->columns - first;
         const int lines = left < WIDTH ? (int)left : WIDTH;
-        for (int p = 0; p < n; p++) load_row(lines, slab->turned[p] + first, transform->room[p], 0);
+        load_columns(n, slab->turned, first, transform->room);
         waves_transform(waves, false, transform->room, transform->other);
         multiply((int64_t)n * WIDTH, transform->inverse[a] + tile * n * WIDTH, transform->other[0]);
         waves_transform(waves, true, transform->other, transform->room);
-        for (int p = 0; p < n; p++)
-            store_row(lines, slab->turned[p] + first, transform->room[p], 0);
+        store_columns(lines, n, slab->turned, first, transform->room);
     }
 }
 
@@ -340,8 +403,7 @@ static void divide_coupled(struct transform *transform)
         float(*other[3])[WIDTH], **inverse = transform->inverse;
         for (int a = 0; a < 3; a++) {
             other[a] = transform->other + (int64_t)a * transform->longest;
-            for (int p = 0; p < n; p++)
-                load_row(lines, slab[a].turned[p] + first, transform->room[p], 0);
+            load_columns(n, slab[a].turned, first, transform->room);
             waves_transform(transform->waves[a][2], false, transform->room, other[a]);
         }
         multiply_coupled((int64_t)n * WIDTH, inverse[0] + at, inverse[1] + at, inverse[2] + at,
@@ -349,8 +411,7 @@ static void divide_coupled(struct transform *transform)
                          other[1][0], other[2][0]);
         for (int a = 0; a < 3; a++) {
             waves_transform(transform->waves[a][2], true, other[a], transform->room);
-            for (int p = 0; p < n; p++)
-                store_row(lines, slab[a].turned[p] + first, transform->room[p], 0);
+            store_columns(lines, n, slab[a].turned, first, transform->room);
         }
     }
 }
