@@ -147,6 +147,70 @@ confined_stress='
     awk -v coarse="${above[16]}" -v fine="${above[32]}" 'BEGIN { exit !(0 < fine && 1.5 * fine < coarse && coarse < 0.1) }'
 }
 
+# cell_modulus CONTRAST LOAD DOMAIN: share of UFG, and modulus of a cell of hsgen whose UFG is as many times stiffer: bulk (K), axial (M), shear (G)
+cell_modulus() {
+    local load given
+    case $2 in
+    K) given='{component: xx, rate: 1 1/s}, {component: yy, rate: 1 1/s}, {component: zz, rate: 1 1/s}' ;;
+    M) given=$confined ;;
+    G) given=${confined//xy, strain: 0/xy, rate: 1 1\/s} given=${given/xx, rate: 1 1\/s/xx, strain: 0} ;;
+    esac
+    cat >cell.yaml <<END
+domain: {specimen: plate, periodic: [x, y, z], $3}
+materials:
+  CG: {model: corner, density: 8900, law: elastic, youngs_modulus: 20 GPa, poissons_ratio: 0.3}
+  UFG: {model: corner, density: 8900, law: elastic, youngs_modulus: $((20 * $1)) GPa, poissons_ratio: 0.2}
+macroscopic: [$given]
+solver: {end_time: 1e-6, step: 1e-6, tolerance: 1e-7}
+END
+    hsgen -q cell.yaml | hssolve -q --history cell.e
+    ncdump -p 9,17 -h cell.e | awk '/phase_UFG_fraction/ { printf "%s ", $3 }'
+    last cell.e mean_stress_xx_Pa mean_stress_xy_Pa mean_gradient_xx mean_gradient_xy |
+        awk -v load="$2" '{ printf "%.12g\n", load == "G" ? $2 / $4 : $1 / $3 / (load == "K" ? 3 : 1) }'
+}
+harmonic='topology: harmonic, lattice: bcc, core_distance: 0.0866025403784 mm, minimum_shell: 1 spacings'
+filled='size: [0.1 mm, 0.1 mm, 0.1 mm], phases: {cg: CG, ufg: UFG}, core: cell, ufg_fraction: 0.4, seed: 1, override: true'
+# awk: K and G of the two, of this contrast
+phases='function phases(contrast) {
+    K[1] = 20e9 / 3 / 0.4; G[1] = 20e9 / 2.6; K[2] = 20e9 * contrast / 3 / 0.6; G[2] = 20e9 * contrast / 2.4 }'
+
+# For a mean strain that is given whole, the energy lies between those of Voigt's and Reuss' moduli (Hill, Proc. Phys. Soc. A 65 (1952)
+# 349), whatever the symmetry.
+@test "harmonic, random and image cells at contrasts 3 and 10: bulk modulus, shear and axial stiffness within Voigt and Reuss" {
+    for domain in "$harmonic, spacing: 6.25 um, $filled" "topology: random, core_distance: 40 um, spacing: 6.25 um, $filled" \
+        "topology: image, image: $BATS_TEST_DIRNAME/../data/images/stack.tif, voxel: 10 um, spacing: 5 um, mirror: [x, y, z], labels: {CG: [1, 3], UFG: [2, 4..5]}"; do
+        for contrast in 3 10; do
+            for load in K M G; do echo "$contrast $load $(cell_modulus $contrast $load "$domain")"; done
+        done
+    done >moduli
+    awk "$phases"'
+        function mean(a, b) { return (1 - c) * a + c * b }
+        { c = $3; phases($1)
+          high["K"] = mean(K[1], K[2]); high["G"] = mean(G[1], G[2])
+          low["K"] = 1 / mean(1 / K[1], 1 / K[2]); low["G"] = 1 / mean(1 / G[1], 1 / G[2])
+          high["M"] = high["K"] + 4 / 3 * high["G"]; low["M"] = low["K"] + 4 / 3 * low["G"]
+          share = ($4 - low[$2]) / (high[$2] - low[$2])
+          print $0, "share", share
+          if (!(c > 0.2 && c < 0.8 && share > 0 && share < 1)) bad = 1 }
+        END { exit bad || NR != 18 }' moduli
+}
+
+# Hashin, Shtrikman, 1963: a stiff shell around each core is what their upper bound is made of.  The voxels lift the modulus at 16 to an
+# edge by 0.2 % and less, which takes it beyond the bound where the phases are 3:1; the limit of 16 and 32 is below it.
+@test "a harmonic cell's bulk modulus is next to Hashin's and Shtrikman's upper bound, in the limit below it" {
+    for contrast in 3 10; do
+        for spacing in 6.25 3.125; do cell_modulus $contrast K "$harmonic, spacing: $spacing um, $filled"; done >moduli
+        awk -v contrast=$contrast "$phases"'
+            { c = $1; phases(contrast)
+              low = K[1] + c / (1 / (K[2] - K[1]) + (1 - c) / (K[1] + 4 * G[1] / 3))
+              high = K[2] + (1 - c) / (1 / (K[1] - K[2]) + c / (K[2] + 4 * G[2] / 3))
+              share[NR] = ($2 - low) / (high - low); off[NR] = $2 / high - 1 }
+            END { limit = 2 * share[2] - share[1]
+                  print "shares", share[1], share[2], limit, "beyond", off[1]
+                  exit !(off[1] < 2e-3 && share[2] < share[1] && limit > 0.95 && limit < 1) }' moduli
+    done
+}
+
 # Eshelby, Proc. R. Soc. A 241 (1957) 376: the strain in a sphere is uniform, and that of the matrix far away times 1/3 alpha + 2/3
 # beta.  The matrix' mean strain takes the place of the far one (Mori, Tanaka), at 2.8 % of the volume.  What is left is the error of
 # the voxels, which falls with the 0.7th to 0.9th power of them: 11 per cent at 6 to the radius.
