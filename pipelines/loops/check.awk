@@ -6,7 +6,7 @@ FNR == 1 { next }
     curve = $1
     flow = $5
     back = $11
-    # A node hardens isotropically: a homogeneous plate has no back stress, to 1 %
+    # A node hardens isotropically: a homogeneous body has no back stress, to 1 %
     if (curve ~ /^(CG|UFG)$/) {
         must(back != "" && size(back) <= 0.01 * flow, curve " has a back stress of " back " of " flow " MPa in loop " $2)
         homogeneous[curve]++
@@ -21,7 +21,7 @@ FNR == 1 { next }
     if (curve == "Cell by CalculiX") their_cell[$2] = back "," flow
 }
 END {
-    must(homogeneous["CG"] == 4 && (small || homogeneous["UFG"] == 3), "loops of homogeneous plates are missing")
+    must(homogeneous["CG"] == 4 && (small || homogeneous["UFG"] == 3), "loops of homogeneous bodies are missing")
     # By finite elements of the same voxels, which are as coarse: flow stress to 5 %, back stress to 10 %
     for (loop = 2; loop <= 4; loop++) {
         split(ours[loop], a, ",")
