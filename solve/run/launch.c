@@ -55,6 +55,9 @@ static void set_environment(void)
     setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 0);
     setenv("OMPI_MCA_osc", "^ucx", 0);
     setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0); /* leave the core to others while waiting */
+    /* Ranks say themselves what is wrong; of Open MPI 4 and 5. */
+    setenv("OMPI_MCA_orte_execute_quiet", "1", 0);
+    setenv("PRTE_MCA_prte_execute_quiet", "1", 0);
 }
 
 /* mpirun would kill the ranks a second after these.  It passes SIGUSR1 on to them, who then end in
@@ -73,9 +76,8 @@ static void leave_signals_to_parent(void)
 static void become_mpirun(const struct arguments *a, const char *input, const char *history)
 {
     char *self = realpath("/proc/self/exe", NULL), *ranks = memory_print("%d", a->ranks);
-    const char *argv[32] = {"mpirun", "--quiet", "--oversubscribe", "--bind-to", "none", "-np",
-                            ranks,    self};
-    int n = 8;
+    const char *argv[32] = {"mpirun", "--oversubscribe", "--bind-to", "none", "-np", ranks, self};
+    int n = 7;
     argv[n++] = "--input";
     argv[n++] = input;
     if (a->deck) {
@@ -170,7 +172,8 @@ int launch_ranks(const struct arguments *a)
     char *deck_path = a->deck ? seen_by_others(deck.path) : NULL;
     within.deck = deck_path;
     char *folder = spool_folder(); /* of these ranks alone: others' runs come and go beside them */
-    setenv("OMPI_MCA_orte_tmpdir_base", folder, 1);
+    setenv("OMPI_MCA_orte_tmpdir_base", folder, 1); /* Open MPI 4 */
+    setenv("PRTE_MCA_prte_tmpdir_base", folder, 1); /* 5 */
     pid_t child = fork();
     if (child < 0) die_run("cannot fork: %s", strerror(errno));
     if (child == 0) become_mpirun(&within, input_path, history_path);
