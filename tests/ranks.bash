@@ -16,3 +16,12 @@ same_as_one() {
     cmp 1/history.e "$1/history.e"
     cmp 1/fields.e "$1/fields.e"
 }
+
+# own_words COMMAND...: what it says on either output, without what Open MPI 5 says of the end of ranks, between lines of dashes,
+# which nothing turns off
+own_words() {
+    local code=0
+    "$@" >said 2>&1 || code=$?
+    sed '/^---*$/,/^---*$/d' said
+    return "$code"
+}

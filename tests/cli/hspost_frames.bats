@@ -32,6 +32,12 @@ DECK
     hsgen -q study.yaml | hssolve -q -o fields.e > history.e
 }
 
+# fills SVG: colour and outline of each area, as cairo 1.16 writes them, and 1.18
+fills() {
+    sed '/<defs>/,/<\/defs>/d; s/, /,/g' "$1" |
+        sed -n 's/.*<path.*fill-rule\(:\|="\)nonzero.*fill\(:\|="\)\(rgb([^)]*)\).* d="\([^"]*\)".*/\3 \4/p'
+}
+
 setup() {
     cd "$BATS_TEST_TMPDIR" || return 1
     fields="$BATS_FILE_TMPDIR/fields.e"
@@ -93,7 +99,7 @@ rows() { grep -v '^#' "$1" | sed 1d; }
     hspost --frames "$fields" --picture phase.svg --variables Phase
     hspost --frames "$fields" --csv --variables Phase --slice z > phase.csv
     # the second phase's colour, 0.00, 0.45, 0.70, which its name has, too
-    squares=$(($(grep -o ' stroke:none;fill-rule:nonzero;fill:rgb(0%,45%,70%)' phase.svg | wc -l) - 1))
+    squares=$(($(fills phase.svg | grep -c '^rgb(0%,45%,70%)') - 1))
     [ "$squares" -gt 0 ]
     [ "$squares" -eq "$(rows phase.csv | grep -c ',1$')" ]
 }
@@ -119,12 +125,12 @@ rows() { grep -v '^#' "$1" | sed 1d; }
     hspost --frames "$fields" --picture first.svg --variables VonMises --frame 1 --range all
     hspost --frames "$fields" --csv --variables VonMises --slice z | rows - | cut -d, -f4 | sort -g | tail -1 >most
     # which the first frame, without a stress, does not reach: all its cells have the colour of the least
-    [ "$(grep -o 'fill-rule:nonzero;fill:rgb(19.2%,7.6%,36.2%)' first.svg | wc -l)" -ge 144 ]
+    [ "$(fills first.svg | grep -c '^rgb(19.2%,7.6%,36.2%)')" -ge 144 ]
     refused "is for pictures" --frame all
 }
 
 @test "grips and gauge are marked below a layer along the axis" {
-    black() { grep -c 'fill-rule:nonzero;fill:rgb(0%,0%,0%);.* d="M [0-9.]* [0-9.]* L' "$1"; }
+    black() { fills "$1" | grep -c '^rgb(0%,0%,0%) M [0-9.]* [0-9.]* L'; }
     hspost --frames "$fields" --picture along.svg --variables Phase
     hspost --frames "$fields" --picture across.svg --variables Phase --slice x
     # a line with two ends for each of the grips and for the gauge, beside the scale bar
@@ -135,7 +141,7 @@ rows() { grep -v '^#' "$1" | sed 1d; }
 @test "the body cut open shows as many faces as one that is whole" {
     hspost --frames "$fields" --picture body.svg --variables Phase --isometric
     # seen along a diagonal a corner cut out hides nothing and adds nothing: 24 x 6 + 24 x 4 + 6 x 4 faces; two names
-    [ "$(grep ' stroke:none;fill-rule:nonzero' body.svg | grep -vc 'rgb(0%,0%,0%)\|rgb(100%,100%,100%)')" -eq $((264 + 2)) ]
+    [ "$(fills body.svg | grep -vc 'rgb(0%,0%,0%)\|rgb(100%,100%,100%)')" -eq $((264 + 2)) ]
     refused "at rest" --picture body.svg --variables Phase --isometric --deformed 2
     refused "one variable" --picture body.svg --variables Phase,VonMises --isometric
 }

@@ -3,6 +3,7 @@
 bats_require_minimum_version 1.5.0
 
 load ../columns
+load ../ranks
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     cat >study.yaml <<'DECK'
@@ -70,7 +71,7 @@ all_finite() {
 refused() {
     local code=$1 text=$2
     shift 2
-    run hssolve -q -H out.e "$@"
+    run own_words hssolve -q -H out.e "$@"
     if [ "$status" -ne "$code" ] || [ "${#lines[@]}" -ne 1 ] || [[ "$output" != *"$text"* ]]; then
         echo "hssolve $*: exit $status, expected $code with '$text' in one line; said:"
         echo "$output"
@@ -248,12 +249,12 @@ wrong() {
 @test "mpirun and -j give the same, and mpirun without a name for the history is refused" {
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     hssolve -q -j 2 -i domain.g -H launched.e
-    mpirun --quiet --oversubscribe -np 2 hssolve -q -i domain.g -H mpirun.e
+    mpirun --oversubscribe -np 2 hssolve -q -i domain.g -H mpirun.e
     diff <(numbers launched.e) <(numbers mpirun.e)
-    run mpirun --quiet --oversubscribe -np 2 hssolve -q -i domain.g
+    run mpirun --oversubscribe -np 2 hssolve -q -i domain.g
     [ "$status" -eq 2 ]
     [[ "$output" == *"the history needs a name"* ]]
-    run mpirun --quiet --oversubscribe -np 2 hssolve -q -j 3 -i domain.g -H out.e
+    run mpirun --oversubscribe -np 2 hssolve -q -j 3 -i domain.g -H out.e
     [ "$status" -eq 2 ]
     [[ "$output" == *"leave one of them out"* ]]
 }

@@ -1,6 +1,7 @@
 # Bodies at the edge of what can be run: one layer, nothing that pulls, everything broken, far apart.
 
 bats_require_minimum_version 1.5.0
+load ../ranks
 
 setup() {
     cd "$BATS_TEST_TMPDIR"
@@ -87,7 +88,7 @@ column() {
     [ "${#lines[@]}" -eq 1 ]
     [[ "$output" == *"no node acts on another"* ]]
     change 's/horizon: 3.015/horizon: 1/' # where the linear influence function is zero
-    run hssolve -q -H out.e -j 2 -i changed.g
+    run own_words hssolve -q -H out.e -j 2 -i changed.g
     [ "$status" -eq 2 ]
     [[ "${lines[0]}" == *"no node acts on another"* ]]
     [ "${#lines[@]}" -eq 1 ]

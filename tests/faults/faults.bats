@@ -147,7 +147,7 @@ after() {
                 "$rank" "$BATS_FILE_TMPDIR/faults.so" "$n" "$(command -v hssolve)" >ranked
             chmod +x ranked
             code=0
-            mpirun --quiet --allow-run-as-root --oversubscribe --bind-to none -np 2 ./ranked -q -i "$BATS_FILE_TMPDIR/s.g" -H s.e -o f.e --checkpoint s.checkpoint >/dev/null 2>&1 || code=$?
+            mpirun --allow-run-as-root --oversubscribe --bind-to none -np 2 ./ranked -q -i "$BATS_FILE_TMPDIR/s.g" -H s.e -o f.e --checkpoint s.checkpoint >/dev/null 2>&1 || code=$?
             whole s.e
             [ "$code" -ne 0 ] || [ -e s.e ]
             kills=$((kills + (code != 0)))
