@@ -35,6 +35,7 @@ static const char head[] = "# Made by hsgen --study; made anew by it.\n"
 
 /* With a resolution, curves and figure at the spacing 0. */
 static const char extrapolation[] =
+    "EXTRAPOLATED = gathered/extrapolated.csv\n"
     "EXTRAPOLATE = hspost -q --files-from gathered/files --extrapolate gathered/extrapolated.csv "
     "\\\n"
     "    --extrapolate-properties gathered/extrapolated_properties.csv \\\n"
@@ -44,12 +45,13 @@ static const char sensitivity[] = "SENSITIVITY = --sensitivities gathered/sensit
 
 static const char rules[] =
     "\n"
-    "all: gathered/tidy.csv\n"
+    "all: gathered/tidy.csv $(EXTRAPOLATED)\n"
     "\t@$(REPORT)\n"
     "runs: $(RUNS:%=%/curve.csv)\n"
     "\t@$(REPORT)\n"
     "gathered:\n"
     "\t@$(GATHER)\n"
+    "\t$(EXTRAPOLATE)\n"
     "report:\n"
     "\t@$(LIST)\n"
     "\thspost -q --files-from gathered/files --report gathered/report.html \\\n"
@@ -101,6 +103,11 @@ static const char rules[] =
     "gathered/tidy.csv: $(RUNS:%=%/curve.csv)\n"
     "\t@$(GATHER)\n"
     "\n"
+    "# Behind the others: where it fails, they are there.\n"
+    "gathered/extrapolated.csv: gathered/tidy.csv\n"
+    "\t@$(LIST)\n"
+    "\t$(EXTRAPOLATE)\n"
+    "\n"
     "# The numbers of the runs are the first column of study.csv.\n"
     "NUMBERS = sed -e 1d -e 's/,.*//' study.csv\n"
     "\n"
@@ -120,7 +127,6 @@ static const char rules[] =
     "\n"
     "define GATHER\n"
     "$(LIST)\n"
-    "$(EXTRAPOLATE)\n"
     "hspost -q --files-from gathered/files --properties gathered/properties.csv $(SENSITIVITY) "
     "\\\n"
     "    --mean gathered/mean.csv --statistics gathered/statistics.csv \\\n"

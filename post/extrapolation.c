@@ -12,6 +12,7 @@
 
 static const double mega = 1e6;
 static const double least_order = 0.5, largest_order = 3;
+static const double same_spacing = 1e-6; /* relative: 25 um and 0.025 mm */
 /* Roache's factors of safety, of an order that was observed and of one that is assumed. */
 static const double safety_observed = 1.25, safety_assumed = 3;
 
@@ -96,6 +97,13 @@ static char *title_without(const struct label *label)
     return title;
 }
 
+static bool has_spacing(const struct extrapolation *e, double spacing)
+{
+    for (int k = 0; k < e->count; k++)
+        if (fabs(e->spacing[k] / spacing - 1) < same_spacing) return true;
+    return false;
+}
+
 /* Puts a group in its place, the finest first. */
 static void insert(struct extrapolation *to, int group, double spacing)
 {
@@ -132,58 +140,125 @@ static double mean_over(const struct group *group, const double strain[], long n
     return sum;
 }
 
-static void make_curve(struct extrapolation *e, const struct group groups[], double order)
+/* Strains that all have; false: there are none. */
+static bool in_common(const struct group means[], int count, double *begin, double *end)
 {
-    const long n = groups[e->groups[0]].n;
+    *begin = 0;
+    *end = INFINITY;
+    for (int k = 0; k < count; k++) {
+        if (means[k].n == 0) return false;
+        *begin = fmax(*begin, means[k].strain[0]);
+        *end = fmin(*end, means[k].strain[means[k].n - 1]);
+    }
+    return *begin < *end;
+}
+
+/* Means of the groups' curves that are paired. */
+static bool fill_curve(struct extrapolation *e, const struct group means[], double order)
+{
+    double begin, end;
+    if (!in_common(means, e->count, &begin, &end)) return false;
+    const long n = means[0].n;
     struct group *curve = &e->curve;
     *curve = (struct group){.title = e->title, .count = e->count, .n = n};
     double **columns[] = {&curve->strain, &curve->mean, &curve->deviation, &curve->least};
     for (int j = 0; j < 4; j++) *columns[j] = memory_new((size_t)n, sizeof(double));
-    double begin = 0, end = INFINITY;
-    for (int k = 0; k < e->count; k++) {
-        begin = fmax(begin, groups[e->groups[k]].strain[0]);
-        end = fmin(end, groups[e->groups[k]].strain[n - 1]);
-    }
     for (long i = 0; i < n; i++)
         curve->strain[i] = begin + (end - begin) * (double)i / (double)(n - 1);
     double *values = memory_new((size_t)e->count, sizeof *values);
-    for (int k = 0; k < e->count; k++)
-        values[k] = mean_over(&groups[e->groups[k]], curve->strain, n);
+    for (int k = 0; k < e->count; k++) values[k] = mean_over(&means[k], curve->strain, n);
     e->all = limit_of(e->spacing, values, e->count, order);
     for (long i = 0; i < n; i++) {
-        for (int k = 0; k < e->count; k++)
-            values[k] = mean_at(&groups[e->groups[k]], curve->strain[i]);
+        for (int k = 0; k < e->count; k++) values[k] = mean_at(&means[k], curve->strain[i]);
         const struct limit limit = with_order(e->spacing, values, e->all.order, e->all.observed);
         curve->mean[i] = limit.value;
         curve->deviation[i] = limit.band;
         curve->least[i] = values[0];
     }
     free(values);
+    return true;
+}
+
+/* Titles of the groups at each spacing; the caller frees the list. */
+static const char **titles_of(const struct extrapolation *e, const struct group groups[])
+{
+    const char **titles = memory_new((size_t)e->count, sizeof *titles);
+    for (int k = 0; k < e->count; k++) titles[k] = groups[e->groups[k]].title;
+    return titles;
+}
+
+/* false: no curve is paired, or they have no strain in common. */
+static bool make_curve(struct extrapolation *e, const struct group groups[],
+                       const struct analysis analyses[], const struct label labels[], int n_labels,
+                       double order)
+{
+    const char **titles = titles_of(e, groups);
+    struct pairing pairing = pairing_make(labels, n_labels, NULL, titles, e->count);
+    struct group *means = memory_new((size_t)e->count, sizeof *means);
+    e->curves = pairing.each[0];
+    e->left_out = pairing.left_out;
+    for (int k = 0; e->curves > 0 && k < e->count; k++)
+        means[k] = group_of(analyses, titles[k], pairing.curves[k], pairing.each[k]);
+    const bool made = e->curves > 0 && fill_curve(e, means, order);
+    groups_free(means, e->count);
+    pairing_free(&pairing);
+    free(titles);
+    return made;
+}
+
+static void free_one(struct extrapolation *e)
+{
+    free(e->title);
+    free(e->groups);
+    free(e->spacing);
+    group_free(&e->curve);
+}
+
+/* Groups from this one on that differ from it in the spacing alone. */
+static struct extrapolation gather(const struct group groups[], int n_groups, int g,
+                                   const struct label labels[], bool done[])
+{
+    struct extrapolation e = {0};
+    const struct label *label = &labels[groups[g].first];
+    for (int k = g; k < n_groups; k++) {
+        const struct label *other = &labels[groups[k].first];
+        if (done[k] || !resolution_of(other) || !labels_differ_in(label, other, VARIED_RESOLUTION))
+            continue;
+        done[k] = true;
+        if (has_spacing(&e, spacing_of(other)))
+            warn("%s: left out of the extrapolation, another has this spacing", other->title);
+        else
+            insert(&e, k, spacing_of(other));
+    }
+    e.title = title_without(label);
+    return e;
 }
 
 struct extrapolation *extrapolations_make(const struct group groups[], int n_groups,
-                                          const struct label labels[], double order, int *count)
+                                          const struct analysis analyses[],
+                                          const struct label labels[], int n_labels, double order,
+                                          int *count)
 {
     struct extrapolation *all = memory_new((size_t)n_groups, sizeof *all);
     bool *done = memory_new((size_t)n_groups, sizeof *done);
     *count = 0;
     for (int g = 0; g < n_groups; g++) {
-        const struct label *label = &labels[groups[g].first];
-        if (done[g] || !resolution_of(label)) continue;
-        struct extrapolation *e = &all[*count];
-        for (int k = g; k < n_groups; k++) {
-            const struct label *other = &labels[groups[k].first];
-            if (done[k] || !resolution_of(other) ||
-                !labels_differ_in(label, other, VARIED_RESOLUTION))
-                continue;
-            done[k] = true;
-            insert(e, k, spacing_of(other));
-        }
-        e->title = title_without(label);
-        if (e->count > 1)
-            make_curve(&all[(*count)++], groups, order);
+        if (done[g] || !resolution_of(&labels[groups[g].first])) continue;
+        struct extrapolation e = gather(groups, n_groups, g, labels, done);
+        const bool several = e.count > 1;
+        const bool made = several && make_curve(&e, groups, analyses, labels, n_labels, order);
+        if (!several) warn("%s: one spacing alone, nothing to extrapolate", e.title);
+        if (several && !made)
+            warn("%s: no %s that all spacings have, nothing to extrapolate", e.title,
+                 e.curves > 0 ? "strain" : "scatter (seed)");
+        if (made && e.left_out > 0)
+            warn("%s: %d of %d curves left out of the extrapolation, whose scatter (seed) not all "
+                 "spacings have",
+                 e.title, e.left_out, e.left_out + e.count * e.curves);
+        if (made)
+            all[(*count)++] = e;
         else
-            warn("%s: one spacing alone, nothing to extrapolate", e->title);
+            free_one(&e);
     }
     free(done);
     return all;
@@ -191,21 +266,13 @@ struct extrapolation *extrapolations_make(const struct group groups[], int n_gro
 
 void extrapolations_free(struct extrapolation extrapolations[], int count)
 {
-    for (int k = 0; k < count; k++) {
-        free(extrapolations[k].title);
-        free(extrapolations[k].groups);
-        free(extrapolations[k].spacing);
-        free(extrapolations[k].curve.strain);
-        free(extrapolations[k].curve.mean);
-        free(extrapolations[k].curve.deviation);
-        free(extrapolations[k].curve.least);
-    }
+    for (int k = 0; k < count; k++) free_one(&extrapolations[k]);
     free(extrapolations);
 }
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-/* group, what varied but the spacing and the scatter, number of spacings. */
+/* group, what varied but the spacing and the scatter. */
 static void write_begin(FILE *file, const struct extrapolation *e, const struct label *label,
                         const struct varied_columns *columns)
 {
@@ -235,7 +302,8 @@ void extrapolations_write(FILE *file, const struct extrapolation extrapolations[
     struct varied_columns columns = varied_columns_questions(labels, n_labels);
     fputs("group", file);
     varied_columns_heading(file, &columns, VARIED_QUESTION);
-    fputs(",spacings,engineering_strain,finest_stress_MPa,extrapolated_stress_MPa,error_MPa,order,"
+    fputs(",curves,left_out,spacings,engineering_strain,finest_stress_MPa,extrapolated_stress_MPa,"
+          "error_MPa,order,"
           "order_from\n",
           file);
     for (int k = 0; k < count; k++) {
@@ -244,7 +312,7 @@ void extrapolations_write(FILE *file, const struct extrapolation extrapolations[
             const struct limit limit = {e->curve.mean[i], e->curve.deviation[i], e->all.order,
                                         e->all.observed};
             write_begin(file, e, &labels[groups[e->groups[0]].first], &columns);
-            fprintf(file, ",%d,", e->count);
+            fprintf(file, ",%d,%d,%d,", e->curves, e->left_out, e->count);
             csv_number(file, e->curve.strain[i]);
             write_limit(file, e->curve.least[i], &limit, mega);
         }
@@ -252,27 +320,38 @@ void extrapolations_write(FILE *file, const struct extrapolation extrapolations[
     varied_columns_free(&columns);
 }
 
-int extrapolation_of(const struct extrapolation *e, const struct group groups[],
-                     const struct properties lists[], const struct label labels[], int n_labels,
-                     const char *name, double order, double *finest, struct limit *limit)
+struct extrapolated extrapolation_of(const struct extrapolation *e, const struct group groups[],
+                                     const struct properties lists[], const struct label labels[],
+                                     int n_labels, const char *name, double order)
 {
+    struct extrapolated found = {.finest = NAN, .limit = {NAN, NAN, NAN, false}};
+    const char **titles = titles_of(e, groups);
     double *values = memory_new((size_t)e->count, sizeof *values);
     double *spacing = memory_new((size_t)e->count, sizeof *spacing);
-    int there = 0;
     for (int g = 0; g < e->count; g++) {
-        const double value = group_mean(lists, labels, n_labels, groups[e->groups[g]].title, name);
-        if (isnan(value)) continue;
-        values[there] = value;
-        spacing[there++] = e->spacing[g];
+        struct pairing alone = pairing_of(lists, labels, n_labels, name, &titles[g], 1);
+        if (alone.each[0] > 0) {
+            titles[found.spacings] = titles[g];
+            spacing[found.spacings++] = e->spacing[g];
+        }
+        pairing_free(&alone);
     }
-    if (there > 0 && spacing[0] > e->spacing[0]) there = 0;
-    if (there > 0) {
-        *finest = values[0];
-        *limit = limit_of(spacing, values, there, order);
+    if (found.spacings > 0 && spacing[0] > e->spacing[0]) found.spacings = 0;
+    struct pairing pairing = pairing_of(lists, labels, n_labels, name, titles, found.spacings);
+    for (int g = 0; g < found.spacings; g++)
+        values[g] = group_statistic(lists, pairing.curves[g], pairing.each[g], name).mean;
+    found.curves = found.spacings ? pairing.each[0] : 0;
+    found.left_out = pairing.left_out;
+    if (found.curves == 0) found.spacings = 0;
+    if (found.spacings > 0) {
+        found.finest = values[0];
+        found.limit = limit_of(spacing, values, found.spacings, order);
     }
+    pairing_free(&pairing);
+    free(titles);
     free(values);
     free(spacing);
-    return there;
+    return found;
 }
 
 void extrapolations_write_properties(FILE *file, const struct extrapolation extrapolations[],
@@ -283,25 +362,25 @@ void extrapolations_write_properties(FILE *file, const struct extrapolation extr
     struct varied_columns columns = varied_columns_questions(labels, n_labels);
     fputs("group", file);
     varied_columns_heading(file, &columns, VARIED_QUESTION);
-    fputs(",property,symbol,unit,spacings,finest,extrapolated,error,order,order_from\n", file);
+    fputs(",property,symbol,unit,curves,left_out,spacings,finest,extrapolated,error,order,order_"
+          "from\n",
+          file);
     for (int k = 0; k < count; k++) {
         const struct extrapolation *e = &extrapolations[k];
         const int first = groups[e->groups[0]].first;
         for (int i = 0; i < lists[first].count; i++) {
             const struct property *property = &lists[first].items[i];
-            double finest;
-            struct limit limit;
-            const int there = extrapolation_of(e, groups, lists, labels, n_labels, property->name,
-                                               order, &finest, &limit);
-            if (there == 0) continue;
+            const struct extrapolated found =
+                extrapolation_of(e, groups, lists, labels, n_labels, property->name, order);
+            if (found.spacings == 0) continue;
             write_begin(file, e, &labels[first], &columns);
             const char *const texts[] = {property->name, property->symbol, property->unit};
             for (int j = 0; j < 3; j++) {
                 fputc(',', file);
                 csv_text(file, texts[j]);
             }
-            fprintf(file, ",%d", there);
-            write_limit(file, finest, &limit, 1);
+            fprintf(file, ",%d,%d,%d", found.curves, found.left_out, found.spacings);
+            write_limit(file, found.finest, &found.limit, 1);
         }
     }
     varied_columns_free(&columns);

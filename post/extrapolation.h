@@ -3,7 +3,7 @@
 #ifndef HS_EXTRAPOLATION_H
 #define HS_EXTRAPOLATION_H
 
-#include "group.h"
+#include "pairing.h"
 #include "varied_columns.h"
 
 /* Richardson's extrapolation of values at rising spacings, the finest first, and the error of the
@@ -27,30 +27,41 @@ struct extrapolation {
     int count;        /* of spacings */
     int *groups;      /* [count] indices, the finest first */
     double *spacing;  /* [count] SI */
+    int curves;       /* at each spacing that are paired: of a scatter that all spacings have */
+    int left_out;     /* of all spacings: not paired */
     struct limit all; /* its order is the whole curve's: of the areas between the curves */
     /* The finest mean, extrapolated (mean), and its band (deviation), on strains that all have;
      * least: the finest mean itself. */
     struct group curve;
 };
 
-/* Of groups as groups_make makes them; *count is their number. */
+/* Of groups as groups_make makes them of these curves; *count is their number.  Means are over the
+ * curves alone whose scatter all spacings have. */
 struct extrapolation *extrapolations_make(const struct group groups[], int n_groups,
-                                          const struct label labels[], double order, int *count);
+                                          const struct analysis analyses[],
+                                          const struct label labels[], int n_labels, double order,
+                                          int *count);
 void extrapolations_free(struct extrapolation extrapolations[], int count);
 
-/* CSV: group, what varied, spacings, engineering_strain, finest_stress_MPa,
+/* CSV: group, what varied, curves, left_out, spacings, engineering_strain, finest_stress_MPa,
  * extrapolated_stress_MPa, error_MPa, order, order_from. */
 void extrapolations_write(FILE *file, const struct extrapolation extrapolations[], int count,
                           const struct group groups[], const struct label labels[], int n_labels);
 
-/* Of a property, its mean at the finest spacing, and what it goes to; returns at how many spacings
- * it has a value: none where the finest has not, from which nothing is extrapolated then. */
-int extrapolation_of(const struct extrapolation *extrapolation, const struct group groups[],
-                     const struct properties lists[], const struct label labels[], int n_labels,
-                     const char *name, double order, double *finest, struct limit *limit);
+/* A property of a body. */
+struct extrapolated {
+    int spacings; /* that have a value; 0: the finest has none, and nothing is extrapolated */
+    int curves, left_out; /* as of the body, of the curves that have a value */
+    double finest;        /* mean at the finest spacing */
+    struct limit limit;
+};
+struct extrapolated extrapolation_of(const struct extrapolation *extrapolation,
+                                     const struct group groups[], const struct properties lists[],
+                                     const struct label labels[], int n_labels, const char *name,
+                                     double order);
 
-/* CSV: group, what varied, property, symbol, unit, spacings, finest, extrapolated, error, order,
- * order_from. */
+/* CSV: group, what varied, property, symbol, unit, curves, left_out, spacings, finest,
+ * extrapolated, error, order, order_from. */
 void extrapolations_write_properties(FILE *file, const struct extrapolation extrapolations[],
                                      int count, const struct group groups[],
                                      const struct properties lists[], const struct label labels[],

@@ -1,6 +1,7 @@
 #include "group.h"
 
 #include "csv.h"
+#include "die.h"
 #include "memory.h"
 #include "varied_columns.h"
 
@@ -55,8 +56,8 @@ int group_members(const struct label labels[], int count, const char *title, int
     return n;
 }
 
-static struct group group_of(const struct analysis analyses[], const char *title,
-                             const int numbers[], int count)
+struct group group_of(const struct analysis analyses[], const char *title, const int numbers[],
+                      int count)
 {
     struct group group = {.title = title, .first = numbers[0], .count = count, .n = POINTS};
     double **columns[] = {&group.strain, &group.mean, &group.deviation, &group.least,
@@ -67,7 +68,8 @@ static struct group group_of(const struct analysis analyses[], const char *title
         begin = fmax(begin, begin_of(&analyses[numbers[k]]));
         end = fmin(end, end_of(&analyses[numbers[k]]));
     }
-    for (long i = 0; i < POINTS; i++) {
+    if (!(begin < end)) group.n = 0;
+    for (long i = 0; i < group.n; i++) {
         int there = 0;
         group.strain[i] = begin + (end - begin) * (double)i / (POINTS - 1);
         for (int k = 0; k < count; k++) {
@@ -92,22 +94,28 @@ struct group *groups_make(const struct analysis analyses[], const struct label l
     *n_groups = 0;
     for (int i = 0; i < count; i++) {
         const int n = group_members(labels, count, labels[i].title, numbers);
-        if (numbers[0] == i)
-            groups[(*n_groups)++] = group_of(analyses, labels[i].title, numbers, n);
+        if (numbers[0] != i) continue;
+        struct group *group = &groups[(*n_groups)++];
+        *group = group_of(analyses, labels[i].title, numbers, n);
+        if (group->n == 0) warn("%s: no strain that all its %d curves have", group->title, n);
     }
     free(numbers);
     return groups;
 }
 
+void group_free(struct group *group)
+{
+    free(group->strain);
+    free(group->mean);
+    free(group->deviation);
+    free(group->least);
+    free(group->largest);
+    *group = (struct group){0};
+}
+
 void groups_free(struct group groups[], int n_groups)
 {
-    for (int k = 0; k < n_groups; k++) {
-        free(groups[k].strain);
-        free(groups[k].mean);
-        free(groups[k].deviation);
-        free(groups[k].least);
-        free(groups[k].largest);
-    }
+    for (int k = 0; k < n_groups; k++) group_free(&groups[k]);
     free(groups);
 }
 
@@ -143,21 +151,28 @@ void groups_write(FILE *file, const struct group groups[], int n_groups,
     varied_columns_free(&columns);
 }
 
+struct statistic statistic_of(const double values[], int n)
+{
+    struct statistic s = {n, NAN, NAN, NAN, NAN};
+    if (n > 0) {
+        s.mean = gsl_stats_mean(values, 1, (size_t)n);
+        s.least = gsl_stats_min(values, 1, (size_t)n);
+        s.largest = gsl_stats_max(values, 1, (size_t)n);
+    }
+    if (n > 1) s.deviation = deviation_of(values, n);
+    return s;
+}
+
 struct statistic group_statistic(const struct properties lists[], const int numbers[], int n,
                                  const char *name)
 {
     double *values = memory_new((size_t)n, sizeof *values);
-    struct statistic s = {0, NAN, NAN, NAN, NAN};
+    int there = 0;
     for (int k = 0; k < n; k++) {
         const double value = properties_value(&lists[numbers[k]], name);
-        if (isfinite(value)) values[s.count++] = value;
+        if (isfinite(value)) values[there++] = value;
     }
-    if (s.count > 0) {
-        s.mean = gsl_stats_mean(values, 1, (size_t)s.count);
-        s.least = gsl_stats_min(values, 1, (size_t)s.count);
-        s.largest = gsl_stats_max(values, 1, (size_t)s.count);
-    }
-    if (s.count > 1) s.deviation = deviation_of(values, s.count);
+    const struct statistic s = statistic_of(values, there);
     free(values);
     return s;
 }
@@ -195,19 +210,4 @@ void groups_write_properties(FILE *file, const struct properties lists[],
     }
     varied_columns_free(&columns);
     free(numbers);
-}
-
-double group_mean(const struct properties lists[], const struct label labels[], int count,
-                  const char *title, const char *name)
-{
-    double sum = 0;
-    int there = 0;
-    for (int k = 0; k < count; k++) {
-        if (strcmp(labels[k].title, title) != 0) continue;
-        const double value = properties_value(&lists[k], name);
-        if (!isfinite(value)) continue;
-        sum += value;
-        there++;
-    }
-    return there ? sum / there : NAN;
 }

@@ -18,9 +18,15 @@ struct group {
     double *least, *largest; /* [n] Pa */
 };
 
-/* One group a title, in the order of the curves: 401 strains (toe removed) from where the last
- * of them begins to where the first ends, each curve's envelope linear between its rows.
- * *n_groups is their number; the caller frees them. */
+/* Of these curves: 401 strains (toe removed) from where the last of them begins to where the first
+ * ends, each curve's envelope linear between its rows; n 0 where that is behind.  title lives
+ * longer. */
+struct group group_of(const struct analysis analyses[], const char *title, const int numbers[],
+                      int count);
+void group_free(struct group *group);
+
+/* One group a title, in the order of the curves; *n_groups is their number, the caller frees
+ * them. */
 struct group *groups_make(const struct analysis analyses[], const struct label labels[], int count,
                           int *n_groups);
 void groups_free(struct group groups[], int n_groups);
@@ -40,12 +46,9 @@ struct statistic {
     int count;
     double mean, deviation, least, largest; /* in the property's unit */
 };
+struct statistic statistic_of(const double values[], int n);
 struct statistic group_statistic(const struct properties lists[], const int numbers[], int n,
                                  const char *name);
-
-/* The mean of a property over the curves of a title; NAN where none has it. */
-double group_mean(const struct properties lists[], const struct label labels[], int count,
-                  const char *title, const char *name);
 
 /* CSV of the properties over each group:
  * group,property,symbol,unit,count,mean,standard_deviation,least,largest; of the curves that

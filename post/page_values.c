@@ -289,25 +289,39 @@ void page_properties(FILE *page, const struct study *study)
     html_end(page);
 }
 
-static void write_limit(FILE *page, const struct study *study, const struct study_figure *figure,
-                        int k, const struct property *property)
+static void write_limit(FILE *page, const struct extrapolation *e, const struct property *property,
+                        const struct extrapolated *found)
 {
-    double finest;
-    struct limit limit;
-    const struct extrapolation *e = &figure->limits[k];
-    const int there =
-        extrapolation_of(e, figure->groups, study->properties, study->labels, study->count,
-                         property->name, study->choices[0].resolution_order, &finest, &limit);
-    if (there < 2 || isnan(limit.value)) return;
     fputs("<tr class=\"curve\"><th scope=\"row\">", page);
     html_text(page, e->title);
-    fprintf(page, "<small>%d spacings, order ", there);
-    html_number(page, limit.order, 0);
-    fprintf(page, " %s, finest ", limit.observed ? "observed" : "assumed");
-    html_number(page, finest, limit.band);
+    fprintf(page, "<small>%d spacings, order ", found->spacings);
+    html_number(page, found->limit.order, 0);
+    fprintf(page, " %s, finest ", found->limit.observed ? "observed" : "assumed");
+    html_number(page, found->finest, found->limit.band);
+    if (found->left_out > 0) fprintf(page, ", %d curves left out", found->left_out);
     fputs("</small></th><td class=\"value\">", page);
-    html_quantity(page, limit.value, limit.band, property->unit);
+    html_quantity(page, found->limit.value, found->limit.band, property->unit);
     fputs("</td></tr>\n", page);
+}
+
+/* Of all bodies, under one heading; nothing where none has a limit. */
+static void write_limits(FILE *page, const struct study *study, const struct study_figure *figure,
+                         const struct property *property)
+{
+    bool any = false;
+    for (int k = 0; k < figure->n_limits; k++) {
+        const struct extrapolated found =
+            extrapolation_of(&figure->limits[k], figure->groups, study->properties, study->labels,
+                             study->count, property->name, study->choices[0].resolution_order);
+        if (isnan(found.limit.value)) continue;
+        if (!any) {
+            fputs("<tbody>\n", page);
+            write_heading(page, property);
+        }
+        any = true;
+        write_limit(page, &figure->limits[k], property, &found);
+    }
+    if (any) fputs("</tbody>\n", page);
 }
 
 void page_resolution(FILE *page, const struct study *study, const struct study_figure *figure)
@@ -318,11 +332,7 @@ void page_resolution(FILE *page, const struct study *study, const struct study_f
     html_table(page);
     for (int i = 0; properties_main(i); i++) {
         const struct property *property = find(&study->properties[0], properties_main(i));
-        if (!property || is_quality(property->name)) continue;
-        fputs("<tbody>\n", page);
-        write_heading(page, property);
-        for (int k = 0; k < figure->n_limits; k++) write_limit(page, study, figure, k, property);
-        fputs("</tbody>\n", page);
+        if (property && !is_quality(property->name)) write_limits(page, study, figure, property);
     }
     fputs("</table>\n", page);
 }

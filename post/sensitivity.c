@@ -43,35 +43,44 @@ static const struct extrapolation *body_of(const struct study_of *study, int gro
     return NULL;
 }
 
-static double value_of(const struct study_of *study, int group, const char *name)
-{
-    return group_mean(study->lists, study->labels, study->n_labels, study->groups[group].title,
-                      name);
-}
-
 /* NAN: at one spacing. */
 static double error_of(const struct study_of *study, const struct extrapolation *body,
                        const char *name)
 {
-    double finest;
-    struct limit limit = {.band = NAN};
     if (!body) return NAN;
-    extrapolation_of(body, study->groups, study->lists, study->labels, study->n_labels, name,
-                     study->order, &finest, &limit);
-    return limit.band;
+    return extrapolation_of(body, study->groups, study->lists, study->labels, study->n_labels, name,
+                            study->order)
+        .limit.band;
+}
+
+/* Empty where it is not known. */
+static void write_number(FILE *file, double number)
+{
+    fputc(',', file);
+    if (isfinite(number)) csv_number(file, number);
 }
 
 static void write_row(FILE *file, const struct study_of *study,
                       const struct varied_columns *columns, int base, int group,
                       const struct property *property)
 {
-    const double value = value_of(study, group, property->name);
-    const double before = value_of(study, base, property->name);
+    const char *const name = property->name;
     const bool same = group == base;
-    const double error = same ? error_of(study, body_of(study, base), property->name) : NAN;
-    const double numbers[] = {value, same ? NAN : value - before,
-                              same ? NAN : 100 * (value / before - 1), error};
-    const char *const texts[] = {property->name, property->symbol, property->unit,
+    const char *const titles[] = {study->groups[base].title, study->groups[group].title};
+    struct pairing pairing =
+        pairing_of(study->lists, study->labels, study->n_labels, name, titles, 2);
+    const struct statistic before = group_statistic(study->lists, pairing.curves[0],
+                                                    pairing.each[0], name),
+                           value = group_statistic(study->lists, pairing.curves[1], pairing.each[1],
+                                                   name),
+                           change = pairing_change(&pairing, study->lists, study->labels, name, 1);
+    const double numbers[] = {value.mean,
+                              same ? NAN : change.mean,
+                              same ? NAN : 100 * (value.mean / before.mean - 1),
+                              same ? error_of(study, body_of(study, base), name) : NAN,
+                              value.deviation,
+                              same ? NAN : change.deviation};
+    const char *const texts[] = {name, property->symbol, property->unit,
                                  change_of(label_of(study, group))};
     csv_text(file, study->groups[base].title);
     varied_columns_values(file, columns, label_of(study, base), VARIED_QUESTION);
@@ -79,11 +88,18 @@ static void write_row(FILE *file, const struct study_of *study,
         fputc(',', file);
         csv_text(file, texts[i]);
     }
-    for (int i = 0; i < 4; i++) {
-        fputc(',', file);
-        if (isfinite(numbers[i])) csv_number(file, numbers[i]);
-    }
-    fputc('\n', file);
+    for (int i = 0; i < 6; i++) write_number(file, numbers[i]);
+    fprintf(file, ",%d,%d\n", value.count, same ? 0 : pairing.left_out);
+    pairing_free(&pairing);
+}
+
+static bool has_value(const struct study_of *study, int group, const char *name)
+{
+    for (int k = 0; k < study->n_labels; k++)
+        if (strcmp(study->labels[k].title, study->groups[group].title) == 0 &&
+            isfinite(properties_value(&study->lists[k], name)))
+            return true;
+    return false;
 }
 
 /* All properties of the body as it is, each with what the changes make of it. */
@@ -93,7 +109,7 @@ static void write_body(FILE *file, const struct study_of *study,
     const struct properties *list = &study->lists[study->groups[base].first];
     for (int i = 0; i < list->count; i++) {
         const struct property *property = &list->items[i];
-        if (isnan(value_of(study, base, property->name))) continue;
+        if (!has_value(study, base, property->name)) continue;
         write_row(file, study, columns, base, base, property);
         for (int g = 0; g < study->n_groups; g++)
             if (g != base &&
@@ -111,7 +127,9 @@ void sensitivities_write(FILE *file, const struct extrapolation extrapolations[]
     struct varied_columns columns = varied_columns_questions(labels, n_labels);
     fputs("group", file);
     varied_columns_heading(file, &columns, VARIED_QUESTION);
-    fputs(",property,symbol,unit,changed,value,change,change_percent,error_of_spacing\n", file);
+    fputs(",property,symbol,unit,changed,value,change,change_percent,error_of_spacing,"
+          "standard_deviation,deviation_of_change,curves,left_out\n",
+          file);
     for (int g = 0; g < n_groups; g++) {
         const struct extrapolation *body = body_of(&study, g);
         if (!change_of(label_of(&study, g)) || is_changed(label_of(&study, g))) continue;

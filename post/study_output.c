@@ -68,7 +68,8 @@ static void treat_resolution(const struct request *request, const struct study *
     int n_groups, count;
     const double order = study->choices[0].resolution_order;
     struct group *groups = groups_make(study->analyses, study->labels, study->count, &n_groups);
-    struct extrapolation *all = extrapolations_make(groups, n_groups, study->labels, order, &count);
+    struct extrapolation *all = extrapolations_make(groups, n_groups, study->analyses,
+                                                    study->labels, study->count, order, &count);
     if (request->extrapolate) {
         struct text_output output = text_output_open(request->extrapolate);
         extrapolations_write(output.file, all, count, groups, study->labels, study->count);

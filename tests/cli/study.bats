@@ -325,23 +325,34 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     for run in 0001 0002 0003 0004; do property tensile_strength "$run/properties.csv"; done | tr '\n' ' ' >strengths
     awk '{ c = ($1 + $3) / 2; f = ($2 + $4) / 2; printf "%.9f %.9f %.9f\n", f, 2 * f - c, 3 * (f > c ? f - c : c - f) }' strengths >by_hand
     read -r finest limit error <by_hand
-    IFS=, read -r group _ _ _ spacings a b c order from <<<"$(grep ',tensile_strength,' gathered/extrapolated_properties.csv)"
-    [ "$group $spacings $order $from" = "HS 2 1 assumed" ]
+    IFS=, read -r group _ _ _ curves left_out spacings a b c order from <<<"$(grep ',tensile_strength,' gathered/extrapolated_properties.csv)"
+    [ "$group $curves $left_out $spacings $order $from" = "HS 2 0 2 1 assumed" ]
     near "$a" "$finest" 1e-6
     near "$b" "$limit" 1e-6
     near "$c" "$error" 1e-6
-    [ "$(head -1 gathered/extrapolated.csv)" = group,spacings,engineering_strain,finest_stress_MPa,extrapolated_stress_MPa,error_MPa,order,order_from ]
+    [ "$(head -1 gathered/extrapolated.csv)" = group,curves,left_out,spacings,engineering_strain,finest_stress_MPa,extrapolated_stress_MPa,error_MPa,order,order_from ]
     # the same numbers on the page
     make -s report
     for number in "$a" "$b" "$c"; do grep -q "<data value=\"$number\">" gathered/report.html; done
     grep -q '<section id="varied">' gathered/report.html
-    awk -F, 'NR > 1 { d = $5 - $4; e = $6 - 3 * (d < 0 ? -d : d); if (e * e > 1e-12) exit 1 } END { if (NR != 402) exit 1 }' gathered/extrapolated.csv
+    awk -F, 'NR > 1 { d = $7 - $6; e = $8 - 3 * (d < 0 ? -d : d); if (e * e > 1e-12) exit 1 } END { if (NR != 402) exit 1 }' gathered/extrapolated.csv
     grep -q '<svg' gathered/extrapolated.svg
     # Errors of the second order, where somebody knows that.
     hspost -q --files-from gathered/files --resolution-order 2 --extrapolate-properties second.csv
-    IFS=, read -r _ _ _ _ _ _ b _ order _ <<<"$(grep ',tensile_strength,' second.csv)"
+    IFS=, read -r _ _ _ _ _ _ _ _ b _ order _ <<<"$(grep ',tensile_strength,' second.csv)"
     [ "$order" = 2 ]
     near "$b" "$(awk '{ c = ($1 + $3) / 2; f = ($2 + $4) / 2; printf "%.9f", f - (c - f) / 3 }' strengths)" 1e-6
+    # Without the fine run of seed 2, its coarse one is left out; without a seed in common nothing is extrapolated.
+    hspost 0001/history.e 0002/history.e 0003/history.e --extrapolate-properties third.csv --extrapolate third_curve.csv -p /dev/null 2>said
+    grep -q '1 of 3 curves left out' said
+    IFS=, read -r _ _ _ _ curves left_out _ _ b _ <<<"$(grep ',tensile_strength,' third.csv)"
+    [ "$curves $left_out" = "1 1" ]
+    near "$b" "$(awk '{ printf "%.9f", 2 * $2 - $1 }' strengths)" 1e-6
+    hspost 0001/history.e 0002/history.e --extrapolate pair_curve.csv -p /dev/null
+    diff <(cut -d, -f5- third_curve.csv) <(cut -d, -f5- pair_curve.csv)
+    hspost 0001/history.e 0004/history.e --extrapolate-properties third.csv -p /dev/null 2>said
+    grep -q 'no scatter (seed) that all spacings have' said
+    [ "$(wc -l <third.csv)" -eq 1 ]
 }
 
 @test "sensitivity changes one key at a time, and says what that does to each property" {
@@ -365,6 +376,14 @@ horizon 2,2,0.1,50 um horizon 2,2,0.1,25 um share 0.2,1,0.2,50 um share 0.2,1,0.
             off = after - before - $7
             exit !($6 == after && after != before && off*off < 1e-12*after*after && (100*$7/before - $8)^2 < 1e-12 && $9 == "")}' <<<"$(row "${pair#* }")"
     done
+    # What has lost its coarse run is not extrapolated, and mixes with no other; the rest is gathered.
+    rm out/0001/history.e out/0001/curve.csv out/gathered/*
+    make -s -C out gathered 2>said
+    grep -q 'HS: one spacing alone' said
+    for run in 3 5 7; do echo "$(rp "000$run") $(rp "000$((run + 1))")"; done | awk '{ printf "%.6f\n", 2 * $2 - $1 }' >limits
+    diff limits <(sed -n 's/^"HS, .*,Rp0.2,MPa,1,0,2,[^,]*,\([^,]*\),.*/\1/p' out/gathered/extrapolated_properties.csv | awk '{ printf "%.6f\n", $1 }')
+    [ -s out/gathered/tidy.csv ]
+    [ -s out/gathered/extrapolated.svg ]
     rm -r out
     refused 'expected keys and the values' 'sensitivity: [1, 2]'
     refused "crossed with all else" 'vary: {seed: [1, 2], ufg_fraction: [0.3, 0.4], combine: zipped}' 'sensitivity: {core_distance: [0.31 mm]}'

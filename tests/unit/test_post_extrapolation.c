@@ -1,8 +1,10 @@
 /* Extrapolation over the resolution: values whose limit and order are known. */
 #include "check.h"
-#include "extrapolation.h"
+#include "sensitivity.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* f = limit + c h^p at the spacings given. */
 static void fill(const double spacing[], int count, double limit, double order, double values[])
@@ -78,6 +80,59 @@ static void one_spacing_has_no_limit(void **state)
     assert_true(isnan(limit_of(spacing, values, 1, 1).value));
 }
 
+/* Seeds 1 to 3 as they are, 100, 121 and 140, and changed, where 2 failed, 103 and 147: a change of
+ * (3 + 7)/2 with the deviation 4/sqrt(2), however far the seeds lie apart.  Of all seeds it would
+ * be 4.67. */
+static void changes_are_of_the_same_seeds(void **state)
+{
+    (void)state;
+    enum { COUNT = 5 };
+    static const double values[COUNT] = {100, 121, 140, 103, 147};
+    static const char *const seeds[COUNT] = {"1", "2", "3", "1", "3"};
+    char *words[2][2] = {{"none", "seed"}, {"horizon 2", "seed"}};
+    struct varied_item items[COUNT][2];
+    struct label labels[COUNT];
+    struct properties lists[COUNT] = {0};
+    for (int k = 0; k < COUNT; k++) {
+        const bool changed = k > 2;
+        items[k][0] = (struct varied_item){"sensitivity", words[changed][0], VARIED_SENSITIVITY};
+        items[k][1] = (struct varied_item){"seed", (char *)seeds[k], VARIED_SCATTER};
+        labels[k] = (struct label){.title = changed ? "B" : "A",
+                                   .file = "file",
+                                   .varied = (char *)seeds[k],
+                                   .values = {2, items[k]}};
+        properties_add(&lists[k], "strength", "R", values[k], "MPa", NAN, "none");
+    }
+    const struct group groups[] = {{.title = "A", .first = 0}, {.title = "B", .first = 3}};
+    char *text;
+    size_t length;
+    FILE *file = open_memstream(&text, &length);
+    sensitivities_write(file, NULL, 0, groups, 2, lists, labels, COUNT, 1);
+    fclose(file);
+    char *unchanged = strstr(text, "\nA,strength,R,MPa,none,"), *row = strstr(text, ",horizon 2,");
+    assert_non_null(unchanged);
+    assert_non_null(row);
+    double value, change, percent, deviation, deviation_of_change;
+    int curves, left_out;
+    assert_int_equal(sscanf(row, ",horizon 2,%lf,%lf,%lf,,%lf,%lf,%d,%d", &value, &change, &percent,
+                            &deviation, &deviation_of_change, &curves, &left_out),
+                     7);
+    assert_near(value, 125, 1e-9);
+    assert_near(change, 5, 1e-9);
+    assert_near(percent, 100 * 5.0 / 120, 1e-9);
+    assert_near(deviation, 44 / sqrt(2), 1e-9);
+    assert_near(deviation_of_change, 4 / sqrt(2), 1e-9);
+    assert_int_equal(curves, 2);
+    assert_int_equal(left_out, 1);
+    assert_int_equal(
+        sscanf(unchanged, "\nA,strength,R,MPa,none,%lf,,,,%lf,,%d", &value, &deviation, &curves),
+        3);
+    assert_near(value, 361.0 / 3, 1e-9);
+    assert_int_equal(curves, 3);
+    free(text);
+    for (int k = 0; k < COUNT; k++) properties_free(&lists[k]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -86,6 +141,7 @@ int main(void)
         cmocka_unit_test(two_spacings_take_the_order_given),
         cmocka_unit_test(values_without_an_order_take_the_one_given),
         cmocka_unit_test(one_spacing_has_no_limit),
+        cmocka_unit_test(changes_are_of_the_same_seeds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
