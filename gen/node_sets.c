@@ -2,6 +2,7 @@
 
 #include "keys.h"
 #include "memory.h"
+#include "symmetry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -70,7 +71,8 @@ static int64_t layer_of(const struct sites *sites, int axis, double length, int 
     return i;
 }
 
-static void add_deck_set(const struct sites *sites, struct deck_node map, struct domain *out)
+static void add_deck_set(const struct specimen *specimen, const struct sites *sites,
+                         struct deck_node map, struct domain *out)
 {
     struct box_set set;
     keys_read(map, &specimen_set, 0, sites->spacing[0], &set, NULL);
@@ -88,6 +90,8 @@ static void add_deck_set(const struct sites *sites, struct deck_node map, struct
             corner[end][axis] = layer_of(sites, axis, length, end);
         }
     }
+    for (int axis = 0; axis < 3; axis++)
+        symmetry_check_layers(box, specimen, axis, corner[0][axis], corner[1][axis]);
     add_box(sites, set.name, corner[0], corner[1], out);
     if (out->sets[out->n_sets - 1].count == 0)
         deck_error(box, "no node lies in this box; the body is centred at the origin");
@@ -119,5 +123,6 @@ void specimen_add_sets(const struct specimen *specimen, const struct sites *site
     if (sets.index == 0) return;
     if (!deck_is_list(sets))
         deck_error(sets, "sets is a list of {name: ..., box: [[x, y, z], [x, y, z]]}");
-    for (int i = 0; i < deck_count(sets); i++) add_deck_set(sites, deck_item(sets, i), out);
+    for (int i = 0; i < deck_count(sets); i++)
+        add_deck_set(specimen, sites, deck_item(sets, i), out);
 }

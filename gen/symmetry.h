@@ -13,4 +13,10 @@ void symmetry_read(struct deck_node domain, struct specimen *specimen);
 /* Whether a point (m, from the middle) lies in the part that is made. */
 bool symmetry_keeps(const struct specimen *specimen, const double point[3]);
 
+/* Dies where a box of the deck, which has the layers low to high of the whole body along an axis,
+ * is not above the plane across it nor its own image: the part's nodes are not all that it asks
+ * for. */
+void symmetry_check_layers(struct deck_node where, const struct specimen *specimen, int axis,
+                           int64_t low, int64_t high);
+
 #endif

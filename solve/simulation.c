@@ -496,7 +496,10 @@ static void plan_time(struct simulation *s)
                    dt);
     s->n_steps = s->scene.end_steps > 0 ? s->scene.end_steps : (int64_t)ceil(s->end_time / dt);
     /* A prescribed displacement is asked for half a step beyond the end. */
-    if (s->ranks.rank == 0) scene_try(&s->scene, nodes_of(s), s->end_time + dt);
+    if (s->ranks.rank == 0) {
+        scene_try(&s->scene, nodes_of(s), s->end_time + dt);
+        scene_check_symmetry(&s->scene, &s->domain, nodes_of(s), &s->lattice, s->end_time);
+    }
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);
     initial_set(&s->scene, &s->body, SCENE_VELOCITY);

@@ -181,6 +181,13 @@ extern const struct section section_solver, section_boundary, section_initial, s
  * direction. */
 void scene_resolve(struct scene *scene, const struct domain *domain, const struct domain *nodes,
                    const struct lattice *lattice);
+/* Dies where a body with planes of symmetry is held, loaded, set in motion or observed otherwise
+ * than its images: by a box or an expression that holds on one side alone, below, or by a value
+ * across a plane of nodes in it.  After scene_resolve, whose arguments it takes; end_time [s]. */
+void scene_check_symmetry(const struct scene *scene, const struct domain *domain,
+                          const struct domain *nodes, const struct lattice *lattice,
+                          double end_time);
+
 /* Evaluates the expressions of all entries up to this time [s], at their nodes: dies where one is
  * not finite or out of range. */
 void scene_try(const struct scene *scene, const struct domain *nodes, double end_time);

@@ -138,14 +138,20 @@ static _Noreturn void refuse_empty(const struct selection *selection, const stru
                deck_string(selection->where), extent(domain));
 }
 
+/* Whether a box or an expression holds at a place. */
+static bool holds_at(const struct selection *selection, double corner[2][3], const double x[3])
+{
+    if (selection->kind == SELECT_BOX) return lies_between(corner, x);
+    return expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0;
+}
+
 /* Whether a node that no set lists is meant. */
 static bool is_meant(const struct selection *selection, int phase, double corner[2][3],
                      const struct domain_nodes *nodes, int64_t i)
 {
     const double x[] = {nodes->x[0][i], nodes->x[1][i], nodes->x[2][i]};
     if (selection->kind == SELECT_BLOCK) return nodes->phase[i] == phase;
-    if (selection->kind == SELECT_BOX) return lies_between(corner, x);
-    return expression_try(selection->expression, x, "1", -INFINITY, INFINITY) != 0;
+    return holds_at(selection, corner, x);
 }
 
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
@@ -170,6 +176,25 @@ int64_t *selection_nodes(const struct selection *selection, const struct domain 
     *count = set->count;
     all = memory_new((size_t)set->count, sizeof *all);
     return memcpy(all, set->nodes, (size_t)set->count * sizeof *all);
+}
+
+bool selection_is_beyond(const struct selection *selection, const struct domain *domain,
+                         double spacing, int axis, double plane)
+{
+    const enum selection_kind kind = selection->kind;
+    bool beyond = false;
+    double corner[2][3];
+    struct domain_nodes nodes = {0};
+    if (kind == SELECT_BOX) find_corners(selection->where, spacing, corner);
+    while ((kind == SELECT_BOX || kind == SELECT_WHERE) && domain_next(domain, &nodes))
+        for (int64_t i = 0; i < nodes.count; i++) {
+            double x[] = {nodes.x[0][i], nodes.x[1][i], nodes.x[2][i]};
+            if (fabs(x[axis] - plane) <= slack * spacing || holds_at(selection, corner, x))
+                continue;
+            x[axis] = 2 * plane - x[axis];
+            beyond = beyond || holds_at(selection, corner, x);
+        }
+    return beyond;
 }
 
 int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing)

@@ -16,6 +16,8 @@
 #include "expression.h"
 #include "keys.h"
 
+#include <stdbool.h>
+
 enum selection_kind { SELECT_SET, SELECT_BLOCK, SELECT_BOX, SELECT_WHERE };
 enum { SELECTORS = SELECT_WHERE + 1 };
 
@@ -54,6 +56,11 @@ char *selection_name(const struct selection *selection);
  * Dies where there are none, naming what there is. */
 int64_t *selection_nodes(const struct selection *selection, const struct domain *domain,
                          double spacing, int64_t *count);
+
+/* Whether a box or an expression holds at the image, across a plane at this place [m] of an axis,
+ * of a node at which it does not hold itself. */
+bool selection_is_beyond(const struct selection *selection, const struct domain *domain,
+                         double spacing, int axis, double plane);
 
 /* The node nearest to a place [x, y, z] of the deck (lengths as in a box), of several equally near
  * within 1e-6 spacings the first.  Dies where it is farther than 2 spacings: such a place is a

@@ -126,3 +126,61 @@ DECK
     [ "$status" -eq 0 ]
     [[ $output == *"32 x 32 x 32 sites of 5 um, 32768 nodes, 4 cores, periodic along xyz"* ]]
 }
+
+@test "with planes of symmetry nothing is made that is not its own image" {
+    cat >half.yaml <<'DECK'
+domain:
+  specimen: plate
+  size: [0.4 mm, 0.2 mm, 40 um]
+  spacing: 10 um
+  symmetry: [x, y]
+  topology: homogeneous
+  phase: Ni
+DECK
+    { cat half.yaml; echo '  hole: {centre: [-0.1 mm, 0], diameter: 60 um}'; } >deck.yaml
+    refused deck.yaml "deck.yaml:8:18:" "the hole's x, -0.0001 m" "set it to 0, or take x out of 'symmetry'"
+    sed -i 's/-0.1 mm, 0/0, 20 um/' deck.yaml
+    refused deck.yaml "the hole's y, 2e-05 m"
+    sed -i 's/0, 20 um/0, 0/' deck.yaml
+    hsgen -q deck.yaml -o hole.g
+    for box in '[[-50 um, 0, -1], [100 um, 1 mm, 1]]' '[[-1 mm, 0, -1], [-50 um, 1 mm, 1]]'; do
+        { cat half.yaml; echo "  sets: [{name: s, box: $box}]"; } >deck.yaml
+        refused deck.yaml "deck.yaml:8:25:" "across x the box is neither above the plane of symmetry"
+    done
+    { cat half.yaml; echo '  sets: [{name: s, box: [[-50 um, -1 mm, -1], [50 um, 1 mm, 1]]}]'; } >deck.yaml
+    hsgen -q deck.yaml -o box.g
+    # nodes of x = 5 to 45 um, y = 5 to 95 um, z = -15 to 15 um
+    ncdump -h box.g | grep -q 'num_nod_ns1 = 200 '
+    sed 's/homogeneous/harmonic/; s/phase: .*/phases: {cg: A, ufg: B}\n  lattice: sc\n  core_distance: 0.1 mm\n  ufg_fraction: 0.6/' half.yaml >cores.yaml
+    hsgen -q --check cores.yaml 2>said
+    [ ! -s said ]
+    echo '  offset: [10 um, 0, 0]' >>cores.yaml
+    hsgen -q --check cores.yaml 2>said
+    grep -q 'the structure is the image of that above, not what the deck has there' said
+}
+
+@test "a part of a body is held and loaded as its images are" {
+    hsgen -q -o half.g <<'DECK'
+domain: {specimen: plate, size: [80 um, 40 um, 20 um], spacing: 10 um, symmetry: [x, y], topology: homogeneous, phase: Ni}
+DECK
+    check() { # boundary entry
+        cat >deck.yaml <<DECK
+materials:
+  Ni: {model: corner, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3,
+       hardening: {law: voce, yield: 250 MPa, saturation: 220 MPa, rate: 12}}
+boundary:
+  - {direction: $1}
+solver: {end_time: 0.1, step: 0.1}
+DECK
+        hssolve --check -d deck.yaml -i half.g
+    }
+    check 'x, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: 1e-5 m/s'
+    check 'y, where: "abs(y) > 1.5e-5", displacement: "1e-3*y"'
+    run -2 check 'y, box: [[-10 um, -15 um, -1 mm], [10 um, 5 um, 1 mm]], velocity: 1e-5 m/s'
+    [[ $output == *'deck.yaml:5:'*'below the plane of symmetry across y, at y = 0 m'* ]]
+    run -2 check 'z, where: "x < 1e-5", velocity: 1e-5 m/s'
+    [[ $output == *'deck.yaml:5:'*'across x, at x = 0 m'*'alike on both sides'* ]]
+    run -2 check 'y, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: 1e-5 m/s'
+    [[ $output == *'deck.yaml:5:'*'acts along y on nodes in the plane of symmetry across y'* ]]
+    check 'y, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: "1e-5*y"'
+}
