@@ -62,8 +62,7 @@ static double mean_deformation(struct simulation *s)
             for (int c = 0; c < 9; c++) squares[i] += node.H[c][i] * node.H[c][i];
             squares[i] = fmin(squares[i], 1);
         }
-        body_only_owned(&s->body, strips->items[k].site, node.count, squares);
-        exact_sum_add_strip(&sum, node.count, squares, 1);
+        body_sum_owned(&s->body, strips->items[k].site, node.count, squares, 1, &sum);
     }
     double total;
     exact_sum_finish(&sum, 1, &total);

@@ -141,11 +141,14 @@ static inline void body_clear(const struct body *body, double *const fields[], i
         memset(fields[k], 0, (size_t)body->grid.n_sites * sizeof(double));
 }
 
-/* terms[i] becomes 0 where site + i is not owned: another rank counts it. */
-static inline void body_only_owned(const struct body *body, int64_t site, int count, double *terms)
+/* Adds scale times the terms of nodes or particles from site on to the sum; those that are not
+ * owned, which another rank counts, become zero. */
+static inline void body_sum_owned(const struct body *body, int64_t site, int count, double *terms,
+                                  double scale, struct exact_sum *sum)
 {
     for (int i = 0; i < count; i++)
         terms[i] = (body->grid.flags[site + i] & SITE_OWNED) ? terms[i] : 0;
+    exact_sum_add_strip(sum, count, terms, scale);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "across.h"
 #include "checkpoint.h"
 #include "degradation.h"
+#include "integrity.h"
 #include "laws.h"
 #include "memory.h"
 #include "profile.h"
@@ -274,6 +275,22 @@ const double *points_state(const struct point_store *store, const struct strip *
 {
     return see(store, strip, number, component, state_initial(law_state(number), component),
                buffer);
+}
+
+void points_observe(struct point_store *store, const struct body *body, const struct strip *strip,
+                    struct points *points, const double *nominal, struct node_state *node)
+{
+    const double *P[TENSOR];
+    const size_t bytes = (size_t)strip->count * sizeof(double);
+    points_update(store, strip, points, (struct force_mode){.frozen = true},
+                  integrity_of_nodes(body, strip->site, strip->count));
+    node->count = strip->count;
+    for (int k = 0; k < TENSOR; k++) {
+        memcpy(node->H[k], points->H[k], bytes);
+        P[k] = points->P[k];
+    }
+    node_state_cauchy(node, P);
+    memcpy(node->nominal, nominal + strip->site, bytes);
 }
 
 const double *points_flow_stress(const struct point_store *store, const struct strip *strip,

@@ -28,6 +28,11 @@ void points_load(const struct point_store *store, const struct strip *strip, str
 void points_update(struct point_store *store, const struct strip *strip, struct points *points,
                    struct force_mode mode, const double *integrity);
 
+/* What is seen of a strip of nodes that are deformed by points->H, the laws unmoved; nominal: box
+ * field of their axial stress. */
+void points_observe(struct point_store *store, const struct body *body, const struct strip *strip,
+                    struct points *points, const double *nominal, struct node_state *node);
+
 /* A component of the state of a number (laws.h), and the current flow stress [Pa], of the points of
  * a strip: where it is kept, or in buffer, [LANES].  Of points whose law has no such state what it
  * begins with; infinite where nothing flows. */

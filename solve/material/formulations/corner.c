@@ -223,21 +223,6 @@ static void scatter(const struct corner *model, struct body *body, struct cells 
     }
 }
 
-static void sum_energies(const struct body *body, const struct cells *cells, double share,
-                         struct force_energy *energy)
-{
-    struct points *points = cells->points;
-    const struct strip *strip = cells->strip;
-    for (int i = 0; i < strip->count; i++) {
-        points->stored[i] *= cells->volume[i];
-        points->dissipated[i] *= cells->volume[i];
-    }
-    body_only_owned(body, strip->site, strip->count, points->stored);
-    body_only_owned(body, strip->site, strip->count, points->dissipated);
-    exact_sum_add_strip(&energy->stored, strip->count, points->stored, share);
-    exact_sum_add_strip(&energy->plastic, strip->count, points->dissipated, share);
-}
-
 /* (macroscopic.2): A is conjugate to the gradient, of the residual, too. */
 static void sum_stress(const struct body *body, const struct cells *cells)
 {
@@ -245,8 +230,7 @@ static void sum_stress(const struct body *body, const struct cells *cells)
     for (int k = 0; k < TENSOR; k++) {
         double terms[LANES];
         memcpy(terms, cells->A[k] + PAD, (size_t)strip->count * sizeof *terms);
-        body_only_owned(body, strip->site, strip->count, terms);
-        exact_sum_add_strip(&body->stress_sums[k], strip->count, terms, 1);
+        body_sum_owned(body, strip->site, strip->count, terms, 1, &body->stress_sums[k]);
     }
 }
 
@@ -284,7 +268,10 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     for (int k = 0; k < TENSOR; k++)
         weigh_stress(strip->count, share, cells.volume, points.P[k], cells.A[k]);
     if (body->lattice->dimensions == 2) memset(cells.m, 0, sizeof cells.m);
-    if (mode.energy) sum_energies(body, &cells, share, energy);
+    if (mode.energy) {
+        cells_sum(body, &cells, points.stored, share, &energy->stored);
+        cells_sum(body, &cells, points.dissipated, share, &energy->plastic);
+    }
     model->residual->add(model->self, body, &cells, flow, mode, energy);
     if (body->stress_sums) sum_stress(body, &cells);
     if (mode.record) record_nominal(model, body, &cells);
@@ -321,19 +308,9 @@ static void corner_observe(void *self, const struct body *body, const struct str
                            struct node_state *node)
 {
     struct corner *model = self;
-    const double *P[TENSOR];
     struct points points;
     load(model, body, strip, &points, NULL);
-    points_update(model->points, strip, &points, (struct force_mode){.frozen = true},
-                  integrity_of_nodes(body, strip->site, strip->count));
-    const size_t bytes = (size_t)strip->count * sizeof(double);
-    node->count = strip->count;
-    for (int k = 0; k < TENSOR; k++) {
-        memcpy(node->H[k], points.H[k], bytes);
-        P[k] = points.P[k];
-    }
-    node_state_cauchy(node, P);
-    memcpy(node->nominal, model->nominal + strip->site, bytes);
+    points_observe(model->points, body, strip, &points, model->nominal, node);
 }
 
 static const struct strips *corner_strips(const void *self, const struct body *body)

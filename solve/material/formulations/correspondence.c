@@ -166,19 +166,9 @@ static void correspondence_observe(void *self, const struct body *body, const st
                                    struct node_state *node)
 {
     struct correspondence *model = self;
-    const double *P[TENSOR];
     struct points points;
     load_nodes(model, body, strip, &points);
-    points_update(model->points, strip, &points, (struct force_mode){.frozen = true},
-                  integrity_of_nodes(body, strip->site, strip->count));
-    const size_t bytes = (size_t)strip->count * sizeof(double);
-    node->count = strip->count;
-    for (int k = 0; k < TENSOR; k++) {
-        memcpy(node->H[k], points.H[k], bytes);
-        P[k] = points.P[k];
-    }
-    node_state_cauchy(node, P);
-    memcpy(node->nominal, model->nominal + strip->site, bytes);
+    points_observe(model->points, body, strip, &points, model->nominal, node);
 }
 
 HS_SIMD static void write_scaled(int count, const double *restrict P, double weight,
@@ -205,12 +195,11 @@ static void node_law(struct correspondence *model, struct body *body, const stru
         memcpy(model->flow + site, points_flow_stress(model->points, strip, buffer), bytes);
     }
     if (!mode.energy) return;
-    body_only_owned(body, site, strip->count, points.stored);
-    body_only_owned(body, site, strip->count, points.dissipated);
     body_times_volume(body, site, strip->count, points.stored);
     body_times_volume(body, site, strip->count, points.dissipated);
-    exact_sum_add_strip(&energy->stored, strip->count, points.stored, model->node_share);
-    exact_sum_add_strip(&energy->plastic, strip->count, points.dissipated, model->node_share);
+    body_sum_owned(body, site, strip->count, points.stored, model->node_share, &energy->stored);
+    body_sum_owned(body, site, strip->count, points.dissipated, model->node_share,
+                   &energy->plastic);
 }
 
 /* Ghost ends of bonds gather sums that nobody reads; they must not grow. */

@@ -369,20 +369,6 @@ static void degrade(struct flowing *flowing, const struct cells *cells, bool com
     }
 }
 
-static void sum_energies(const struct body *body, const struct cells *cells, struct work *w,
-                         struct force_energy *energy)
-{
-    const struct strip *strip = cells->strip;
-    for (int i = 0; i < strip->count; i++) {
-        w->stored[i] *= cells->volume[i];
-        w->dissipated[i] *= cells->volume[i];
-    }
-    body_only_owned(body, strip->site, strip->count, w->stored);
-    body_only_owned(body, strip->site, strip->count, w->dissipated);
-    exact_sum_add_strip(&energy->stabilisation, strip->count, w->stored, 1);
-    exact_sum_add_strip(&energy->plastic, strip->count, w->dissipated, 1);
-}
-
 static void no_flow(int count, struct work *w)
 {
     for (int i = 0; i < count; i++) {
@@ -422,7 +408,9 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     push(flowing, plane, state, stride, &w, cells);
     for (int k = 0; k < (plane ? 3 : COMPONENTS) && flows && mode.commit; k++)
         move_mode_on(n, w.factor, w.e[k], state + k * stride);
-    if (mode.energy) sum_energies(body, cells, &w, energy);
+    if (!mode.energy) return;
+    cells_sum(body, cells, w.stored, 1, &energy->stabilisation);
+    cells_sum(body, cells, w.dissipated, 1, &energy->plastic);
 }
 
 const struct residual residual_flowing = {

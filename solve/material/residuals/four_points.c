@@ -129,20 +129,6 @@ HS_SIMD static void add_moment(int count, double factor, const double *restrict 
     for (int i = 0; i < count; i++) out[PAD + i] += factor * slope[i] * volume[i] * P[i];
 }
 
-static void sum_energies(const struct body *body, const struct cells *cells, double weight,
-                         struct points *points, struct force_energy *energy)
-{
-    const struct strip *strip = cells->strip;
-    for (int i = 0; i < strip->count; i++) {
-        points->stored[i] *= cells->volume[i];
-        points->dissipated[i] *= cells->volume[i];
-    }
-    body_only_owned(body, strip->site, strip->count, points->stored);
-    body_only_owned(body, strip->site, strip->count, points->dissipated);
-    exact_sum_add_strip(&energy->stored, strip->count, points->stored, weight);
-    exact_sum_add_strip(&energy->plastic, strip->count, points->dissipated, weight);
-}
-
 static void add(void *self, const struct body *body, struct cells *cells, const double *flow,
                 struct force_mode mode, struct force_energy *energy)
 {
@@ -166,7 +152,9 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
             for (int k = 0; k < TENSOR; k++)
                 add_moment(n, weight, slope_of(four, strip, q, m, k % 3), cells->volume,
                            points.P[k], cells->m[m][k / 3]);
-        if (mode.energy) sum_energies(body, cells, weight, &points, energy);
+        if (!mode.energy) continue;
+        cells_sum(body, cells, points.stored, weight, &energy->stored);
+        cells_sum(body, cells, points.dissipated, weight, &energy->plastic);
     }
 }
 

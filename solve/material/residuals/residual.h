@@ -31,6 +31,15 @@ struct cells {
     double m[MODES][3][PADDED]; /* out: conjugate to h [N] */
 };
 
+/* Adds share times the energies of a strip's particles to the sum, from their densities [J/m^3],
+ * which become energies. */
+static inline void cells_sum(const struct body *body, const struct cells *cells, double *density,
+                             double share, struct exact_sum *sum)
+{
+    for (int i = 0; i < cells->strip->count; i++) density[i] *= cells->volume[i];
+    body_sum_owned(body, cells->strip->site, cells->strip->count, density, share, sum);
+}
+
 struct hexahedra;
 
 struct residual {

@@ -170,10 +170,8 @@ static void mix_energy(const struct mix *mix, const struct body *body, const str
         stored[i] = beta[i] * points->stored[i];
         plastic[i] = beta[i] * points->dissipated[i];
     }
-    body_only_owned(body, site, points->count, stored);
-    body_only_owned(body, site, points->count, plastic);
-    exact_sum_add_strip(&energy->stabilisation, points->count, stored, scale);
-    exact_sum_add_strip(&energy->plastic, points->count, plastic, scale);
+    body_sum_owned(body, site, points->count, stored, scale, &energy->stabilisation);
+    body_sum_owned(body, site, points->count, plastic, scale, &energy->plastic);
 }
 
 /* (macroscopic.2): what the column along the bond adds; the others come with the nodes' stress. */
@@ -183,8 +181,8 @@ static void sum_stress(const struct mix *mix, const struct body *body, int axis,
     double terms[LANES];
     for (int k = axis; k < TENSOR; k += 3) {
         for (int i = 0; i < points->count; i++) terms[i] = beta[i] * points->P[k][i];
-        body_only_owned(body, site, points->count, terms);
-        exact_sum_add_strip(&body->stress_sums[k], points->count, terms, mix->share * body->volume);
+        body_sum_owned(body, site, points->count, terms, mix->share * body->volume,
+                       &body->stress_sums[k]);
     }
 }
 
