@@ -1,55 +1,12 @@
 /* Oblong cells: lattices with three spacings. */
-#include "dies.h"
+#include "made.h"
 
-#include "assemble.h"
-#include "fill.h"
-#include "memory.h"
 #include "random.h"
-#include "statistics.h"
 #include "steps.h"
-#include "topology.h"
-
-#include <stdlib.h>
-
-struct made {
-    struct deck *deck;
-    struct recipe recipe;
-    struct sites sites;
-    struct cores cores;
-    struct structure structure;
-    struct findings findings;
-    struct domain domain;
-};
-
-static struct deck *parse(const char *keys)
-{
-    char *text = memory_print("domain: {specimen: plate, %s}", keys);
-    struct deck *deck = deck_parse(text, strlen(text), "test");
-    free(text);
-    return deck;
-}
 
 static struct made *make(const char *keys)
 {
-    struct made *made = memory_new(1, sizeof *made);
-    made->deck = parse(keys);
-    made->recipe = recipe_read(made->deck);
-    made->sites = fill_sites(&made->recipe.specimen);
-    made->cores = recipe_cores(&made->recipe);
-    made->structure = structure_new(&made->recipe, &made->sites, &made->cores);
-    made->findings = findings_of(&made->recipe, &made->structure, &made->cores);
-    made->domain = assemble_domain(&made->recipe, &made->structure, &made->findings, NULL);
-    return made;
-}
-
-static void discard(struct made *made)
-{
-    domain_free(&made->domain);
-    structure_free(&made->structure);
-    cores_free(&made->cores);
-    sites_free(&made->sites);
-    deck_free(made->deck);
-    free(made);
+    return made_with_domain(domain_deck("plate", keys));
 }
 
 /* --- the body --------------------------------------------------------------------------------- */
@@ -79,7 +36,7 @@ static void plates_are_filled_by_their_cells(void **state)
     assert_int_equal(domain_set(domain, "grip_left")->count, 3 * 10 * 2);
     /* Spacings of its own axis: 4 x 4 nodes, of two layers the lower one. */
     assert_int_equal(domain_set(domain, "box")->count, 4 * 4);
-    discard(made);
+    made_free(made);
 }
 
 /* Facts that a cube or a sheet does not have are not in the file. */
@@ -96,13 +53,13 @@ static void cubes_and_sheets_say_no_more_than_before(void **state)
     assert_true(attributes_number(&sheet->domain.attributes, "spacing_z_m", -1) == -1);
     assert_int_equal(sheet->domain.n_nodes, 8);
     assert_near(sheet->domain.volume[0], 1, 1e-15);
-    discard(cubes);
-    discard(sheet);
+    made_free(cubes);
+    made_free(sheet);
 }
 
 static void try_deck(const void *keys)
 {
-    recipe_read(parse(keys));
+    recipe_read(domain_deck("plate", keys));
 }
 
 static void what_does_not_fit_is_told(void **state)
@@ -161,7 +118,7 @@ static void shells_are_lengths(void **state)
         assert_near(contact.film, LAYERS * made->sites.spacing[axis], 1e-12);
         assert_int_equal(contact.touching, 0);
         free(thickness);
-        discard(made);
+        made_free(made);
     }
 }
 
@@ -188,7 +145,7 @@ static void harmonic_structures_keep_their_shell(void **state)
         assert_null(made->recipe.topology->fault(&made->recipe, &made->findings));
         assert_true(made->findings.contact.film * made->sites.spacing[0] > shell - 12.5e-6 - 5e-6);
         for (int axis = 0; axis < 3; axis++) assert_true(made->findings.ufg.percolates[axis]);
-        discard(made);
+        made_free(made);
         free(keys);
     }
 }
@@ -208,8 +165,8 @@ static void the_least_shell_is_a_layer_or_a_length(void **state)
     char *fault = asked->recipe.topology->fault(&asked->recipe, &asked->findings);
     assert_non_null(strstr(fault, "minimum_shell"));
     free(fault);
-    discard(made);
-    discard(asked);
+    made_free(made);
+    made_free(asked);
     free(usual);
     free(length);
 }
@@ -249,8 +206,8 @@ static void structures_turn_with_the_body(void **state)
                      domain_set(&other->domain, "gauge_left")->count);
     assert_relative(attributes_number(&other->domain.attributes, "gauge_length_m", 0), 0.6e-3,
                     1e-12);
-    discard(one);
-    discard(other);
+    made_free(one);
+    made_free(other);
     free(lying);
     free(standing);
 }
@@ -332,7 +289,7 @@ static void round_interfaces_have_their_area(void **state)
         const struct interface found = statistics_interface(&made->structure, i == 1);
         const double exact = i == 0 ? 4 * M_PI * 15 * 15 / pow(40, 3) : 2 * M_PI * 15 / (40.0 * 40);
         assert_relative(found.crofton, exact * excess, 0.005);
-        discard(made);
+        made_free(made);
         free(keys);
     }
 }
@@ -358,7 +315,7 @@ static void straight_interfaces_weigh_directions_by_their_sectors(void **state)
         const double exact = M_PI / 2 * (sector / M_PI + 0.5 * cosine) / (axis == 0 ? 100 : 200);
         const struct interface found = statistics_interface(&made->structure, true);
         assert_relative(found.crofton, exact * 200 / 199, 1e-12);
-        discard(made);
+        made_free(made);
     }
 }
 

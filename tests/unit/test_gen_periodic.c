@@ -1,58 +1,12 @@
 /* Periodic bodies: distances, clusters and statistics that go around them. */
-#include "dies.h"
+#include "made.h"
 
-#include "assemble.h"
-#include "fill.h"
 #include "forest.h"
-#include "memory.h"
-#include "statistics.h"
-#include "topology.h"
-
-#include <stdlib.h>
-
-struct made {
-    struct deck *deck;
-    struct recipe recipe;
-    struct sites sites;
-    struct cores cores;
-    struct structure structure;
-    struct findings findings;
-};
-
-/* keys: of the section domain, on one line. */
-static struct recipe read_recipe(const char *keys, struct deck **deck)
-{
-    char *text = memory_print("domain: {specimen: plate, %s}", keys);
-    *deck = deck_parse(text, strlen(text), "test");
-    free(text);
-    return recipe_read(*deck);
-}
-
-static void finish(struct made *made)
-{
-    made->sites = fill_sites(&made->recipe.specimen);
-    made->structure = structure_new(&made->recipe, &made->sites, &made->cores);
-    made->findings = findings_of(&made->recipe, &made->structure, &made->cores);
-}
 
 static struct made *make(const char *keys)
 {
-    struct made *made = memory_new(1, sizeof *made);
-    made->recipe = read_recipe(keys, &made->deck);
-    made->cores = recipe_cores(&made->recipe);
-    finish(made);
-    return made;
+    return made_new(domain_deck("plate", keys));
 }
-
-static void discard(struct made *made)
-{
-    structure_free(&made->structure);
-    cores_free(&made->cores);
-    sites_free(&made->sites);
-    deck_free(made->deck);
-    free(made);
-}
-
 static const char two_phases[] = "phases: {cg: CG, ufg: UFG}, ufg_fraction: 0.4";
 
 /* --- cells and supercells -----------------------------------------------------------------------
@@ -138,8 +92,8 @@ static void supercells_are_their_cells(void **state)
             compare_phases(body[0], body[1]);
             compare_statistics(body[0], body[1], 27);
             assert_true(body[0]->findings.ufg.percolates[0]);
-            discard(body[0]);
-            discard(body[1]);
+            made_free(body[0]);
+            made_free(body[1]);
         }
 }
 
@@ -166,8 +120,8 @@ static void they_are_along_some_axes(void **state)
         compare_phases(body[0], body[1]);
         compare_statistics(body[0], body[1], 9);
         assert_false(body[0]->cores.image[body[0]->cores.count - 1][b ? 2 : 0]);
-        discard(body[0]);
-        discard(body[1]);
+        made_free(body[0]);
+        made_free(body[1]);
     }
 }
 
@@ -180,7 +134,8 @@ static struct made *moved(const struct made *from, const char *keys, const int64
 {
     struct made *made = memory_new(1, sizeof *made);
     const struct cores *cores = &from->cores;
-    made->recipe = read_recipe(keys, &made->deck);
+    made->deck = domain_deck("plate", keys);
+    made->recipe = recipe_read(made->deck);
     made->cores = (struct cores){
         .shape = cores->shape, .box = cores->box, .distance = cores->distance, .count = cores->own};
     made->cores.centre = memory_new((size_t)cores->own, sizeof *cores->centre);
@@ -192,7 +147,7 @@ static struct made *moved(const struct made *from, const char *keys, const int64
                 cores->centre[c][axis] + (double)by[axis] * from->sites.spacing[axis];
     }
     cores_finish(&made->cores, cores->reach);
-    finish(made);
+    made_fill(made);
     return made;
 }
 
@@ -237,8 +192,8 @@ static void any_cell_may_be_cut(void **state)
         assert_near(one->findings.ufg_fraction, 0.4, 0.5 / (double)one->sites.n_nodes);
         assert_int_equal(one->structure.threshold.split, 0);
         compare_moved(one, other, by);
-        discard(one);
-        discard(other);
+        made_free(one);
+        made_free(other);
         free(keys);
     }
 }
@@ -262,7 +217,7 @@ static void offsets_move_the_lattice(void **state)
     struct made *other = make(text);
     free(text);
     compare_moved(one, other, by);
-    discard(other);
+    made_free(other);
     text =
         memory_print(keys, two_phases, "offset: [0.137 spacings, 0.291 spacings, 0.413 spacings]");
     other = make(text);
@@ -270,15 +225,15 @@ static void offsets_move_the_lattice(void **state)
     assert_int_equal(other->findings.cg.count, 1);
     const double area = 6 * pow(0.6, 2.0 / 3) / 32e-6; /* 1/m */
     assert_relative(statistics_interface(&other->structure, false).faces, area, 0.04);
-    discard(one);
+    made_free(one);
     free(text);
     text = memory_print(keys, two_phases, "match: exact");
     one = make(text);
     assert_true(one->structure.threshold.split > 5 * other->structure.threshold.split);
     /* What is split of all faces is rough: twice the area. */
     assert_true(statistics_interface(&one->structure, false).faces > 1.9 * area);
-    discard(one);
-    discard(other);
+    made_free(one);
+    made_free(other);
     free(text);
 }
 
@@ -448,7 +403,7 @@ static void images_of_a_core_are_others(void **state)
     double least = INFINITY;
     for (int64_t i = 0; i < found; i++) least = fmin(least, thickness[i]);
     assert_near(least, 2, 1e-12);
-    discard(made);
+    made_free(made);
 }
 
 /* --- against geometry ---------------------------------------------------------------------------
@@ -470,7 +425,7 @@ static void a_sphere_has_its_interface(void **state)
     struct interface interface = statistics_interface(&made->structure, false);
     assert_relative(interface.crofton, 4 * M_PI * radius * radius / (a * a * a), 0.01);
     assert_relative(interface.faces, 1.5 * 4 * M_PI * radius * radius / (a * a * a), 0.01);
-    discard(made);
+    made_free(made);
 }
 
 /* --- the file -----------------------------------------------------------------------------------
@@ -490,13 +445,13 @@ static void domains_say_after_what_they_repeat(void **state)
     assert_int_equal(domain.n_sets, 0);
     assert_int_equal(domain.n_nodes, 24);
     domain_free(&domain);
-    discard(made);
+    made_free(made);
 }
 
 static void try_recipe(const void *keys)
 {
-    struct deck *deck;
-    struct recipe recipe = read_recipe(keys, &deck);
+    struct deck *deck = domain_deck("plate", keys);
+    struct recipe recipe = recipe_read(deck);
     struct cores cores = recipe_cores(&recipe);
     cores_free(&cores);
     deck_free(deck);

@@ -1,14 +1,7 @@
 /* Sheets: one layer of nodes whose thickness has nothing to do with the spacing. */
-#include "dies.h"
+#include "made.h"
 
-#include "assemble.h"
-#include "fill.h"
-#include "memory.h"
 #include "outline.h"
-#include "statistics.h"
-#include "topology.h"
-
-#include <stdlib.h>
 
 static const char homogeneous[] = "topology: homogeneous, phase: CG";
 
@@ -17,50 +10,21 @@ struct sheet_case {
     const char *specimen, *size, *structure;
 };
 
-struct sheet {
-    struct deck *deck;
-    struct recipe recipe;
-    struct sites sites;
-    struct cores cores;
-    struct structure structure;
-    struct findings findings;
-    struct domain domain;
-};
-
-static struct recipe read_recipe(const struct sheet_case *wanted, struct deck **deck)
+static struct deck *sheet_deck(const struct sheet_case *wanted)
 {
-    char *text = memory_print(
-        "domain: {dimensions: 2, spacing: 10 um, specimen: %s, size: %s, %s, grips: {length: 50 "
-        "um, "
+    char *keys = memory_print(
+        "dimensions: 2, spacing: 10 um, size: %s, %s, grips: {length: 50 um, "
         "phase: structure}, sets: [{name: middle, box: [[-20 um, -20 um, -1 nm], [20 um, 20 um, 1 "
-        "nm]]}]}",
-        wanted->specimen, wanted->size, wanted->structure);
-    *deck = deck_parse(text, strlen(text), "test");
-    free(text);
-    return recipe_read(*deck);
+        "nm]]}]",
+        wanted->size, wanted->structure);
+    struct deck *deck = domain_deck(wanted->specimen, keys);
+    free(keys);
+    return deck;
 }
 
-static struct sheet *make(const char *specimen, const char *size, const char *structure)
+static struct made *make(const char *specimen, const char *size, const char *structure)
 {
-    struct sheet *sheet = memory_new(1, sizeof *sheet);
-    struct sheet_case wanted = {specimen, size, structure};
-    sheet->recipe = read_recipe(&wanted, &sheet->deck);
-    sheet->sites = fill_sites(&sheet->recipe.specimen);
-    sheet->cores = recipe_cores(&sheet->recipe);
-    sheet->structure = structure_new(&sheet->recipe, &sheet->sites, &sheet->cores);
-    sheet->findings = findings_of(&sheet->recipe, &sheet->structure, &sheet->cores);
-    sheet->domain = assemble_domain(&sheet->recipe, &sheet->structure, &sheet->findings, NULL);
-    return sheet;
-}
-
-static void discard(struct sheet *sheet)
-{
-    domain_free(&sheet->domain);
-    structure_free(&sheet->structure);
-    cores_free(&sheet->cores);
-    sites_free(&sheet->sites);
-    deck_free(sheet->deck);
-    free(sheet);
+    return made_with_domain(sheet_deck(&(struct sheet_case){specimen, size, structure}));
 }
 
 /* One layer in z = 0, volumes that sum to the body's to rounding (1e-12 of it), facts in the file.
@@ -72,7 +36,7 @@ static void plates_have_their_thickness(void **state)
     for (int i = 0; i < 3; i++) {
         char *size = memory_print("[0.6 mm, 0.3 mm, %.17g m]", thicknesses[i]);
         char *gauge = memory_print("%s, gauge: {length: 0.2 mm}", homogeneous);
-        struct sheet *sheet = make("plate", size, gauge);
+        struct made *sheet = make("plate", size, gauge);
         const struct domain *domain = &sheet->domain;
         double sum = 0, h = thicknesses[i];
         assert_int_equal(domain->n_nodes, 60 * 30);
@@ -87,7 +51,7 @@ static void plates_have_their_thickness(void **state)
         assert_int_equal(domain_set(domain, "grip_left")->count, 5 * 30);
         assert_int_equal(domain_set(domain, "gauge_right")->count, 30);
         assert_int_equal(domain_set(domain, "middle")->count, 16);
-        discard(sheet);
+        made_free(sheet);
         free(gauge);
         free(size);
     }
@@ -97,9 +61,8 @@ static void plates_have_their_thickness(void **state)
 static void bodies_are_no_sheets(void **state)
 {
     (void)state;
-    static const char text[] = "domain: {specimen: plate, size: [4, 4, 1], spacing: 1, topology: "
-                               "homogeneous, phase: CG, dimensions: 3}";
-    struct deck *deck = deck_parse(text, strlen(text), "test");
+    struct deck *deck = domain_deck("plate", "size: [4, 4, 1], spacing: 1, topology: "
+                                             "homogeneous, phase: CG, dimensions: 3");
     struct recipe recipe = recipe_read(deck);
     assert_false(specimen_is_sheet(&recipe.specimen));
     assert_true(specimen_node_volume(&recipe.specimen) == 1);
@@ -112,7 +75,7 @@ static void dogbones_are_cut_alike(void **state)
     (void)state;
     char *structure =
         memory_print("%s, gauge: {length: 0.3 mm, width: 0.1 mm, fillet: 0.12 mm}", homogeneous);
-    struct sheet *sheet = make("dogbone", "[0.8 mm, 0.2 mm, 1 mm]", structure);
+    struct made *sheet = make("dogbone", "[0.8 mm, 0.2 mm, 1 mm]", structure);
     struct specimen body = sheet->recipe.specimen;
     body.dimensions = 3;
     body.count[2] = 4;
@@ -123,7 +86,7 @@ static void dogbones_are_cut_alike(void **state)
      * beyond it, are within the outline's first 0.1 um of fillet. */
     assert_relative(outline_section(&sheet->recipe.specimen, &sheet->sites), 1e-7, 1e-12);
     sites_free(&sites);
-    discard(sheet);
+    made_free(sheet);
     free(structure);
 }
 
@@ -139,14 +102,14 @@ static void circles_have_their_interface(void **state)
     (void)state;
     const char structure[] = "topology: harmonic, phases: {cg: CG, ufg: UFG}, lattice: sc, core: "
                              "sphere, core_distance: 800 um, ufg_fraction: 0.4";
-    struct sheet *sheet = make("plate", "[2.5 mm, 2.4 mm, 1 m]", structure);
+    struct made *sheet = make("plate", "[2.5 mm, 2.4 mm, 1 m]", structure);
     double radius = sqrt(0.6 / M_PI) * 800e-6, exact = 2 * M_PI * radius / (800e-6 * 800e-6);
     struct interface interface = statistics_interface(&sheet->structure, true);
     assert_near(sheet->findings.reach, radius, 7.1e-6);
     assert_relative(interface.crofton, exact * (1 + 1.5 / 240), 0.01);
     assert_relative(interface.faces, 4 / M_PI * exact * (1 + 1.0 / 240), 0.01);
     assert_null(sheet->recipe.topology->fault(&sheet->recipe, &sheet->findings));
-    discard(sheet);
+    made_free(sheet);
 }
 
 /* Cells of fcc cut through their centres are squares on the diagonals, d wide, that leave a shell
@@ -157,15 +120,15 @@ static void cells_of_fcc_are_squares(void **state)
     (void)state;
     const char structure[] = "topology: harmonic, phases: {cg: CG, ufg: UFG}, lattice: fcc, "
                              "core_distance: 100 um, ufg_fraction: 0.4";
-    struct sheet *sheet = make("plate", "[1.6 mm, 0.4 mm, 3 um]", structure);
+    struct made *sheet = make("plate", "[1.6 mm, 0.4 mm, 3 um]", structure);
     assert_near(sheet->findings.core_film, 100e-6 * (1 - sqrt(0.6)), 2e-6);
     assert_null(sheet->recipe.topology->fault(&sheet->recipe, &sheet->findings));
     /* The thickness says nothing about the structure. */
-    struct sheet *thick = make("plate", "[1.6 mm, 0.4 mm, 1 m]", structure);
+    struct made *thick = make("plate", "[1.6 mm, 0.4 mm, 1 m]", structure);
     assert_memory_equal(sheet->structure.phase, thick->structure.phase,
                         (size_t)sheet->sites.n_nodes);
-    discard(sheet);
-    discard(thick);
+    made_free(sheet);
+    made_free(thick);
 }
 
 /* In a plane no two phases connect opposite sides both ways, so it is not asked for. */
@@ -178,19 +141,18 @@ static void random_sections_are_taken(void **state)
         char *structure = memory_print("topology: random, phases: {cg: CG, ufg: UFG}, %s, "
                                        "ufg_fraction: 0.4",
                                        cores[i]);
-        struct sheet *sheet = make("plate", "[1 mm, 0.4 mm, 1 m]", structure);
+        struct made *sheet = make("plate", "[1 mm, 0.4 mm, 1 m]", structure);
         assert_null(sheet->recipe.topology->fault(&sheet->recipe, &sheet->findings));
         /* Of 3600 counted nodes. */
         assert_near(sheet->findings.ufg_fraction, 0.4, 0.5 / 3600);
-        discard(sheet);
+        made_free(sheet);
         free(structure);
     }
 }
 
 static void try_recipe(const void *wanted)
 {
-    struct deck *deck;
-    read_recipe(wanted, &deck);
+    recipe_read(sheet_deck(wanted));
 }
 
 static void what_cannot_be_is_told(void **state)
