@@ -35,4 +35,20 @@ static inline void assert_dies(int code, const char *text, void (*run)(const voi
                  code, text);
 }
 
+/* Exit code of run(argument) in a child that says nothing, 0 where it comes back; 100: it crashed.
+ */
+static inline int code_of(void (*run)(const void *), const void *argument)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        if (!freopen("/dev/null", "w", stderr)) _exit(99);
+        die_set_exit(_exit);
+        run(argument);
+        _exit(0);
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 100;
+}
+
 #endif
