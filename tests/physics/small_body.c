@@ -29,20 +29,6 @@ const char small_two_phases[] =
 const char small_mix[] = "{law: mix, share: 0.1}";
 const char small_capped[] = "{law: capped}";
 
-int small_ranks_start(void **state)
-{
-    (void)state;
-    ranks_start(NULL, NULL);
-    return 0;
-}
-
-int small_ranks_stop(void **state)
-{
-    (void)state;
-    ranks_stop();
-    return 0;
-}
-
 static struct lattice lattice_of(const struct small_case *wanted)
 {
     struct lattice lattice = {.dimensions = wanted->plane ? 2 : 3,

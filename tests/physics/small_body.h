@@ -3,6 +3,8 @@
 #ifndef HS_SMALL_BODY_H
 #define HS_SMALL_BODY_H
 
+#include "small_ranks.h"
+
 #include "bonds.h"
 #include "boundary.h"
 #include "damage.h"
@@ -53,10 +55,6 @@ extern const char small_mix[], small_capped[];
 /* The body at rest.  Its address must stay. */
 void small_body_new(struct small_body *small, const struct small_case *wanted);
 void small_body_free(struct small_body *small);
-
-/* Group fixtures: one process of MPI. */
-int small_ranks_start(void **state);
-int small_ranks_stop(void **state);
 
 /* The owned sites have a phase; the lattice place of one that is not scattered. */
 bool small_body_has(const struct small_body *small, int64_t site);

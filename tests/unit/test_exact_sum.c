@@ -1,26 +1,12 @@
 /* Sums that do not depend on the order or grouping of their terms, to the last bit. */
 #include "check.h"
+#include "small_ranks.h"
 
 #include "exact_sum.h"
 #include "memory.h"
 #include "random.h"
-#include "ranks.h"
 
 #include <stdlib.h>
-
-static int start(void **state)
-{
-    (void)state;
-    ranks_start(NULL, NULL);
-    return 0;
-}
-
-static int stop(void **state)
-{
-    (void)state;
-    ranks_stop();
-    return 0;
-}
 
 enum { N = 1 << 20 };
 
@@ -173,5 +159,5 @@ int main(void)
         cmocka_unit_test(test_small_terms),
         cmocka_unit_test(test_scaled_strips_and_integers),
     };
-    return cmocka_run_group_tests_name("exact sums", tests, start, stop);
+    return cmocka_run_group_tests_name("exact sums", tests, small_ranks_start, small_ranks_stop);
 }

@@ -1,26 +1,12 @@
 /* Partition: every particle has one owner, the shares are even, the same each time. */
 #include "dies.h"
+#include "small_ranks.h"
 
 #include "memory.h"
 #include "partition.h"
-#include "ranks.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static int start(void **state)
-{
-    (void)state;
-    ranks_start(NULL, NULL);
-    return 0;
-}
-
-static int stop(void **state)
-{
-    (void)state;
-    ranks_stop();
-    return 0;
-}
 
 /* A plate with its middle cut narrow, as a dog-bone. */
 static struct lattice waisted(int x, int y, int z)
@@ -128,5 +114,5 @@ int main(void)
         cmocka_unit_test(test_empty_cells),
         cmocka_unit_test(test_most_ranks),
     };
-    return cmocka_run_group_tests_name("partition", tests, start, stop);
+    return cmocka_run_group_tests_name("partition", tests, small_ranks_start, small_ranks_stop);
 }
