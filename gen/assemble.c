@@ -87,15 +87,7 @@ struct domain assemble_domain(const struct recipe *recipe, const struct structur
 {
     const struct sites *sites = structure->sites;
     size_t n_nodes = (size_t)sites->n_nodes;
-    struct domain domain = {.n_nodes = sites->n_nodes, .n_phases = recipe->n_phases};
-    domain.x = memory_new(n_nodes, sizeof *domain.x);
-    domain.y = memory_new(n_nodes, sizeof *domain.y);
-    domain.z = memory_new(n_nodes, sizeof *domain.z);
-    domain.volume = memory_new(n_nodes, sizeof *domain.volume);
-    domain.phase = memory_new(n_nodes, sizeof *domain.phase);
-    domain.phase_names = memory_new((size_t)recipe->n_phases, sizeof *domain.phase_names);
-    for (int phase = 0; phase < recipe->n_phases; phase++)
-        domain.phase_names[phase] = memory_text(recipe->phase_names[phase]);
+    struct domain domain = domain_new(sites->n_nodes, recipe->n_phases, recipe->phase_names);
     for (size_t node = 0; node < n_nodes; node++) {
         double position[3];
         sites_position(sites, (int64_t)node, position);

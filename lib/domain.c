@@ -64,6 +64,26 @@ void attributes_free(struct attributes *attributes)
     *attributes = (struct attributes){0};
 }
 
+void domain_make_room(struct domain *domain, int64_t n_nodes)
+{
+    const size_t n = (size_t)n_nodes;
+    domain->n_nodes = n_nodes;
+    domain->x = memory_new(n, sizeof *domain->x);
+    domain->y = memory_new(n, sizeof *domain->y);
+    domain->z = memory_new(n, sizeof *domain->z);
+    domain->volume = memory_new(n, sizeof *domain->volume);
+    domain->phase = memory_new(n, sizeof *domain->phase);
+}
+
+struct domain domain_new(int64_t n_nodes, int n_phases, const char *const names[])
+{
+    struct domain domain = {.n_phases = n_phases};
+    domain_make_room(&domain, n_nodes);
+    domain.phase_names = memory_new((size_t)n_phases, sizeof *domain.phase_names);
+    for (int p = 0; p < n_phases; p++) domain.phase_names[p] = memory_text(names[p]);
+    return domain;
+}
+
 const struct node_set *domain_set(const struct domain *domain, const char *name)
 {
     for (int i = 0; i < domain->n_sets; i++)

@@ -69,6 +69,11 @@ struct domain {
     int64_t *hexahedra;
 };
 
+/* Positions, volumes and phases of n_nodes, all zero; names: [n_phases]. */
+struct domain domain_new(int64_t n_nodes, int n_phases, const char *const names[]);
+/* The same in a domain whose phases are named. */
+void domain_make_room(struct domain *domain, int64_t n_nodes);
+
 /* Whether ids of grains are known. */
 bool domain_has_grains(const struct domain *domain);
 

@@ -198,12 +198,7 @@ static void forget_block(struct domain *domain, int phase)
 static void make_room(struct mesh *mesh, int64_t particles, struct domain *domain)
 {
     const size_t n = (size_t)particles;
-    domain->n_nodes = particles;
-    domain->x = memory_new(n, sizeof(double));
-    domain->y = memory_new(n, sizeof(double));
-    domain->z = memory_new(n, sizeof(double));
-    domain->volume = memory_new(n, sizeof(double));
-    domain->phase = memory_new(n, 1);
+    domain_make_room(domain, particles);
     memset(domain->phase, UNSEEN, n);
     if (!mesh->on_nodes) mesh->elements = memory_new(n, sizeof *mesh->elements);
     mesh->particle = memory_new((size_t)mesh->n_elements, sizeof *mesh->particle);

@@ -210,12 +210,8 @@ struct domain domain_text_read(const struct spool *input, const char *shown,
 {
     struct particles all = read_particles(input, shown);
     const size_t n = (size_t)all.count;
-    struct domain domain = {.n_nodes = all.count,
-                            .x = memory_new(n, sizeof(double)),
-                            .y = memory_new(n, sizeof(double)),
-                            .z = memory_new(n, sizeof(double)),
-                            .volume = memory_new(n, sizeof(double)),
-                            .phase = memory_new(n, 1)};
+    struct domain domain = {0};
+    domain_make_room(&domain, all.count);
     for (size_t i = 0; i < n; i++) {
         const double *value = all.items[i].value;
         domain.x[i] = value[COLUMN_X];

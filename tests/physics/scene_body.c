@@ -10,16 +10,7 @@
 
 static struct domain domain_of(const struct lattice *lattice)
 {
-    const size_t n = (size_t)lattice->n_nodes;
-    struct domain domain = {.n_nodes = lattice->n_nodes,
-                            .x = memory_new(n, sizeof(double)),
-                            .y = memory_new(n, sizeof(double)),
-                            .z = memory_new(n, sizeof(double)),
-                            .volume = memory_new(n, sizeof(double)),
-                            .phase = memory_new(n, 1),
-                            .n_phases = 1,
-                            .phase_names = memory_new(1, sizeof(char *))};
-    domain.phase_names[0] = memory_text("A");
+    struct domain domain = domain_new(lattice->n_nodes, 1, (const char *const[]){"A"});
     int64_t node = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
         int at[3];

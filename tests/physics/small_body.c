@@ -60,13 +60,7 @@ static struct lattice lattice_of(const struct small_case *wanted)
 /* The same particles as scattered ones. */
 static struct lattice scattered(struct lattice *lattice, double jitter)
 {
-    const size_t n = (size_t)lattice->n_nodes;
-    struct domain domain = {.n_nodes = lattice->n_nodes,
-                            .x = memory_new(n, sizeof(double)),
-                            .y = memory_new(n, sizeof(double)),
-                            .z = memory_new(n, sizeof(double)),
-                            .volume = memory_new(n, sizeof(double)),
-                            .phase = memory_new(n, 1)};
+    struct domain domain = domain_new(lattice->n_nodes, 0, NULL);
     struct random_stream *stream = random_new(1, "jitter");
     int64_t node = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
@@ -100,14 +94,9 @@ static struct lattice mesh_of(const struct lattice *particles, double jitter)
     const int64_t n = cells.n_particles;
     struct domain nodes = corners_domain(&cells);
     domain_hold(&nodes);
-    struct domain domain = {.n_nodes = n,
-                            .x = memory_new((size_t)n, sizeof(double)),
-                            .y = memory_new((size_t)n, sizeof(double)),
-                            .z = memory_new((size_t)n, sizeof(double)),
-                            .volume = memory_new((size_t)n, sizeof(double)),
-                            .phase = memory_new((size_t)n, 1),
-                            .hexahedra = memory_new(8 * (size_t)n, sizeof(int64_t)),
-                            .corners = memory_new(1, sizeof(struct domain))};
+    struct domain domain = domain_new(n, 0, NULL);
+    domain.hexahedra = memory_new(8 * (size_t)n, sizeof(int64_t));
+    domain.corners = memory_new(1, sizeof(struct domain));
     double *const x[3] = {nodes.x, nodes.y, nodes.z};
     int64_t *number = memory_new((size_t)cells.n_sites, sizeof *number), next = 0;
     struct random_stream *stream = random_new(1, "jitter");

@@ -17,12 +17,7 @@ static const char long_name[] = "a_phase_with_a_name_of_more_than_thirty_two_cha
 static struct domain small_domain(void)
 {
     static const int64_t left[] = {0, 4, 8, 12, 16, 20}, right[] = {3, 7, 11, 15, 19, 23};
-    struct domain domain = {.n_nodes = NODES, .n_phases = 3};
-    domain.x = memory_new(NODES, sizeof(double));
-    domain.y = memory_new(NODES, sizeof(double));
-    domain.z = memory_new(NODES, sizeof(double));
-    domain.volume = memory_new(NODES, sizeof(double));
-    domain.phase = memory_new(NODES, 1);
+    struct domain domain = domain_new(NODES, 3, (const char *const[]){"CG", "absent", long_name});
     for (int i = 0; i < NODES; i++) {
         domain.x[i] = 25e-6 * (i % 4);
         domain.y[i] = 25e-6 * (i / 4 % 3);
@@ -30,10 +25,6 @@ static struct domain small_domain(void)
         domain.volume[i] = (1 + i) * 1e-15;
         domain.phase[i] = i % 5 == 0 ? 2 : 0; /* none of phase 1 */
     }
-    domain.phase_names = memory_new(3, sizeof(char *));
-    domain.phase_names[0] = memory_text("CG");
-    domain.phase_names[1] = memory_text("absent");
-    domain.phase_names[2] = memory_text(long_name);
     domain_add_set(&domain, "grip_left", 6, left);
     domain_add_set(&domain, "nobody", 0, NULL);
     domain_add_set(&domain, "grip_right", 6, right);

@@ -10,20 +10,7 @@
 
 static const double spacing = 25e-6;
 
-static struct domain domain_new(int64_t count)
-{
-    struct domain domain = {.n_nodes = count, .n_phases = 2};
-    const size_t n = (size_t)count;
-    domain.x = memory_new(n, sizeof(double));
-    domain.y = memory_new(n, sizeof(double));
-    domain.z = memory_new(n, sizeof(double));
-    domain.volume = memory_new(n, sizeof(double));
-    domain.phase = memory_new(n, 1);
-    domain.phase_names = memory_new(2, sizeof(char *));
-    domain.phase_names[0] = memory_text("CG");
-    domain.phase_names[1] = memory_text("UFG");
-    return domain;
-}
+static const char *const names[] = {"CG", "UFG"};
 
 /* Puts it in order; whether it is a lattice. */
 static bool sorted(struct domain *domain)
@@ -56,7 +43,7 @@ static void shuffle(struct domain *domain, long seed)
 /* x fastest; the upper half along x is of phase 1. */
 static struct domain block(int nx, int ny, int nz, double volume)
 {
-    struct domain domain = domain_new((int64_t)nx * ny * nz);
+    struct domain domain = domain_new((int64_t)nx * ny * nz, 2, names);
     for (int64_t i = 0; i < domain.n_nodes; i++) {
         domain.x[i] = ((double)(i % nx) - 0.5 * (nx - 1)) * spacing;
         domain.y[i] = ((double)(i / nx % ny) - 0.5 * (ny - 1)) * spacing;
@@ -70,7 +57,7 @@ static struct domain block(int nx, int ny, int nz, double volume)
 /* Independent uniform points with unequal volumes. */
 static struct domain cloud(int64_t count, long seed)
 {
-    struct domain domain = domain_new(count);
+    struct domain domain = domain_new(count, 2, names);
     struct random_stream *stream = random_new(seed, "cloud");
     for (int64_t i = 0; i < count; i++) {
         domain.x[i] = 1e-3 * random_uniform(stream);

@@ -32,19 +32,11 @@ static void fill_cell(struct domain *domain, int64_t particle, int cell, int tur
  * nodes and one that no element has. */
 static struct domain block(void)
 {
-    struct domain domain = {.n_nodes = CELLS,
-                            .x = memory_new(CELLS, sizeof(double)),
-                            .y = memory_new(CELLS, sizeof(double)),
-                            .z = memory_new(CELLS, sizeof(double)),
-                            .volume = memory_new(CELLS, sizeof(double)),
-                            .phase = memory_new(CELLS, 1),
-                            .hexahedra = memory_new(8 * CELLS, sizeof(int64_t)),
-                            .corners = memory_new(1, sizeof(struct domain))};
+    struct domain domain = domain_new(CELLS, 0, NULL);
+    domain.hexahedra = memory_new(8 * CELLS, sizeof(int64_t));
+    domain.corners = memory_new(1, sizeof(struct domain));
     struct domain *nodes = domain.corners;
-    nodes->n_nodes = NODES + 1;
-    nodes->x = memory_new(NODES + 1, sizeof(double));
-    nodes->y = memory_new(NODES + 1, sizeof(double));
-    nodes->z = memory_new(NODES + 1, sizeof(double));
+    *nodes = domain_new(NODES + 1, 0, NULL);
     for (int i = 0; i < NODES; i++) {
         nodes->x[i] = i % (N + 1);
         nodes->y[i] = i / (N + 1) % (N + 1);

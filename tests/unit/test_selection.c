@@ -15,19 +15,13 @@ static struct domain cube(void)
 {
     static const char *const names[] = {"A", "B", "C"};
     static const int64_t corners[] = {0, NODES - 1};
-    struct domain domain = {.n_nodes = NODES, .n_phases = 3};
-    domain.x = memory_new(NODES, sizeof(double));
-    domain.y = memory_new(NODES, sizeof(double));
-    domain.z = memory_new(NODES, sizeof(double));
-    domain.phase = memory_new(NODES, 1);
+    struct domain domain = domain_new(NODES, 3, names);
     for (int i = 0; i < NODES; i++) {
         domain.x[i] = (i % SIZE - 1.5) * spacing;
         domain.y[i] = (i / SIZE % SIZE - 1.5) * spacing;
         domain.z[i] = (i / (SIZE * SIZE) - 1.5) * spacing;
         domain.phase[i] = domain.z[i] > 0;
     }
-    domain.phase_names = memory_new(3, sizeof(char *));
-    for (int p = 0; p < 3; p++) domain.phase_names[p] = memory_text(names[p]);
     domain_add_set(&domain, "corners", 2, corners);
     domain_add_set(&domain, "nothing", 0, NULL);
     return domain;
