@@ -225,10 +225,31 @@ void small_body_shake(struct small_body *small, double amplitude, long seed)
     random_free(stream);
 }
 
+void small_body_strike(struct small_body *small, double speed)
+{
+    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
+        int at[3];
+        if (!small_body_has(small, site)) continue;
+        small_body_position(small, site, at);
+        small->body.v[0][site] = speed * (0.1 * at[0] + 0.05 * at[1]);
+        small->body.v[1][site] = speed * sin(0.5 * at[0]) + 0.05 * speed * at[0];
+        small->body.v[2][site] = speed * cos(0.4 * at[1] + at[0]);
+    }
+}
+
 void small_body_force(struct small_body *small, bool commit, bool frozen)
 {
     model_force(small->model, &small->body, (struct force_mode){.commit = commit, .frozen = frozen},
                 NULL);
+}
+
+int small_body_observe(struct small_body *small, int64_t site, struct node_state *node)
+{
+    const struct strip *strip = model_strips(small->model, &small->body)->items;
+    while (site < strip->site || site >= strip->site + strip->count) strip++;
+    body_need_gradient(&small->body); /* observed, though not prepared */
+    model_observe(small->model, &small->body, strip, node);
+    return (int)(site - strip->site);
 }
 
 void small_body_plastic_range(struct small_body *small, double range[2])

@@ -66,8 +66,14 @@ void small_body_deform(struct small_body *small, const double H[9]);
 /* Adds amplitude (in spacings) times a number from [-1, 1) to each component of u; seeded. */
 void small_body_shake(struct small_body *small, double amplitude, long seed);
 
+/* Velocities up to about speed [m/s] that vary over the body, with a spin. */
+void small_body_strike(struct small_body *small, double speed);
+
 /* Force with these switches; nothing is summed up. */
 void small_body_force(struct small_body *small, bool commit, bool frozen);
+
+/* What is observed of a node: the number of it in node. */
+int small_body_observe(struct small_body *small, int64_t site, struct node_state *node);
 
 /* Smallest and largest equivalent plastic strain of the nodes. */
 void small_body_plastic_range(struct small_body *small, double range[2]);

@@ -89,19 +89,6 @@ static void test_forces_of_capped_bonds_cancel(void **state)
     }
 }
 
-/* The body is struck: velocities [m/s] that vary over it, with a spin. */
-static void strike(struct small_body *small, double speed)
-{
-    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
-        int at[3];
-        if (!small_body_has(small, site)) continue;
-        small_body_position(small, site, at);
-        small->body.v[0][site] = speed * (0.1 * at[0] + 0.05 * at[1]);
-        small->body.v[1][site] = speed * sin(0.5 * at[0]) + 0.05 * speed * at[0];
-        small->body.v[2][site] = speed * cos(0.4 * at[1] + at[0]);
-    }
-}
-
 struct flight {
     double drift;   /* largest |energy - initial|/initial of the free body */
     double plastic; /* its plastic share at the end */
@@ -113,7 +100,7 @@ static struct flight fly(const char *stabilisation, double speed, double dt, int
     struct boundary nothing = small_free_boundary();
     struct flight flight = {0, 0};
     body_of(&small, stabilisation, 1);
-    strike(&small, speed);
+    small_body_strike(&small, speed);
     struct integration integration =
         integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     const double initial = energy_total(&integration.balance);

@@ -66,12 +66,9 @@ struct answer {
 /* Nominal stress xx of a node, as of the last force to be recorded. */
 static double nominal_stress(struct small_body *small, int64_t site)
 {
-    const struct strips *strips = model_strips(small->model, &small->body);
-    const struct strip *strip = strips->items;
-    while (site < strip->site || site >= strip->site + strip->count) strip++;
     struct node_state node;
-    model_observe(small->model, &small->body, strip, &node);
-    return node.nominal[site - strip->site];
+    const int i = small_body_observe(small, site, &node);
+    return node.nominal[i];
 }
 
 static struct answer force(struct small_body *small, bool commit)
@@ -303,8 +300,24 @@ static uint8_t two_halves(const int size[3], const int at[3])
     return at[0] >= size[0] / 2;
 }
 
-/* Force between two particles of either phase whose integrities are 0.8 and 0.2, over that of sound
- * ones.  Alone they have no deformation gradient: it is that of the bond. */
+/* Force between two particles whose integrities are 0.8 and other, over that of sound ones; it is
+ * as large at both ends. */
+static double share_left(struct small_body *small, double other)
+{
+    const int64_t a = small_body_middle(small) - 1;
+    stretch(small, 1e-5);
+    small_body_force(small, false, false);
+    const double sound = small->body.f[0][a];
+    small->body.integrity->whole = false;
+    small->body.integrity->node[a] = 0.8;
+    small->body.integrity->node[a + 1] = other;
+    small_body_force(small, false, false);
+    assert_relative(small->body.f[0][a + 1], -small->body.f[0][a], 1e-14);
+    return small->body.f[0][a] / sound;
+}
+
+/* Of particles of either phase with integrities of 0.8 and 0.2.  Alone they have no deformation
+ * gradient: it is that of the bond. */
 static double bond_share(const char *stabilisation, const char *rule)
 {
     struct small_body small;
@@ -318,16 +331,7 @@ static double bond_share(const char *stabilisation, const char *rule)
                                                 .n_phases = 2,
                                                 .phase = two_halves,
                                                 .breaking = breaking});
-    const int64_t a = small_body_middle(&small) - 1;
-    stretch(&small, 1e-5);
-    small_body_force(&small, false, false);
-    const double sound = small.body.f[0][a];
-    small.body.integrity->whole = false;
-    small.body.integrity->node[a] = 0.8;
-    small.body.integrity->node[a + 1] = 0.2;
-    small_body_force(&small, false, false);
-    const double share = small.body.f[0][a] / sound;
-    assert_relative(small.body.f[0][a + 1], -small.body.f[0][a], 1e-14);
+    const double share = share_left(&small, 0.2);
     small_body_free(&small);
     free(breaking);
     return share;
@@ -359,16 +363,7 @@ static void test_ordinary_bonds(void **state)
     small_body_new(
         &small, &(struct small_case){
                     .size = {2, 1, 1}, .horizon = 1, .materials = ordinary, .breaking = DUCTILE});
-    const int64_t a = small_body_middle(&small) - 1;
-    stretch(&small, 1e-5);
-    small_body_force(&small, false, false);
-    const double sound = small.body.f[0][a];
-    small.body.integrity->whole = false;
-    small.body.integrity->node[a] = 0.8;
-    small.body.integrity->node[a + 1] = 0.3;
-    small_body_force(&small, false, false);
-    assert_relative(small.body.f[0][a], 0.55 * sound, 1e-14);
-    assert_relative(small.body.f[0][a + 1], -0.55 * sound, 1e-14);
+    assert_relative(share_left(&small, 0.3), 0.55, 1e-14);
     small_body_free(&small);
 }
 

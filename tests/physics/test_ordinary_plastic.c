@@ -53,17 +53,9 @@ static void shear(struct small_body *small, double gamma)
 
 static double plastic_strain(struct small_body *small)
 {
-    const struct strips *strips = model_strips(small->model, &small->body);
-    const int64_t middle = small_body_middle(small);
     struct node_state node;
-    body_need_gradient(&small->body); /* observed, though not prepared */
-    for (int64_t s = 0; s < strips->count; s++) {
-        const struct strip *strip = &strips->items[s];
-        if (middle < strip->site || middle >= strip->site + strip->count) continue;
-        model_observe(small->model, &small->body, strip, &node);
-        return node.plastic[middle - strip->site];
-    }
-    return NAN;
+    const int i = small_body_observe(small, small_body_middle(small), &node);
+    return node.plastic[i];
 }
 
 /* Yield at q = sigma_y: a millionth of it below, nothing; a hundred thousandth above, flow. */
@@ -252,18 +244,6 @@ static void test_held_body_settles(void **state)
     small_body_free(&small);
 }
 
-static void strike(struct small_body *small, double speed)
-{
-    for (int64_t site = 0; site < small->body.grid.n_sites; site++) {
-        int at[3];
-        if (!small_body_has(small, site)) continue;
-        small_body_position(small, site, at);
-        small->body.v[0][site] = speed * (0.1 * at[0] + 0.05 * at[1]);
-        small->body.v[1][site] = speed * sin(0.5 * at[0]) + 0.05 * speed * at[0];
-        small->body.v[2][site] = speed * cos(0.4 * at[1] + at[0]);
-    }
-}
-
 static double total(const struct energy_balance *b)
 {
     return b->kinetic + b->stored + b->plastic + b->stabilisation;
@@ -285,7 +265,7 @@ static struct flight fly(double dt, int steps)
                                                 two_phases,
                                                 .n_phases = 2,
                                                 .phase = rugged});
-    strike(&small, 60);
+    small_body_strike(&small, 60);
     struct integration integration =
         integration_new(true, dt, 0, &small.materials, &small.body, &nothing, small.model);
     const double initial = total(&integration.balance);

@@ -71,17 +71,11 @@ static void test_particles_that_collide(void **state)
 /* Plastic strain and von Mises stress (Kirchhoff) of a node. */
 static void look(struct small_body *small, int64_t site, double *p, double *mises, double *axial)
 {
-    const struct strips *strips = model_strips(small->model, &small->body);
     struct node_state node;
-    for (int64_t s = 0; s < strips->count; s++) {
-        const struct strip *strip = &strips->items[s];
-        if (site < strip->site || site >= strip->site + strip->count) continue;
-        model_observe(small->model, &small->body, strip, &node);
-        const int64_t i = site - strip->site;
-        *p = node.plastic[i];
-        *axial = (1 + node.H[4][i]) * node.cauchy[1][i];
-        *mises = *axial - (1 + node.H[4][i]) * node.cauchy[0][i];
-    }
+    const int i = small_body_observe(small, site, &node);
+    *p = node.plastic[i];
+    *axial = (1 + node.H[4][i]) * node.cauchy[1][i];
+    *mises = *axial - (1 + node.H[4][i]) * node.cauchy[0][i];
 }
 
 /* Peridigm, IsotropicHardeningPlasticFullyPrescribedTension_NoFlaw and
@@ -219,22 +213,31 @@ static void test_energy_of_affine_motions(void **state)
     small_body_free(&small);
 }
 
+/* A body that Peridynamics.jl has. */
+struct peer {
+    const char *materials, *stabilisation, *correction, *influence;
+    double horizon;
+};
+
+static void peer_new(struct small_body *small, const struct peer *peer, int x, int y, int z)
+{
+    small_body_new(small, &(struct small_case){{x, y, z},
+                                               peer->horizon,
+                                               family_influence(peer->influence),
+                                               peer->stabilisation,
+                                               peer->materials,
+                                               .n_phases = 1,
+                                               .surface_correction = peer->correction});
+}
+
 /* Peridynamics.jl, test_analytic_solutions.jl: a bar of 1 x 0.1 x 0.1, 200 GPa, one end held along
  * it, 2 MN on the last layer: 1e-3 of elongation.  Error of the elongation between the outermost
  * layers. */
-static double elongation_error(const char *materials, const char *stabilisation,
-                               const char *correction, const char *influence, double horizon,
-                               int across)
+static double elongation_error(const struct peer *peer, int across)
 {
     struct small_body small;
     const int length = 10 * across;
-    small_body_new(&small, &(struct small_case){{length, across, across},
-                                                horizon,
-                                                family_influence(influence),
-                                                stabilisation,
-                                                materials,
-                                                .n_phases = 1,
-                                                .surface_correction = correction});
+    peer_new(&small, peer, length, across, across);
     struct small_static problem = small_static_new(&small);
     const double stress = 200e9 * 1e-3;
     for (int y = 0; y < across; y++)
@@ -272,16 +275,15 @@ static void test_elongation_of_a_bar(void **state)
 {
     (void)state;
     static const double theirs[] = {-0.13, -0.086};
-    static const struct {
-        const char *materials, *stabilisation, *influence;
-        double horizon;
-    } others[] = {{solid, NULL, "linear", 3.015},
-                  {cauchy, small_mix, "constant", 1},
-                  {cauchy, small_capped, "constant", 1},
-                  {cauchy, small_mix, "constant", 2}};
+    static const struct peer uncorrected = {springs, NULL, NULL, "constant", 3.015},
+                             corrected = {springs, NULL, "energy", "constant", 3.015};
+    static const struct peer others[] = {{solid, NULL, NULL, "linear", 3.015},
+                                         {cauchy, small_mix, NULL, "constant", 1},
+                                         {cauchy, small_capped, NULL, "constant", 1},
+                                         {cauchy, small_mix, NULL, "constant", 2}};
     for (int n = 0; n < 2; n++) {
-        const double plain = elongation_error(springs, NULL, NULL, "constant", 3.015, 3 + n),
-                     energy = elongation_error(springs, NULL, "energy", "constant", 3.015, 3 + n);
+        const double plain = elongation_error(&uncorrected, 3 + n),
+                     energy = elongation_error(&corrected, 3 + n);
         show("bond-based, no correction", plain);
         show("bond-based, energy", energy);
         assert_near((1 + energy) * 1.036 - 1, theirs[n], 0.01);
@@ -290,8 +292,7 @@ static void test_elongation_of_a_bar(void **state)
     for (int k = 0; k < 4; k++) {
         double error[2];
         for (int n = 0; n < 2; n++) {
-            error[n] = elongation_error(others[k].materials, others[k].stabilisation, NULL,
-                                        others[k].influence, others[k].horizon, 4 << n);
+            error[n] = elongation_error(&others[k], 4 << n);
             show(others[k].stabilisation ? "correspondence" : "ordinary", error[n]);
         }
         assert_true(fabs(error[1]) < 0.6 * fabs(error[0]));
@@ -315,19 +316,12 @@ static double centre_of(const struct small_body *small)
 }
 
 /* Speed of a pulse along a bar over sqrt(E/rho), less 1; its width is three times the bar's. */
-static double speed_error(const char *materials, const char *stabilisation, const char *correction,
-                          const char *influence, double horizon, int across)
+static double speed_error(const struct peer *peer, int across)
 {
     struct small_body small;
     struct boundary nothing = small_free_boundary();
     const int width = 3 * across, length = 10 * width;
-    small_body_new(&small, &(struct small_case){{length, across, across},
-                                                horizon,
-                                                family_influence(influence),
-                                                stabilisation,
-                                                materials,
-                                                .n_phases = 1,
-                                                .surface_correction = correction});
+    peer_new(&small, peer, length, across, across);
     const struct material *m = &small.materials.items[0];
     const double exact = sqrt(m->youngs_modulus / m->density), dt = 0.4 * SMALL_SPACING / exact,
                  way = 2.5 * width * SMALL_SPACING;
@@ -357,20 +351,15 @@ static double speed_error(const char *materials, const char *stabilisation, cons
 static void test_wave_in_a_bar(void **state)
 {
     (void)state;
-    static const struct {
-        const char *materials, *stabilisation, *correction, *influence;
-        double horizon;
-    } bars[] = {{springs, NULL, "energy", "constant", 3.015},
-                {solid, NULL, NULL, "linear", 3.015},
-                {solid, NULL, "energy", "linear", 3.015},
-                {cauchy, small_mix, NULL, "constant", 1},
-                {cauchy, small_capped, NULL, "constant", 2}};
+    static const struct peer bars[] = {{springs, NULL, "energy", "constant", 3.015},
+                                       {solid, NULL, NULL, "linear", 3.015},
+                                       {solid, NULL, "energy", "linear", 3.015},
+                                       {cauchy, small_mix, NULL, "constant", 1},
+                                       {cauchy, small_capped, NULL, "constant", 2}};
     for (int k = 0; k < 5; k++) {
         double error[2];
         for (int n = 0; n < 2; n++) {
-            error[n] =
-                fabs(speed_error(bars[k].materials, bars[k].stabilisation, bars[k].correction,
-                                 bars[k].influence, bars[k].horizon, 4 + 2 * n));
+            error[n] = fabs(speed_error(&bars[k], 4 + 2 * n));
             show(bars[k].materials, error[n]);
         }
         assert_true(error[0] < 0.25);
@@ -387,24 +376,19 @@ static void test_chequerboard(void **state)
 {
     (void)state;
     static const struct {
-        const char *materials, *stabilisation, *influence;
-        double horizon, least;
-    } bodies[] = {{springs, NULL, "constant", 3.015, 5},
-                  {solid, NULL, "linear", 3.015, 5},
-                  {cauchy, small_mix, "constant", 1, 0.26},
-                  {cauchy, small_mix, "constant", 3, 2.3},
-                  {cauchy, "{law: mix, share: 0.2}", "constant", 1, 0.52},
-                  {cauchy, small_capped, "constant", 1, 5},
-                  {cauchy, small_capped, "constant", 3, 5}};
+        struct peer peer;
+        double least;
+    } bodies[] = {{{springs, NULL, NULL, "constant", 3.015}, 5},
+                  {{solid, NULL, NULL, "linear", 3.015}, 5},
+                  {{cauchy, small_mix, NULL, "constant", 1}, 0.26},
+                  {{cauchy, small_mix, NULL, "constant", 3}, 2.3},
+                  {{cauchy, "{law: mix, share: 0.2}", NULL, "constant", 1}, 0.52},
+                  {{cauchy, small_capped, NULL, "constant", 1}, 5},
+                  {{cauchy, small_capped, NULL, "constant", 3}, 5}};
     for (int k = 0; k < 7; k++) {
         struct small_body small;
-        const double A = 1e-6 * SMALL_SPACING, delta = bodies[k].horizon * SMALL_SPACING;
-        small_body_new(&small, &(struct small_case){{15, 15, 15},
-                                                    bodies[k].horizon,
-                                                    family_influence(bodies[k].influence),
-                                                    bodies[k].stabilisation,
-                                                    bodies[k].materials,
-                                                    .n_phases = 1});
+        const double A = 1e-6 * SMALL_SPACING, delta = bodies[k].peer.horizon * SMALL_SPACING;
+        peer_new(&small, &bodies[k].peer, 15, 15, 15);
         for (int64_t site = 0; site < small.body.grid.n_sites; site++) {
             int at[3];
             if (!small_body_has(&small, site)) continue;
@@ -415,7 +399,7 @@ static void test_chequerboard(void **state)
         const int64_t middle = small_body_middle(&small);
         const double resistance =
             -small.body.f[0][middle] / small.body.u[0][middle] * (delta * delta / 200e9);
-        show(bodies[k].materials, resistance);
+        show(bodies[k].peer.materials, resistance);
         assert_true(resistance > bodies[k].least);
         small_body_free(&small);
     }
@@ -452,21 +436,16 @@ static void test_torsion(void **state)
 {
     (void)state;
     static const struct {
-        const char *materials, *stabilisation, *influence;
-        double horizon, tolerance;
-    } bars[] = {{springs, NULL, "constant", 3.015, 0.3},
-                {solid, NULL, "linear", 3.015, 0.3},
-                {cauchy, small_mix, "constant", 1, 0.03},
-                {cauchy, small_capped, "constant", 2, 0.07}};
+        struct peer peer;
+        double tolerance;
+    } bars[] = {{{springs, NULL, NULL, "constant", 3.015}, 0.3},
+                {{solid, NULL, NULL, "linear", 3.015}, 0.3},
+                {{cauchy, small_mix, NULL, "constant", 1}, 0.03},
+                {{cauchy, small_capped, NULL, "constant", 2}, 0.07}};
     for (int k = 0; k < 4; k++) {
         struct small_body small;
         struct boundary nothing = small_free_boundary();
-        small_body_new(&small, &(struct small_case){{48, 8, 8},
-                                                    bars[k].horizon,
-                                                    family_influence(bars[k].influence),
-                                                    bars[k].stabilisation,
-                                                    bars[k].materials,
-                                                    .n_phases = 1});
+        peer_new(&small, &bars[k].peer, 48, 8, 8);
         const double G = 80e9, rho = 7850, pi = acos(-1),
                      omega = pi / (48 * SMALL_SPACING) * sqrt(G / rho * 0.1406 * 6);
         twist_rate(&small, true, 0.2 * omega);
@@ -484,7 +463,7 @@ static void test_torsion(void **state)
         }
         assert_int_equal(crossings, 3);
         const double frequency = pi / (crossing[1] - crossing[0]) / omega;
-        show(bars[k].materials, frequency);
+        show(bars[k].peer.materials, frequency);
         show("  amplitude", -least / (0.2 * omega));
         show("  second half", (crossing[2] - crossing[1]) / (crossing[1] - crossing[0]));
         assert_near(frequency, 1, bars[k].tolerance);
