@@ -90,6 +90,15 @@ static void add_triangle(const double *a, const double *b, const double *c, doub
     for (int d = 0; d < 3; d++) sums[1 + d] += volume * (a[d] + b[d] + c[d]) / 4;
 }
 
+/* The corners of a face; one of three is added, and true. */
+static bool add_flat(const struct solid *solid, int f, const double *p[4], double sums[4])
+{
+    const int *face = solid->faces[f];
+    for (int k = 0; k < 4; k++) p[k] = place[solid->first + (face[k] < 0 ? 0 : face[k])];
+    if (face[3] < 0) add_triangle(p[0], p[1], p[2], 1, sums);
+    return face[3] < 0;
+}
+
 /* A bilinear face bounds the mean of the two volumes that its diagonals' pairs of triangles bound:
  * along a line across it the two tetrahedra between the pairs lie on either side of it, as large as
  * each other. */
@@ -97,13 +106,8 @@ static double volume_of(const struct solid *solid)
 {
     double sums[4] = {0};
     for (int f = 0; f < solid->n_faces; f++) {
-        const int *face = solid->faces[f];
         const double *p[4];
-        for (int k = 0; k < 4; k++) p[k] = place[solid->first + (face[k] < 0 ? 0 : face[k])];
-        if (face[3] < 0) {
-            add_triangle(p[0], p[1], p[2], 1, sums);
-            continue;
-        }
+        if (add_flat(solid, f, p, sums)) continue;
         add_triangle(p[0], p[1], p[2], 0.5, sums);
         add_triangle(p[0], p[2], p[3], 0.5, sums);
         add_triangle(p[0], p[1], p[3], 0.5, sums);
@@ -117,13 +121,8 @@ static double volume_of(const struct solid *solid)
 static void moments_of(const struct solid *solid, int n, double sums[4])
 {
     for (int f = 0; f < solid->n_faces; f++) {
-        const int *face = solid->faces[f];
         const double *p[4];
-        for (int k = 0; k < 4; k++) p[k] = place[solid->first + (face[k] < 0 ? 0 : face[k])];
-        if (face[3] < 0) {
-            add_triangle(p[0], p[1], p[2], 1, sums);
-            continue;
-        }
+        if (add_flat(solid, f, p, sums)) continue;
         for (int i = 0; i < n; i++)
             for (int j = 0; j < n; j++) {
                 double q[4][3];
