@@ -14,6 +14,19 @@ function col(name) {
     return column[name]
 }
 
+# The first line of a table that is called for: its names become the columns, and nothing else is done with it.
+# tables: how many have begun.
+#   /^#/ { next }
+#   header() { next }
+function header(   i) {
+    if (tables && FILENAME == table) return 0
+    table = FILENAME
+    tables++
+    split("", column)
+    for (i = 1; i <= NF; i++) column[$i] = i
+    return 1
+}
+
 # The header of a table of nodes (hspost --frames FILE --csv) ends with these names.
 function header_ends(names) {
     if (substr($0, length($0) - length(names)) != "," names) broken_off("columns " $0 ", expected ..." names)

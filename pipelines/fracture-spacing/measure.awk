@@ -9,11 +9,7 @@ BEGIN {
     split(name, is, "-")
 }
 /^#/ { next }
-!head {
-    for (k = 1; k <= NF; k++) column[$k] = k
-    head = 1
-    next
-}
+header() { next }
 {
     n++
     force[n] = $col("force_right_N")

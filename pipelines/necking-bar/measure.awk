@@ -9,15 +9,9 @@
 
 BEGIN { n_at = split("1 2 3 4 5 6 6.5 7", at, " "); n_radii = split("5 6 6.5 7", radii, " ") }
 /^#/ { next }
-FILENAME != table {
-    delete column
-    for (i = 1; i <= NF; i++) column[$i] = i
-    table = FILENAME
-    file++
-    next
-}
+header() { next }
 # Meshes one behind the other, the finest last.
-file == 1 {
+tables == 1 {
     if ($col("mesh") != last) { last = $col("mesh"); meshes++; count[meshes] = 0; mesh_name[meshes] = last }
     add(meshes, $col("half_elongation_mm"), $col("force_kN"), $col("neck_radius"))
     end_strain[meshes] = $col("largest_plastic_strain")

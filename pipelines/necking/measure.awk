@@ -23,7 +23,7 @@ function considere(   p, h, s) {
 BEGIN { FS = ","; E = 210e3; considere() }
 /^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^#/ { next }
-!n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
+header() { next }
 {
     records++
     x[records] = $col("extension_m") / gauge

@@ -17,7 +17,7 @@ FNR == 1 { files++ }
 files == 2 { if ($0 ~ /^user/) seconds = substr($0, 6); if (match($0, /[0-9]+ forces:/)) forces = substr($0, RSTART) + 0; next }
 /^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^#/ { next }
-!n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
+header() { next }
 {
     strain = $col("extension_m") / gauge
     stress = 1e-6 * ($col("force_right_N") - $col("force_left_N")) / 2 / 0.04e-6

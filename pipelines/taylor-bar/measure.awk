@@ -6,14 +6,8 @@
 #   awk -F, -f pipelines/columns.awk -v name=NAME -v cpu=S -f measure.awk history.csv nodes.csv
 
 /^#/ { next }
-FILENAME != table {
-    delete column
-    for (i = 1; i <= NF; i++) column[$i] = i
-    table = FILENAME
-    file++
-    next
-}
-file == 1 {
+header() { next }
+tables == 1 {
     plastic = $col("largest_plastic_strain")
     kinetic = 100 * $col("kinetic_to_internal")
     drift = 100 * $col("energy_drift")

@@ -7,7 +7,7 @@ BEGIN { FS = "," }
 /^# gauge_length_m/ { split($0, word, ": "); gauge = word[2] }
 /^# section_m2/ { split($0, word, ": "); section = word[2] }
 /^#/ { next }
-!n { n = split($0, names); for (i = 1; i <= n; i++) column[names[i]] = i; next }
+header() { next }
 {
     strain = $col("extension_m") / gauge
     stress = 1e-6 * $col("force_right_N") / section
