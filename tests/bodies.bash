@@ -40,6 +40,31 @@ ${2:-  specimen: plate
 END
 }
 
+# small_plate: domain of random spheres, 24 by 6 by 4 spacings, of two phases
+small_plate() {
+    cat <<END
+domain:
+  specimen: plate
+  size: [24 spacings, 6 spacings, 4 spacings]
+  spacing: 25 um
+  topology: random
+  phases: {cg: CG, ufg: UFG}
+  core_distance: 2 spacings
+  ufg_fraction: 0.40
+  override: true
+  seed: 1
+  grips: {length: 3 spacings, phase: structure}
+  gauge: {length: 12 spacings}
+END
+}
+
+# nickel MODEL: materials CG, annealed, and UFG, after torsion
+nickel() {
+    echo materials:
+    printf '  %s:\n    model: %s\n    density: 8900 kg/m3\n    youngs_modulus: 210 GPa\n    poissons_ratio: 0.31\n    %s\n' \
+        CG "$1" "$soft" UFG "$1" "$hard"
+}
+
 # scatter LENGTH JITTER: a text domain of points 1 mm apart, each off its place, 5 by 5 across
 scatter() {
     awk -v count="$1" -v jitter="$2" 'BEGIN {

@@ -3,6 +3,9 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
+load ../columns
+
 # row FILE PATTERN TEXT: one row more, before the only line of the file that matches; name FILE PATTERN NAME: one more in a list.
 row() {
     [ "$(grep -c -- "$2" "$1")" -eq 1 ]
@@ -64,30 +67,14 @@ setup() {
 bar() {
     cat >study.yaml <<END
 title: Added
-domain:
-  specimen: plate
-  size: [0.4 mm, 0.1 mm, 0.1 mm]
-  spacing: 25 um
-  topology: homogeneous
-  phase: M
-  grips: {length: 2 spacings, phase: M}
-  gauge: {length: 0.2 mm}
+$(even 16 4 4 2 8)
 materials:
   M: {density: 8900 kg/m3, youngs_modulus: 210 GPa, $1}
-boundary:
-  - {set: grip_left, direction: x, velocity: -2 m/s}
-  - {set: grip_right, direction: x, velocity: 2 m/s}
+$(pulled '2 m/s')
 solver: {$2}
 $3
 END
     hsgen -q study.yaml -o study.g
-}
-
-columns() {
-    hspost -q --columns "$1" | awk -F, -v names="${*:2}" '/^#/ { next }
-        !n { n = split(names, name, " "); for (i = 1; i <= NF; i++) at[$i] = i
-             for (k = 1; k <= n; k++) if (!at[name[k]]) { print "no column " name[k] > "/dev/stderr"; exit 1 } next }
-        { line = $at[name[1]]; for (k = 2; k <= n; k++) line = line " " $at[name[k]]; print line }'
 }
 
 MIDDLE='[12.5 um, 12.5 um, 50 um]'

@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
@@ -62,15 +63,6 @@ wrong() {
         return 1
     fi
     [ ! -e out.e ]
-}
-
-# column HISTORY NAME: its values, one a line
-column() {
-    local number columns
-    columns=$(ncdump -v name_glo_var "$1" | sed -n '/name_glo_var =/,$s/^ *"\(.*\)"[,; ]*$/\1/p')
-    number=$(grep -nx "$2" <<<"$columns" | cut -d: -f1)
-    ncdump -p 9,17 -v vals_glo_var "$1" | sed '1,/vals_glo_var =/d; /}/d' | tr -d ' \n;' | tr ',' '\n' |
-        awk -v n="$(wc -l <<<"$columns")" -v k="$number" '(NR - 1) % n == k - 1; END { print "" }' | grep .
 }
 
 # frame FILE VARIABLE: its values in the last frame, one node a line
@@ -133,7 +125,7 @@ same() {
     hspost --columns out.e >columns.csv
     grep -v '^#' columns.csv | head -1 | grep -q '^time_s,kinetic_energy_J,.*,load,tip,mean_stress,held,least,most$'
     grep -v '^#' columns.csv | awk -F, 'NR > 1 { print $(NF - 4) }' >tips
-    column out.e tip >theirs
+    values out.e tip >theirs
     [ "$(wc -l <tips)" -ge 20 ]
     [ "$(wc -l <tips)" -eq "$(wc -l <theirs)" ]
     paste tips theirs | awk '($1 - $2) ^ 2 > 1e-28 * $2 ^ 2 { exit 1 }'
@@ -145,7 +137,7 @@ same() {
 
 @test "quantities are what the fields add up to" {
     hssolve -q -i bar.g -H out.e -o fields.e
-    last() { column out.e "$1" | tail -1; }
+    last() { values out.e "$1" | tail -1; }
     volume=1.5625e-14
     # Sums of 384 doubles in another order: 1e-13.  The load is 1 N, whatever its nodes.
     same "$(last load)" "$(frame fields.e 10 | awk -v v=$volume '{ s += $1 * v } END { printf "%.17g", s }')" 1e-13
@@ -190,7 +182,7 @@ same() {
         s/horizon: 1/&\n  damping: 4e6/; s/end_steps: 200/end_steps: 3000/; s/history: 30/history: 3000/
         s/- {name: held/- {name: ahead, quantity: displacement_x, nearest: [4.5 spacings, 0.5 spacings, 0.5 spacings]}\n    - {name: behind, quantity: displacement_x, nearest: [-3.5 spacings, 0.5 spacings, 0.5 spacings]}\n    &/'
     hssolve -q -i bar.g -d changed.yaml -H out.e
-    paste <(column out.e load) <(column out.e kinetic_to_internal) <(column out.e ahead) <(column out.e behind) >steps
+    paste <(values out.e load) <(values out.e kinetic_to_internal) <(values out.e ahead) <(values out.e behind) >steps
     awk 'NR > 1 && $1 != before { # the record before is the last under the old load, at rest
              n++
              # Strain F/(E A) in the middle third; 1e-3 of kinetic energy leave 3 % of it in motion.
@@ -203,26 +195,12 @@ same() {
 }
 
 @test "grips that are moved give the curve of grips with a velocity" {
-    cat >pull.yaml <<'DECK'
+    cat >pull.yaml <<DECK
 title: Pull
-domain:
-  specimen: plate
-  size: [24 spacings, 4 spacings, 4 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: A
-  grips: {length: 3 spacings, phase: structure}
-  gauge: {length: 12 spacings}
+$(even 24 4 4 3 12)
 materials:
-  A:
-    model: correspondence
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
-boundary:
-  - {set: grip_left, direction: x, velocity: -10 m/s}
-  - {set: grip_right, direction: x, velocity: 10 m/s}
+  M: {model: correspondence, density: 8900 kg/m3, $elastic, $soft}
+$(pulled '10 m/s')
 solver: {type: explicit, horizon: 1, stabilisation: {law: mix}, end_time: 0.3 us}
 output: {history: 30}
 DECK
@@ -231,7 +209,7 @@ DECK
     hssolve -q -i pull.g -H velocity.e
     hssolve -q -i pull.g -d moved.yaml -H moved.e
     # Roundings of the displacement, 1e-16 of it a step, amplified by the change of force with strain.
-    paste <(column velocity.e force_right_N) <(column moved.e force_right_N) |
+    paste <(values velocity.e force_right_N) <(values moved.e force_right_N) |
         awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > 1e-9 * most) bad = 1; if ($1 > most) most = $1 }
              END { exit bad || !(most > 0) }'
     hspost -q moved.e >/dev/null
@@ -241,19 +219,17 @@ DECK
     sed '/^boundary:/,/^solver:/{/^solver:/!d}; s/^solver:/initial: [{block: A, direction: x, velocity: 3 m\/s}]\n&/
          s/external_force_x, reduce: sum/velocity_x, reduce: mean/' bar.yaml >free.yaml
     hssolve -q -i bar.g -d free.yaml -H out.e
-    same "$(column out.e load | tail -1)" 3 1e-12
-    same "$(column out.e kinetic_energy_J | tail -1)" "$(awk 'BEGIN { printf "%.17g", 0.5 * 8900 * 384 * 1.5625e-14 * 9 }')" 1e-12
+    same "$(values out.e load | tail -1)" 3 1e-12
+    same "$(values out.e kinetic_energy_J | tail -1)" "$(awk 'BEGIN { printf "%.17g", 0.5 * 8900 * 384 * 1.5625e-14 * 9 }')" 1e-12
 }
 
 # A free particle sees a horizon far: so thick has a grip to be.  `ordinary` to three layers, with a place.
 @test "grips thinner than the horizon needs are refused where they are named" {
-    cat >held.yaml <<'DECK'
+    cat >held.yaml <<DECK
 domain: {specimen: plate, size: [24 spacings, 4 spacings, 4 spacings], spacing: 25 um, topology: homogeneous, phase: A, grips: {length: 2 spacings, phase: A}}
 materials:
-  A: {model: ordinary, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 m/s}
-  - {set: grip_right, direction: x, velocity: 1 m/s}
+  A: {model: ordinary, density: 8900, $elastic}
+$(pulled '1 m/s')
 solver: {type: explicit, horizon: 3.015, end_steps: 2}
 DECK
     # thick LAYERS MODEL HORIZON: exit code of a check

@@ -2,30 +2,17 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     # Hours at a speed that strains little, with a record at almost every step.
-    cat >study.yaml <<'DECK'
+    cat >study.yaml <<DECK
 title: Long test of a small plate
-domain:
-  specimen: plate
-  size: [16 spacings, 6 spacings, 4 spacings]
-  spacing: 25 um
-  topology: homogeneous
-  phase: CG
-  grips: {length: 3 spacings, phase: CG}
-  gauge: {length: 8 spacings}
+$(even 16 6 4 3 8)
 materials:
-  CG:
-    model: correspondence
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 mm/s}
-  - {set: grip_right, direction: x, velocity: 1 mm/s}
+  M: {model: correspondence, density: 8900 kg/m3, $elastic, $soft}
+$(pulled '1 mm/s')
 solver:
   type: explicit
   end_time: 1 ms

@@ -1,29 +1,15 @@
 #!/usr/bin/env bats
 # hspost --frames: particle fields as lists, tables and pictures.
 
+load ../bodies
 setup_file() {
     cd "$BATS_FILE_TMPDIR" || return 1
-    cat >study.yaml <<'DECK'
-domain:
-  specimen: plate
-  size: [24 spacings, 6 spacings, 4 spacings]
-  spacing: 25 um
-  topology: random
-  phases: {cg: CG, ufg: UFG}
-  core_distance: 2 spacings
-  ufg_fraction: 0.40
-  override: true
-  seed: 1
-  grips: {length: 3 spacings, phase: structure}
-  gauge: {length: 12 spacings}
+    cat >study.yaml <<DECK
+$(small_plate)
 materials:
-  CG: {model: correspondence, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31,
-       hardening: {law: linear, yield: 100 MPa, modulus: 1 GPa}}
-  UFG: {model: correspondence, density: 8900 kg/m3, youngs_modulus: 210 GPa, poissons_ratio: 0.31,
-        hardening: {law: linear, yield: 500 MPa, modulus: 1 GPa}}
-boundary:
-  - {set: grip_left, direction: x, velocity: -10 m/s}
-  - {set: grip_right, direction: x, velocity: 10 m/s}
+  CG: {model: correspondence, density: 8900 kg/m3, $elastic, hardening: {law: linear, yield: 100 MPa, modulus: 1 GPa}}
+  UFG: {model: correspondence, density: 8900 kg/m3, $elastic, hardening: {law: linear, yield: 500 MPa, modulus: 1 GPa}}
+$(pulled '10 m/s')
 solver: {type: explicit, horizon: 1, stabilisation: {law: mix, share: 0.1}, end_strain: 0.005}
 output:
   history: 20

@@ -2,40 +2,16 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 load ../ranks
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
-    cat >study.yaml <<'DECK'
+    cat >study.yaml <<DECK
 title: Small plate of the tests
-domain:
-  specimen: plate
-  size: [24 spacings, 6 spacings, 4 spacings]
-  spacing: 25 um
-  topology: random
-  phases: {cg: CG, ufg: UFG}
-  core_distance: 2 spacings
-  ufg_fraction: 0.40
-  override: true
-  seed: 1
-  grips: {length: 3 spacings, phase: structure}
-  gauge: {length: 12 spacings}
-materials:
-  CG:
-    model: correspondence
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
-  UFG:
-    model: correspondence
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}
-boundary:
-  - {set: grip_left, direction: x, velocity: -10 m/s}
-  - {set: grip_right, direction: x, velocity: 10 m/s}
+$(small_plate)
+$(nickel correspondence)
+$(pulled '10 m/s')
 solver:
   type: explicit
   horizon: 1

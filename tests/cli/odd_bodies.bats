@@ -3,6 +3,7 @@
 bats_require_minimum_version 1.5.0
 load ../ranks
 
+load ../columns
 setup() {
     cd "$BATS_TEST_TMPDIR"
     cat >layer.yaml <<'DECK'
@@ -42,15 +43,6 @@ change() {
     hsgen -q changed.yaml -o changed.g
 }
 
-# column HISTORY NAME: its values, one a line
-column() {
-    local number columns
-    columns=$(ncdump -v name_glo_var "$1" | sed -n '/name_glo_var =/,$s/^ *"\(.*\)"[,; ]*$/\1/p')
-    number=$(grep -nx "$2" <<<"$columns" | cut -d: -f1)
-    ncdump -p 9,17 -v vals_glo_var "$1" | sed '1,/vals_glo_var =/d; /}/d' | tr -d ' \n;' | tr ',' '\n' |
-        awk -v n="$(wc -l <<<"$columns")" -v k="$number" '(NR - 1) % n == k - 1; END { print "" }' | grep .
-}
-
 # Correspondence in one layer has no strain across it: what it would call plane stress would be plane strain.
 @test "correspondence has no plane stress" {
     change 's/model: ordinary/model: correspondence_elastic/; s/plane: strain/plane: stress/; s/end_steps/stabilisation: {law: capped}\n  end_steps/'
@@ -71,13 +63,13 @@ column() {
                 s/plane: strain/plane: strain /"
         [ "$1" != bond_based ] || change "s/model: ordinary/model: $1/; s/, poissons_ratio: 0.3//"
         hssolve -q -H out.e -i changed.g
-        paste <(column out.e xx) <(column out.e yy) <(column out.e zz) | awk -v nu="$2" '
+        paste <(values out.e xx) <(values out.e yy) <(values out.e zz) | awk -v nu="$2" '
             { wrong = $3 - nu*($1 + $2); if (wrong*wrong > 1e-24*$1*$1) exit 1; n += $1 != 0 }
             END { if (n < 4) exit 1 }'
         sed -i 's/plane: strain/plane: stress/' changed.yaml
         [ "$1" != bond_based ] || sed -i 's/youngs_modulus: 200 GPa/&, poissons_ratio: 0.33333/' changed.yaml
         hssolve -q -H out.e -i changed.g -d changed.yaml
-        column out.e zz | awk '$1 != 0 { exit 1 } END { if (NR < 4) exit 1 }'
+        values out.e zz | awk '$1 != 0 { exit 1 } END { if (NR < 4) exit 1 }'
     done
 }
 
@@ -97,9 +89,9 @@ column() {
 @test "fragments of which nothing holds together fly on" {
     change 's/^initial:/damage: [{pair: [A, A], law: critical_stretch, value: 1e-12}]\n&/'
     hssolve -q -H out.e -i changed.g
-    [ "$(column out.e stored_energy_J | tail -1)" = 0 ]
+    [ "$(values out.e stored_energy_J | tail -1)" = 0 ]
     hssolve -q -H two.e -j 2 -i changed.g
-    cmp <(column out.e energy_drift) <(column two.e energy_drift)
+    cmp <(values out.e energy_drift) <(values two.e energy_drift)
 }
 
 # In a room of some GB: cells as wide as a spacing between the two would be 1e15.

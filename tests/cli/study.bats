@@ -2,6 +2,7 @@
 # A deck that is a study of several: its decks, its Makefile, and what hspost gathers.
 
 bats_require_minimum_version 1.5.0
+load ../bodies
 load ../columns
 load ../curves
 
@@ -13,7 +14,7 @@ setup() {
 
 # deck [VARY...]: study.yaml, a plate of two phases, small, and what varies, a line each.
 deck() {
-    cat >study.yaml <<'DECK'
+    cat >study.yaml <<DECK
 # A small harmonic plate
 title: Nickel
 domain:
@@ -31,22 +32,8 @@ domain:
   seed: 1
   grips: {length: 2 spacings, phase: structure}
   gauge: {length: 0.4 mm}
-materials:
-  CG:
-    model: corner
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
-  UFG:
-    model: corner
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}
-boundary:
-  - {set: grip_left, direction: x, velocity: -2 m/s}
-  - {set: grip_right, direction: x, velocity: 2 m/s}
+$(nickel corner)
+$(pulled '2 m/s')
 solver:
   type: quasi_static
   end_strain: 0.01

@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
@@ -13,9 +14,7 @@ title: Harmonic structure
 domain: {specimen: plate, size: [16 spacings, 8 spacings, 8 spacings], spacing: 25 um, topology: harmonic, phases: {cg: CG, ufg: UFG},
   lattice: sc, core: cell, core_distance: 8 spacings, ufg_fraction: 0.4, seed: 1, override: true,
   grips: {length: 4 spacings, phase: structure}, gauge: {length: 6 spacings}}
-materials:
-  CG: {model: $2, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}}
-  UFG: {model: $2, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31, hardening: {law: voce, yield: 1259.8 MPa, saturation: 564.5 MPa, rate: 238.5}}
+$(nickel "$2")
 boundary:
 $3
 solver: {type: ${type:-quasi_static}, $4}
@@ -66,7 +65,7 @@ worst() {
     cat >elastic.yaml <<END
 title: Elastic
 domain: {specimen: plate, size: [16 spacings, 4 spacings, 4 spacings], spacing: 25 um, topology: homogeneous, phase: M, grips: {length: 2 spacings, phase: M}, gauge: {length: 6 spacings}}
-materials: {M: {model: correspondence_elastic, density: 8900, youngs_modulus: 210 GPa, poissons_ratio: 0.31}}
+materials: {M: {model: correspondence_elastic, density: 8900, $elastic}}
 boundary:
 $pulled
 solver: {type: quasi_static, horizon: 1, step: 0.01, end_strain: 0.05}

@@ -4,6 +4,7 @@
 bats_require_minimum_version 1.5.0
 
 load ../bodies
+load ../columns
 load ../ranks
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
@@ -28,19 +29,9 @@ END
     hsgen -q study.yaml -o domain.g
 }
 
-# values FILE NAME: a column of the history, by a reader that is not ours
-values() {
-    local number count
-    number=$(ncdump -v name_glo_var "$1" | sed -n '/^ name_glo_var =/,$p' | grep '"' | grep -n "\"$2\"" |
-        cut -d: -f1)
-    count=$(ncdump -h "$1" | sed -n 's/.*num_glo_var = \([0-9]*\).*/\1/p')
-    ncdump -p 9,17 -v vals_glo_var "$1" | sed -n '/^ vals_glo_var =/,/;/p' | tr -d '\n;' |
-        sed 's/.*=//' | tr ',' '\n' | awk -v k="$number" -v n="$count" '(NR - 1) % n == k - 1 { print $1 }'
-}
 last() { values "$1" "$2" | tail -n 1; }
 most() { values "$1" "$2" | awk '{ if ($1 < 0) $1 = -$1; if ($1 > most) most = $1 } END { print most }'; }
 
-holds() { awk "BEGIN { exit !($1) }"; }
 
 # compare BROKEN RANKS...: over BROKEN bonds have broken, and each number of ranks gives the bits of one
 compare() {

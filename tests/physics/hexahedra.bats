@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
@@ -12,8 +13,6 @@ mesh() {
         -f "$BATS_TEST_DIRNAME/../mesh.awk" >mesh.cdl
     ncgen -k 64-bit-offset -o mesh.g mesh.cdl
 }
-
-voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
 
 # deck MATERIAL SOLVER BOUNDARY [OUTPUT]: deck.yaml
 deck() {
@@ -115,7 +114,7 @@ ring() {
   - {where: "x < -3.99e-3", direction: y, displacement: 0}
   - {where: "abs(y) < 1e-6 && abs(x) < 3.9e-3", direction: z, displacement: "0.1*x*t"}'
     mesh box 8 4 4 8e-3 4e-3 4e-3
-    deck "$voce" "$rest, step: 0.5" "$grips"
+    deck "$soft" "$rest, step: 0.5" "$grips"
     sed -i 's/step: 1, //; s/1e-7/1e-10/' deck.yaml
     solve
     mv history.e mesh.e
@@ -153,7 +152,7 @@ torn() {
 # torn_deck RESIDUAL
 torn_deck() {
     mesh distorted 16 5 4 16e-4 5e-4 4e-4 2
-    deck "$voce, yield_scatter: {deviation: 0.1, seed: 2}" \
+    deck "$soft, yield_scatter: {deviation: 0.1, seed: 2}" \
         "type: explicit, end_time: 8 us, damping: 1e4 1/s, coincident_nodes: join, residual: {form: $1}" \
         '  - {set: low_x, direction: x, velocity: -20 m/s}
   - {set: high_x, direction: x, velocity: 20 m/s}' 'damage:
@@ -162,7 +161,7 @@ torn_deck() {
 output:
   history: 20
   fields: {frames: 2, variables: [displacement, velocity, force, stress, equivalent_plastic_strain, damage, phase]}'
-    sed -i "s/^solver/  B: {model: corner, density: 8800, youngs_modulus: 190 GPa, poissons_ratio: 0.3, $voce}\\n&/" deck.yaml
+    sed -i "s/^solver/  B: {model: corner, density: 8800, youngs_modulus: 190 GPa, poissons_ratio: 0.3, $soft}\\n&/" deck.yaml
 }
 
 @test "a distorted mesh that is torn apart: 2, 3, 4 and 8 ranks give the bits of one" {
@@ -187,10 +186,10 @@ output:
 
 @test "a graded mesh by load steps into plastic flow: 2, 3 and 8 ranks give the bits of one" {
     mesh dogbone 32 6 3 40e-3 4e-3 2e-3 2
-    deck "$voce" 'type: quasi_static, end_time: 1, step: 0.5, coincident_nodes: join' \
+    deck "$soft" 'type: quasi_static, end_time: 1, step: 0.5, coincident_nodes: join' \
         '  - {set: low_x, direction: x, velocity: -5e-5 m/s}
   - {set: high_x, direction: x, velocity: 5e-5 m/s}'
-    sed -i "s/^solver/  B: {model: corner, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3, $voce}\\n&/" deck.yaml
+    sed -i "s/^solver/  B: {model: corner, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3, $soft}\\n&/" deck.yaml
     for ranks in 1 2 3 8; do
         mkdir $ranks
         (cd $ranks && hssolve -q -j $ranks --deck ../deck.yaml -i ../mesh.g -H history.e)

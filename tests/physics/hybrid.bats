@@ -21,8 +21,6 @@ END
     hsgen -q "$1.yaml" -o "$1.g"
 }
 
-holds() { awk "BEGIN { exit !($1) }"; }
-
 correspondence="model: correspondence, poissons_ratio: 0.31, $soft"
 mix='horizon: 1, stabilisation: {law: mix, share: 0.1}'
 

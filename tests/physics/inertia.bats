@@ -1,6 +1,7 @@
 # Explicit runs of slow tests: scaled inertia, local damping.
 
 load ../bodies
+load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # bar NAME SOLVER BOUNDARY [INITIAL]: NAME.g of 24 x 4 x 4 nodes
@@ -19,9 +20,7 @@ output:
 END
     hsgen -q "$1.yaml" -o "$1.g"
 }
-last() { hspost -q --columns "$1.e" | awk -F, -v names="${*:2}" '/^#/ { next }
-    !n { n = split(names, name, " "); for (i = 1; i <= NF; i++) at[$i] = i; next }
-    { row = ""; for (k = 1; k <= n; k++) row = row $at[name[k]] " " } END { print row }'; }
+last() { columns "$1.e" "${@:2}" | tail -n 1; }
 
 @test "inertia times 4 doubles the stable step and every period, and nothing else" {
     stretch='initial:

@@ -7,30 +7,18 @@
 # the speed: the grips reach theirs gently, and a damping of 4e5 1/s takes out the waves that first
 # yield sends along the plate.
 
+load ../bodies
+load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
 # plate SPEED RAMP STABILISATION: the curve in curve.csv, the properties in properties.csv
 plate() {
     cat >plate.yaml <<END
 title: Homogeneous plate
-domain:
-  specimen: plate
-  size: [0.9 mm, 0.1 mm, 0.1 mm]
-  spacing: 25 um
-  topology: homogeneous
-  phase: CG
-  grips: {length: 3 spacings, phase: structure}
-  gauge: {length: 0.2 mm}
+$(even 36 4 4 3 8)
 materials:
-  CG:
-    model: correspondence
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
-boundary:
-  - {set: grip_left, direction: x, velocity: -$1 m/s}
-  - {set: grip_right, direction: x, velocity: $1 m/s}
+  M: {model: correspondence, density: 8900 kg/m3, $elastic, $soft}
+$(pulled "$1 m/s")
 solver:
   type: explicit
   horizon: 1
@@ -84,9 +72,6 @@ exact_proof_stress() {
 }
 
 property() { awk -F, -v p="$1" '$2 == p { print $3 }' properties.csv; }
-
-# holds EXPRESSION: true in awk's arithmetic
-holds() { awk "BEGIN { exit !($1) }"; }
 
 # within TOLERANCE VALUE EXPECTED: relative
 within() {

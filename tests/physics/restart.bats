@@ -57,12 +57,8 @@ goes_on() {
     done
 }
 
-# columns of the whole run's history at its end
-last() {
-    hspost -q --columns whole/history.e | grep -v '^#' | awk -F, -v name="$1" '
-        !column { for (i = 1; i <= NF; i++) if ($i == name) column = i; next } { last = $column } END { print last }'
-}
-holds() { awk "BEGIN { exit !($1) }"; }
+# last NAME: of the whole run's history, at its end
+last() { columns whole/history.e "$1" | tail -n 1; }
 
 ductile='damage:
   - {phase: CG, law: ductile, onset: 0.04, full: 0.12}

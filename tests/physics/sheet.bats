@@ -2,10 +2,9 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 load ../columns
 setup() { cd "$BATS_TEST_TMPDIR"; }
-
-voce='hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}'
 
 # sheet LENGTH WIDTH SPACING MATERIAL SOLVER BOUNDARY [OUTPUT]: sheet.g, 0.1 mm thick, lengths in mm
 sheet() {
@@ -32,7 +31,7 @@ END
 
 @test "tension into plastic flow: the stress of the law under uniaxial stress and its thinning, within 1e-5" {
     for residual in flowing four_points; do
-        sheet 1 0.4 0.1 "$voce" "type: quasi_static, tolerance: 1e-6, end_time: 1, step: 0.1, residual: {form: $residual}" \
+        sheet 1 0.4 0.1 "$soft" "type: quasi_static, tolerance: 1e-6, end_time: 1, step: 0.1, residual: {form: $residual}" \
             '  - {where: "x < -0.499e-3", direction: x, displacement: "-1e-4*t"}
   - {where: "x > 0.499e-3", direction: x, displacement: "1e-4*t"}
   - {where: "y < -0.199e-3", direction: y, displacement: 0}' 'output:

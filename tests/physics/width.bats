@@ -3,6 +3,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../bodies
 setup() {
     root=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
     narrow=$HS_BUILD/narrow
@@ -35,21 +36,10 @@ domain:
   grips: {length: 2 spacings, phase: structure}
   gauge: {length: 0.3 mm}
 materials:
-  CG:
-    model: correspondence
-    density: 8900 kg/m3
-    youngs_modulus: 210 GPa
-    poissons_ratio: 0.31
-    hardening: {law: voce, yield: 182.1 MPa, saturation: 513.0 MPa, rate: 5.320}
-  UFG:
-    model: correspondence
-    density: 8800 kg/m3
-    youngs_modulus: 190 GPa
-    poissons_ratio: 0.30
-    hardening: {law: tabulated, points: [[0, 1200 MPa], [0.001, 1320 MPa], [0.01, 1800 MPa], [1, 1830 MPa]]}
-boundary:
-  - {set: grip_left, direction: x, velocity: -50 m/s}
-  - {set: grip_right, direction: x, velocity: 50 m/s}
+  CG: {model: correspondence, density: 8900 kg/m3, $elastic, $soft}
+  UFG: {model: correspondence, density: 8800 kg/m3, youngs_modulus: 190 GPa, poissons_ratio: 0.30,
+        hardening: {law: tabulated, points: [[0, 1200 MPa], [0.001, 1320 MPa], [0.01, 1800 MPa], [1, 1830 MPa]]}}
+$(pulled '50 m/s')
 solver:
   type: explicit
   horizon: $1
