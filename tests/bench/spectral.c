@@ -5,7 +5,8 @@
  *     strain, stress [MPa] and evaluations of each step, then what it cost
  *
  * J2 with Voce's law in small strain on the voxels of a periodic domain of two phases (the laws of
- * pipelines/study), in uniaxial tension along x by the mean stress.  Compatible strains by the
+ * pipelines/study), in uniaxial tension along x by the mean stress.  Along axes that are not
+ * periodic a layer of gas without stiffness makes its surfaces free.  Compatible strains by the
  * rotated scheme (Willot, C. R. Mecanique 343 (2015) 232), steps of Barzilai and Borwein
  * (Schneider, Int. J. Numer. Methods Engrg. 118 (2019) 482), double precision, FFTW. */
 #include "domain.h"
@@ -21,7 +22,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { TENSOR = 6 }; /* xx yy zz xy yz zx */
+enum { TENSOR = 6, GAS = 2 }; /* xx yy zz xy yz zx; the phase of voxels without stiffness */
 
 static const double mu = 210e3 / 2 / 1.31, bulk = 210e3 / 3 / (1 - 2 * 0.31); /* MPa */
 static const double yield[2] = {182.1, 1259.8}, saturation[2] = {513.0, 564.5},
@@ -29,7 +30,7 @@ static const double yield[2] = {182.1, 1259.8}, saturation[2] = {513.0, 564.5},
 
 struct cell {
     int n[3];
-    int64_t voxels, waves;
+    int64_t voxels, solid, waves; /* solid: voxels without those of gas */
     uint8_t *phase;
     double *strain[TENSOR], *plastic[TENSOR], *stress[TENSOR],
         *p; /* p: equivalent plastic strain */
@@ -44,24 +45,49 @@ static double weight(int k)
     return k < 3 ? 1 : 2;
 }
 
+/* The next number that has no prime factors but 2, 3 and 5. */
+static int smooth(int n)
+{
+    for (;; n++) {
+        int left = n;
+        for (int factor = 2; factor <= 5; factor++)
+            while (left % factor == 0) left /= factor;
+        if (left == 1) return n;
+    }
+}
+
 /* The domain's sites in their order, x fastest. */
 static void read_cell(struct cell *cell, const char *name)
 {
     struct spool input = spool_input(name);
     struct domain domain = exodus_read_domain(&input);
-    const double edge = attributes_number(&domain.attributes, "spacing_m", NAN);
+    const double edge = attributes_number(&domain.attributes, "spacing_m", NAN), *const x[3] = {
+                                                                                     domain.x,
+                                                                                     domain.y,
+                                                                                     domain.z};
     const char *const periods[] = {"period_x_m", "period_y_m", "period_z_m"};
+    int64_t sites = 1;
+    int size[3];
     cell->voxels = 1;
     for (int a = 0; a < 3; a++) {
-        cell->n[a] = (int)lround(attributes_number(&domain.attributes, periods[a], NAN) / edge);
+        const double extent =
+            domain_largest(x[a], domain.n_nodes) - domain_smallest(x[a], domain.n_nodes);
+        const double period = attributes_number(&domain.attributes, periods[a], NAN);
+        size[a] = (int)lround(extent / edge) + 1;
+        cell->n[a] = isnan(period) ? smooth(size[a] + 1) : size[a];
         cell->voxels *= cell->n[a];
+        sites *= size[a];
     }
-    if (cell->voxels != domain.n_nodes) {
-        fprintf(stderr, "spectral: %s is no periodic cell of cubes\n", name);
+    cell->solid = domain.n_nodes;
+    if (cell->solid != sites) {
+        fprintf(stderr, "spectral: %s is no box of cubes\n", name);
         exit(2);
     }
     cell->phase = memory_new((size_t)cell->voxels, 1);
-    memcpy(cell->phase, domain.phase, (size_t)cell->voxels);
+    memset(cell->phase, GAS, (size_t)cell->voxels);
+    for (int64_t line = 0; line < sites / size[0]; line++)
+        memcpy(cell->phase + (line / size[1] * cell->n[1] + line % size[1]) * cell->n[0],
+               domain.phase + line * size[0], (size_t)size[0]);
     domain_free(&domain);
     spool_close(&input);
 }
@@ -107,6 +133,7 @@ static void find_stress(struct cell *cell, bool commit)
     cell->evaluations++;
     for (int64_t i = 0; i < cell->voxels; i++) {
         double e[TENSOR], square = 0;
+        if (cell->phase[i] == GAS) continue; /* whose stress stays 0 */
         for (int k = 0; k < TENSOR; k++) e[k] = cell->strain[k][i] - cell->plastic[k][i];
         const double trace = e[0] + e[1] + e[2];
         for (int k = 0; k < 3; k++) e[k] -= trace / 3;
@@ -182,7 +209,7 @@ static double mean_stress(const struct cell *cell)
 {
     double sum = 0;
     for (int64_t i = 0; i < cell->voxels; i++) sum += cell->stress[0][i];
-    return sum / (double)cell->voxels;
+    return sum / (double)cell->solid;
 }
 
 /* Strains move on as in the last step, of the length last (0: elastically). */
@@ -236,7 +263,7 @@ int main(int argc, char **argv)
         for (int trial = 0; trial < 3000; trial++) {
             find_stress(&cell, false);
             project(&cell);
-            if (sqrt(product(&cell, cell.off, cell.off) / (double)cell.voxels) <
+            if (sqrt(product(&cell, cell.off, cell.off) / (double)cell.solid) <
                 tolerance * fabs(mean_stress(&cell)))
                 break;
             descend(&cell, trial == 0, &stiffness);
