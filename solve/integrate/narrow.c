@@ -118,8 +118,11 @@ void narrow_products(const struct unknowns *unknowns, int count, const struct na
         const int nodes = n - from < BLOCK ? (int)(n - from) : BLOCK;
         for (int a = 0; a < 3; a++)
             split(nodes, y + a * n + from, 1 / unit, block.high[a], block.low[a]);
-        for (int k = 0; k < count; k++)
+        for (int k = 0; k < count; k++) {
+            for (int a = 0; a < 3 && k + 1 < count; a++)
+                prefetch(d[k + 1]->numbers + a * n + from, (size_t)nodes * sizeof(int16_t));
             sums[k].top += multiply(nodes, n, d[k]->numbers + from, &block);
+        }
     }
     for (int64_t i = 3 * n; i < unknowns->length; i++)
         for (int k = 0; k < count; k++)

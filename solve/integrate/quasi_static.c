@@ -141,7 +141,7 @@ static struct force_energy commit(struct equilibrium *e)
 static void find_rate(struct quasi_static *q, double dt)
 {
     const struct equilibrium *e = q->equilibrium;
-    for (int64_t i = 0; i < e->unknowns.length; i++) q->rate[i] = (e->x[i] - q->before[i]) / dt;
+    vector_rate(&e->unknowns, e->x, q->before, dt, q->rate);
 }
 
 static void accept(struct quasi_static *q, double dt)

@@ -146,6 +146,19 @@ void vector_scale(const struct unknowns *unknowns, double a, double *y)
     scale(unknowns->length, a, y);
 }
 
+HS_SIMD static void divide_difference(int64_t count, const double *restrict x,
+                                      const double *restrict before, double dt,
+                                      double *restrict rate)
+{
+    for (int64_t i = 0; i < count; i++) rate[i] = (x[i] - before[i]) / dt;
+}
+
+void vector_rate(const struct unknowns *unknowns, const double *x, const double *before, double dt,
+                 double *rate)
+{
+    divide_difference(unknowns->length, x, before, dt, rate);
+}
+
 /* Vectors are walked over in blocks that stay in the nearest cache. */
 enum { BLOCK = 512 };
 

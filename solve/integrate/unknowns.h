@@ -45,6 +45,9 @@ void vector_visit(const struct unknowns *unknowns, struct checkpoint *checkpoint
 void vector_add(const struct unknowns *unknowns, double a, const double *x, double *y);
 /* y *= a */
 void vector_scale(const struct unknowns *unknowns, double a, double *y);
+/* rate = (x - before)/dt */
+void vector_rate(const struct unknowns *unknowns, const double *x, const double *before, double dt,
+                 double *rate);
 /* Largest magnitude; not a number where one is not.  Collective. */
 double vector_largest(const struct unknowns *unknowns, const double *x);
 /* Euclidean norm.  Collective. */
