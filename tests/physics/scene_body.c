@@ -8,23 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct domain domain_of(const struct lattice *lattice)
-{
-    struct domain domain = domain_new(lattice->n_nodes, 1, (const char *const[]){"A"});
-    int64_t node = 0;
-    for (int64_t site = 0; site < lattice->n_sites; site++) {
-        int at[3];
-        double x[3];
-        if (lattice->phase[site] == ABSENT) continue;
-        lattice_position(lattice, site, at);
-        lattice_coordinates(lattice, at, x);
-        domain.x[node] = x[0];
-        domain.y[node] = x[1];
-        domain.z[node++] = x[2];
-    }
-    return domain;
-}
-
 void scene_body_new(struct scene_body *it, const struct small_case *wanted, const char *sections,
                     double damping, double dt)
 {
@@ -32,7 +15,7 @@ void scene_body_new(struct scene_body *it, const struct small_case *wanted, cons
     small_body_new(&it->small, wanted);
     it->deck = deck_parse(text, strlen(text), "test");
     it->scene = scene_read(it->deck);
-    it->domain = domain_of(&it->small.lattice);
+    it->domain = small_body_domain(&it->small.lattice);
     scene_resolve(&it->scene, &it->domain, &it->domain, &it->small.lattice);
     it->boundary = boundary_new(&it->scene, &it->small.body, 1e12);
     initial_set(&it->scene, &it->small.body, SCENE_DISPLACEMENT);

@@ -57,11 +57,18 @@ static struct lattice lattice_of(const struct small_case *wanted)
     return lattice;
 }
 
-/* The same particles as scattered ones. */
-static struct lattice scattered(struct lattice *lattice, double jitter)
+static void move_about(double *const x[3], int dimensions, int64_t count, double jitter)
 {
-    struct domain domain = domain_new(lattice->n_nodes, 0, NULL);
     struct random_stream *stream = random_new(1, "jitter");
+    for (int64_t i = 0; i < count; i++)
+        for (int a = 0; a < dimensions; a++)
+            x[a][i] += jitter * SMALL_SPACING * (2 * random_uniform(stream) - 1);
+    random_free(stream);
+}
+
+struct domain small_body_domain(const struct lattice *lattice)
+{
+    struct domain domain = domain_new(lattice->n_nodes, 1, (const char *const[]){"A"});
     int64_t node = 0;
     for (int64_t site = 0; site < lattice->n_sites; site++) {
         int at[3];
@@ -69,15 +76,21 @@ static struct lattice scattered(struct lattice *lattice, double jitter)
         if (lattice->phase[site] == ABSENT) continue;
         lattice_position(lattice, site, at);
         lattice_coordinates(lattice, at, x);
-        for (int a = 0; a < lattice->dimensions; a++)
-            x[a] += jitter * SMALL_SPACING * (2 * random_uniform(stream) - 1);
         domain.x[node] = x[0];
         domain.y[node] = x[1];
         domain.z[node] = x[2];
         domain.volume[node] = lattice->node_volume;
         domain.phase[node++] = lattice->phase[site];
     }
-    random_free(stream);
+    return domain;
+}
+
+/* The same particles as scattered ones. */
+static struct lattice scattered(struct lattice *lattice, double jitter)
+{
+    struct domain domain = small_body_domain(lattice);
+    double *const x[3] = {domain.x, domain.y, domain.z};
+    move_about(x, lattice->dimensions, domain.n_nodes, jitter);
     attributes_set_number(&domain.attributes, "mean_spacing_m", lattice->spacing);
     struct lattice result =
         lattice_scattered(&domain, lattice->dimensions == 2 ? lattice->thickness : 0);
@@ -99,14 +112,11 @@ static struct lattice mesh_of(const struct lattice *particles, double jitter)
     domain.corners = memory_new(1, sizeof(struct domain));
     double *const x[3] = {nodes.x, nodes.y, nodes.z};
     int64_t *number = memory_new((size_t)cells.n_sites, sizeof *number), next = 0;
-    struct random_stream *stream = random_new(1, "jitter");
     for (int64_t site = 0; site < cells.n_sites; site++) {
         number[site] = next;
         next += lattice_has_node(&cells, site);
     }
-    for (int64_t i = 0; i < nodes.n_nodes; i++)
-        for (int a = 0; a < 3; a++)
-            x[a][i] += jitter * SMALL_SPACING * (2 * random_uniform(stream) - 1);
+    move_about(x, 3, nodes.n_nodes, jitter);
     next = n;
     for (int64_t site = 0; site < cells.n_sites; site++) {
         struct hexahedron hexahedron;
@@ -120,7 +130,6 @@ static struct lattice mesh_of(const struct lattice *particles, double jitter)
         }
         domain.volume[next] = hexahedron_volume(&hexahedron, centroid);
     }
-    random_free(stream);
     free(number);
     *domain.corners = nodes;
     attributes_set_number(&domain.attributes, "mean_spacing_m", particles->spacing);

@@ -56,6 +56,9 @@ extern const char small_mix[], small_capped[];
 void small_body_new(struct small_body *small, const struct small_case *wanted);
 void small_body_free(struct small_body *small);
 
+/* The particles of a lattice. */
+struct domain small_body_domain(const struct lattice *lattice);
+
 /* The owned sites have a phase; the lattice place of one that is not scattered. */
 bool small_body_has(const struct small_body *small, int64_t site);
 void small_body_position(const struct small_body *small, int64_t site, int at[3]);

@@ -220,17 +220,23 @@ static void expect_dump(const char *variable, const char *name, const char *expe
     free(command);
 }
 
+static void write_fields(const char *name, int frames)
+{
+    struct domain domain = small_domain();
+    taken_forget();
+    struct spool output = spool_output(name);
+    struct exodus_fields *fields = open_fields(&output, &domain);
+    write_frames(fields, 1, frames);
+    exodus_fields_close(fields);
+    spool_finish(&output);
+    domain_free(&domain);
+}
+
 static void test_fields_carry_the_domain_and_frames(void **state)
 {
     (void)state;
-    struct domain domain = small_domain();
-    taken_forget();
-    struct spool output = spool_output("run.e");
-    struct exodus_fields *fields = open_fields(&output, &domain);
-    write_frames(fields, 1, 2);
-    exodus_fields_close(fields);
-    spool_finish(&output);
-    struct domain read = read_domain("run.e");
+    write_fields("run.e", 2);
+    struct domain domain = small_domain(), read = read_domain("run.e");
     expect_same(&read, &domain);
     domain_free(&read);
     domain_free(&domain);
@@ -255,18 +261,6 @@ static void test_frames_are_on_disk_at_once(void **state)
     assert_int_equal(after.st_size - before.st_size, (2 * NODES + 1) * (int)sizeof(double));
     exodus_fields_close(fields);
     spool_close(&output);
-    domain_free(&domain);
-}
-
-static void write_fields(const char *name, int frames)
-{
-    struct domain domain = small_domain();
-    taken_forget();
-    struct spool output = spool_output(name);
-    struct exodus_fields *fields = open_fields(&output, &domain);
-    write_frames(fields, 1, frames);
-    exodus_fields_close(fields);
-    spool_finish(&output);
     domain_free(&domain);
 }
 
