@@ -1,10 +1,17 @@
 /* Grips and gauge planes of a body that brings none. */
 #include "domain_facts.h"
 
+#include "die.h"
 #include "memory.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+/* A section that is said and that of the body may be apart by this factor: a notch between the
+ * gauge planes has less. */
+static const double MOST_SECTION = 1.5;
+/* Of a length, in shares of it. */
+static const double SLACK = 1e-6;
 
 struct layer {
     const char *name;
@@ -24,8 +31,23 @@ static const double *along(const struct domain *domain, int axis)
     return axis == 0 ? domain->x : axis == 1 ? domain->y : domain->z;
 }
 
-/* Of the particles and of a mesh's nodes; a set that the file has stands. */
-static void add_layer(struct domain *domain, int axis, struct layer layer)
+/* What else may be wrong with lengths that do not fit: the caller frees it. */
+static char *other_axis(const struct domain *domain, int axis)
+{
+    int longest = axis;
+    double length[3];
+    for (int a = 0; a < 3; a++) {
+        const double *x = along(domain, a);
+        length[a] = domain_largest(x, domain->n_nodes) - domain_smallest(x, domain->n_nodes);
+        if (length[a] > length[longest]) longest = a;
+    }
+    if (longest == axis) return memory_text("");
+    return memory_print("; it is longest along %c: 'axis: %c' of domain tests it along that",
+                        'x' + longest, 'x' + longest);
+}
+
+/* Of the particles and of a mesh's nodes; a set that the file has stands.  where: of the deck. */
+static void add_layer(struct domain *domain, struct deck_node where, int axis, struct layer layer)
 {
     struct domain *const both[2] = {domain, domain->corners};
     for (int k = 0; k < 2 && both[k]; k++) {
@@ -35,6 +57,9 @@ static void add_layer(struct domain *domain, int axis, struct layer layer)
             if (x[i] >= layer.from - k * layer.node_slack &&
                 x[i] <= layer.to + k * layer.node_slack)
                 nodes[count++] = i;
+        if (count == 0)
+            deck_error(where, "no particle lies in %s, %c = %g to %g m", layer.name, 'x' + axis,
+                       layer.from, layer.to);
         domain_add_set(both[k], layer.name, count, nodes);
         free(nodes);
     }
@@ -131,8 +156,68 @@ static void add_grips(struct domain *domain, struct deck_node grips, const struc
         planes[0] = e->low + length_of(grips, e);
         planes[1] = e->high - length_of(grips, e);
     }
-    add_layer(domain, e->axis, (struct layer){"grip_left", -INFINITY, planes[0], 0});
-    add_layer(domain, e->axis, (struct layer){"grip_right", planes[1], INFINITY, 0});
+    if (planes[1] - planes[0] < (1 - SLACK) * e->spacing)
+        deck_error(grips,
+                   "the grips, to %g m and from %g m on, leave none of the body free, which is %g "
+                   "m long along %c%s",
+                   planes[0], planes[1], e->high - e->low, 'x' + e->axis,
+                   other_axis(domain, e->axis));
+    add_layer(domain, grips, e->axis, (struct layer){"grip_left", -INFINITY, planes[0], 0});
+    add_layer(domain, grips, e->axis, (struct layer){"grip_right", planes[1], INFINITY, 0});
+}
+
+static void check_gauge(const struct domain *domain, struct deck_node gauge, const struct extent *e,
+                        const double planes[2], double slack)
+{
+    if (planes[0] < e->low - slack || planes[1] > e->high + slack)
+        deck_error(gauge,
+                   "the gauge planes, %g and %g m, are not both in the body, which is from %g to "
+                   "%g m along %c%s",
+                   planes[0], planes[1], e->low, e->high, 'x' + e->axis,
+                   other_axis(domain, e->axis));
+    if (planes[1] - planes[0] < (1 - SLACK) * e->spacing)
+        deck_error(gauge, "the gauge planes, %g m apart, are less than a spacing apart, %g m",
+                   planes[1] - planes[0], e->spacing);
+}
+
+/* To the layer that is next to it, which is half a spacing away at most. */
+static double snapped(const struct domain *domain, struct deck_node gauge, const struct extent *e,
+                      double plane, double slack)
+{
+    const double layer = nearest_layer(domain, e, plane, slack);
+    if (fabs(layer - plane) > 0.5 * e->spacing + slack)
+        deck_error(gauge,
+                   "no layer of particles is within half a spacing of the gauge plane at %g m; the "
+                   "nearest is at %g m",
+                   plane, layer);
+    return layer;
+}
+
+/* The innermost place of a grip along the axis, minus infinity where there is none; sense: 1 of the
+ * left one, -1 of the right one, mirrored. */
+static double grip_end(const struct domain *domain, int axis, const char *name, double sense)
+{
+    const struct domain *const both[2] = {domain, domain->corners};
+    double end = -INFINITY;
+    for (int k = 0; k < 2 && both[k]; k++) {
+        const struct node_set *set = domain_set(both[k], name);
+        for (int64_t i = 0; set && i < set->count; i++)
+            end = fmax(end, sense * along(both[k], axis)[set->nodes[i]]);
+    }
+    return end;
+}
+
+/* A plane in a grip moves with it: the strain would be that of less of the body. */
+static void check_free(const struct domain *domain, struct deck_node gauge, const struct extent *e,
+                       const double planes[2], double slack)
+{
+    const double left = grip_end(domain, e->axis, "grip_left", 1),
+                 right = -grip_end(domain, e->axis, "grip_right", -1);
+    if (planes[0] <= left + slack || planes[1] >= right - slack)
+        deck_error(gauge,
+                   "the gauge planes (%g m apart, at %g and %g m) lie in the grips (to %g m and "
+                   "from %g m on): shorten the gauge or the grips",
+                   planes[1] - planes[0], planes[0], planes[1], left, right);
 }
 
 /* The planes of a lattice are layers of nodes; of scattered ones a spacing's width of them. */
@@ -147,12 +232,15 @@ static void add_gauge(const struct domain_facts *facts, bool lattice, const stru
         planes[0] = e->middle - 0.5 * length;
         planes[1] = e->middle + 0.5 * length;
     }
-    for (int k = 0; k < 2 && lattice; k++) planes[k] = nearest_layer(domain, e, planes[k], slack);
+    check_gauge(domain, facts->gauge, e, planes, slack);
+    for (int k = 0; k < 2 && lattice; k++)
+        planes[k] = snapped(domain, facts->gauge, e, planes[k], slack);
+    check_free(domain, facts->gauge, e, planes, 1e-3 * e->spacing);
     const double more = (lattice ? 0.5 : 1e-3) * e->spacing;
     const struct layer left = {"gauge_left", planes[0] - slack, planes[0] + slack, more},
                        right = {"gauge_right", planes[1] - slack, planes[1] + slack, more};
-    add_layer(domain, e->axis, left);
-    add_layer(domain, e->axis, right);
+    add_layer(domain, facts->gauge, e->axis, left);
+    add_layer(domain, facts->gauge, e->axis, right);
     for (int64_t i = 0; lattice && i < domain->n_nodes; i++)
         if (x[i] >= planes[0] && x[i] < planes[1] - slack) volume += domain->volume[i];
     if (planes[1] > planes[0])
@@ -176,6 +264,11 @@ void domain_facts_planes(const struct domain_facts *facts, bool lattice, struct 
         if (grips) add_grips(domain, facts->grips, &e);
         if (gauge) add_gauge(facts, lattice, &e, domain);
     }
-    if (facts->section > 0)
-        attributes_set_number(&domain->attributes, "section_m2", facts->section);
+    const double own = attributes_number(&domain->attributes, "section_m2", 0);
+    if (!(facts->section > 0)) return;
+    if (own > 0 && fmax(own / facts->section, facts->section / own) > MOST_SECTION)
+        warn("domain.section is %.4g mm2, and the body has %.4g mm2 between the gauge planes: "
+             "stress is the force over the first",
+             1e6 * facts->section, 1e6 * own);
+    attributes_set_number(&domain->attributes, "section_m2", facts->section);
 }

@@ -286,3 +286,40 @@ AWK
     # E of the deck in the parallel part of 4 x 2 mm: heads that are held sideways are 6 mm from the gauge, so within 1 %
     near "$(sed -n 's/^# slope_Pa: //p' own.csv)" 206e9 2e9
 }
+
+@test "grips and gauge of a deck that do not fit the body are refused, a section is warned of" {
+    # 20 x 4 x 4 particles of 1 mm
+    awk 'BEGIN { for (i = 0; i < 20; i++) for (j = 0; j < 4; j++) for (k = 0; k < 4; k++) print i - 9.5, j - 1.5, k - 1.5, 1, 1 }' >bar.txt
+    awk '{ print $2, $1, $3, $4, $5 }' bar.txt >turned.txt
+    # facts GRIPS GAUGE [MORE]
+    facts() {
+        cat >deck.yaml <<DECK
+domain: {length_unit: mm, grips: {$1}, gauge: {$2}$3}
+materials:
+  A: {model: correspondence_elastic, density: 7800, youngs_modulus: 200 GPa, poissons_ratio: 0.3}
+boundary:
+  - {set: grip_left, direction: x, displacement: 0}
+  - {set: grip_right, direction: x, displacement: "1e-6*t"}
+solver: {type: quasi_static, horizon: 1, end_time: 1, step: 1}
+DECK
+    }
+    facts 'length: 2 mm' 'length: 17 mm'
+    refused "deck.yaml:1:57: the gauge planes (0.017 m apart, at -0.0085 and 0.0085 m) lie in the grips" -d deck.yaml -i bar.txt
+    facts 'length: 2 mm' 'length: 25 mm'
+    refused "are not both in the body, which is from -0.01 to 0.01 m along x" -d deck.yaml -i bar.txt
+    facts 'length: 2 mm' 'planes: [2 mm, 2.5 mm]'
+    refused "less than a spacing apart" -d deck.yaml -i bar.txt
+    awk '$1 < 3 || $1 > 6' bar.txt >gap.txt
+    facts 'length: 2 mm' 'planes: [-5 mm, 4.4 mm]'
+    refused "no layer of particles is within half a spacing of the gauge plane at 0.0044 m; the nearest is at 0.0025 m" -d deck.yaml -i gap.txt
+    facts 'length: 0 mm' 'length: 8 mm'
+    refused "no particle lies in grip_left" -d deck.yaml -i bar.txt
+    facts 'length: 2 mm' 'length: 2 mm'
+    refused "leave none of the body free, which is 0.004 m long along x; it is longest along y: 'axis: y'" -d deck.yaml -i turned.txt
+    facts 'length: 2 mm' 'length: 15 mm' ', section: 25 mm2'
+    hssolve -q --check -d deck.yaml -i bar.txt 2>said
+    grep -q 'domain.section is 25 mm2, and the body has 16 mm2 between the gauge planes' said
+    sed -i 's/25 mm2/20 mm2/' deck.yaml
+    hssolve -q --check -d deck.yaml -i bar.txt 2>said
+    [ ! -s said ]
+}
