@@ -164,9 +164,7 @@ domain:
   grips: {length: 3 spacings, phase: structure}
 materials:
   CG: {density: 8900 kg/m3, $1}
-boundary:
-  - {set: grip_left, direction: x, velocity: -15 m/s}
-  - {set: grip_right, direction: x, velocity: 15 m/s}
+$(pulled '15 m/s')
 solver: {type: explicit, $2, end_time: $4 us}
 damage:
   - $3

@@ -192,9 +192,7 @@ title: Scattered
 domain: {dimensions: 3, spacing: 1 mm, grips: {length: 3 spacings}, gauge: {length: 8 mm}}
 materials:
   M: {model: ordinary_plastic, density: 8000, youngs_modulus: 200 GPa, poissons_ratio: 0.3, $soft}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 m/s}
-  - {set: grip_right, direction: x, velocity: 1 m/s}
+$(pulled '1 m/s')
 solver: {type: quasi_static, method: $method, horizon: 2.6, end_strain: 0.005, step: 0.001, first_step: 0.001, accuracy: 1, tolerance: 1e-6}
 END
         hssolve -q -d scattered.yaml -i particles.txt -H $method.e

@@ -98,13 +98,11 @@ hardening='hardening: {law: linear, yield: 200 MPa, modulus: 2 GPa}'
             if (x > 0 && x < 24 && y > -0.01 && y < 5) printf "%.9e %.9e %.9e 1 1e-9\n", x * 1e-3, y * 1e-3, z * 1e-3
         }
     }' >particles.txt
-    cat >study.yaml <<'DECK'
+    cat >study.yaml <<DECK
 domain: {dimensions: 3, spacing: 1 mm, grips: {length: 3 spacings}, gauge: {length: 10 mm}}
 materials:
   A: {model: correspondence_elastic, density: 8000, youngs_modulus: 210 GPa, poissons_ratio: 0.31}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 m/s}
-  - {set: grip_right, direction: x, velocity: 1 m/s}
+$(pulled '1 m/s')
 solver: {end_strain: 0.001, step: 0.001, first_step: 0.001}
 DECK
     hssolve --deck study.yaml -i particles.txt -H history.e 2>messages

@@ -47,9 +47,7 @@ domain:
 materials:
   SOFT: {density: 8900, model: $2, $elastic, hardening: {law: linear, yield: 20 MPa, modulus: 100 MPa}}
   HARD: {density: 8900, model: $2, $elastic, hardening: {law: linear, yield: 2000 MPa, modulus: 100 MPa}}
-boundary:
-  - {set: grip_left, direction: x, velocity: -1 m/s}
-  - {set: grip_right, direction: x, velocity: 1 m/s}
+$(pulled '1 m/s')
 solver: {end_strain: 0.03, $3}
 END
     hsgen -q contrast.yaml -o contrast.g 2>/dev/null
