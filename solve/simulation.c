@@ -304,6 +304,25 @@ static void check_grips(const struct simulation *s)
     }
 }
 
+/* Forces of grips and displacements of gauge planes are along the axis of the test. */
+static void check_turned(const struct simulation *s)
+{
+    const struct deck_node domain = deck_find(deck_root(s->deck), "domain"),
+                           said = domain.index ? deck_find(domain, "angle") : domain;
+    double angle = attributes_number(&s->domain.attributes, "angle_rad", 0);
+    static const char turned[] = "the body is turned by %.4g degree, and the history has forces "
+                                 "and extension along %c, not along the body%s";
+    ranks_share(&angle, sizeof angle);
+    if (angle == 0 || !(s->gauge || boundary_has_grips(&s->boundary))) return;
+    const double degrees = angle * 180 / acos(-1);
+    const int axis = 'x' + s->lattice.axis;
+    if (!s->scene.accept)
+        deck_error(
+            said.index ? said : s->scene.solver, turned, degrees, axis,
+            ": test one that is not turned; 'accept: true' in solver takes these components");
+    if (s->ranks.rank == 0) warn(turned, degrees, axis, "");
+}
+
 /* Share of the nodes that may have too few neighbours for a gradient, and carry nothing. */
 static const double MOST_LOST = 0.05;
 
@@ -399,6 +418,7 @@ static void build(struct simulation *s)
     s->boundary = boundary_new(&s->scene, &s->body, 10 * materials_stiffest(&s->materials));
     check_grips(s);
     s->gauge = gauge_new(&s->body, sets_of(s), s->domain.n_phases);
+    check_turned(s);
     s->quantities = quantities_new(&s->scene, &s->body, s->damage);
     refuse_lost(s);
     if (s->family.scattered && s->ranks.rank == 0) warn_of_pieces(s);

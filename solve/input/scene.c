@@ -90,8 +90,8 @@ static const struct key solver_keys[] = {
          "meshed apart; part leaves them apart, as along a crack"},
     {"accept", KEY_FLAG, AT(accept),
      .help = "true: also moduli, densities, yield and hardening that no metal has, as a forgotten "
-             "GPa makes of it, tests that are over in one step, and grips thinner than the horizon "
-             "needs"},
+             "GPa makes of it, tests that are over in one step, grips thinner than the horizon "
+             "needs, and forces and extension along x of a turned body"},
     {"direction", KEY_NUMBER, AT(direction), "1", -1e6, 1e6, .size = 3, .usuals = along_x,
      .help = "of a periodic body of corner, such as [1, 1, 0]: where x of macroscopic points among "
              "the lattice's axes; z stays as close to the lattice's as may be"},

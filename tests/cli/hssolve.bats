@@ -477,3 +477,18 @@ END
     cmp <(numbers one.e | grep -v deck_name) <(numbers two.e | grep -v deck_name)
     cmp <(numbers one.e | grep -v deck_name) <(numbers three.e | grep -v deck_name)
 }
+
+@test "a test of a turned body, whose history would be along x, is refused unless it is accepted" {
+    sed 's/^  gauge:.*/&\n  angle: 30 degree/' study.yaml >turned.yaml
+    hsgen -q turned.yaml -o turned.g
+    refused 2 "the body is turned by 30 degree, and the history has forces and extension along x" -i turned.g
+    [[ "$output" == *"turned.yaml:"*"'accept: true' in solver takes these components"* ]]
+    sed -i '/gauge:/d; /end_strain/s/.*/  end_steps: 2/' turned.yaml
+    hsgen -q turned.yaml | refused 2 "the body is turned by 30 degree"
+    sed -i 's/^  type: explicit/&\n  accept: true/' turned.yaml
+    hsgen -q turned.yaml | hssolve --check 2>said
+    grep -q 'warning: the body is turned by 30 degree' said
+    sed -i '/^  accept/d; /grip_left/d' turned.yaml
+    hsgen -q turned.yaml | hssolve --check 2>said
+    run ! grep -q 'turned by' said
+}
