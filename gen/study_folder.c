@@ -330,20 +330,53 @@ static void say_what_varies(const struct variations *variations)
     note("%lld decks", (long long)variations->runs);
 }
 
+static bool is_same(const char *one, const char *other)
+{
+    struct stat a, b;
+    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino;
+}
+
+/* What stands where a study of ours would be, and is none. */
+static void refuse_foreign(const struct contents *contents, const struct deck *deck,
+                           const char *folder)
+{
+    static const char *const names[] = {"Makefile", "study.csv", "study.yaml",
+                                        "slurm.sh", "gathered",  "cores"};
+    char *makefile = memory_print("%s/Makefile", folder), *found = NULL;
+    const bool own = study_make_wrote(makefile);
+    for (size_t i = 0; !own && !found && i < sizeof names / sizeof *names; i++) {
+        char *path = memory_print("%s/%s", folder, names[i]);
+        if (access(path, F_OK) == 0 && !is_same(path, deck_name(deck)))
+            found = path;
+        else
+            free(path);
+    }
+    if (!own && !found && contents->count)
+        found = path_of(folder, contents->decks[0].number, "deck.yaml");
+    if (found)
+        die_user("%s is there, in a folder without a Makefile of hsgen --study, and would be "
+                 "replaced: give another folder, or remove it",
+                 found);
+    free(makefile);
+}
+
 void study_folder_write(const struct deck *deck, const char *folder, bool slurm)
 {
     struct expansion expansion = expansion_of(deck);
     struct contents contents = contents_of(folder);
+    refuse_foreign(&contents, deck, folder);
     struct runs runs = make_runs(&expansion, &contents);
     check_runs(&expansion, &runs);
     say_what_varies(&expansion.variations);
     make_folder(folder);
+    /* First of all: it tells a folder that was left half done from another's. */
+    write_makefile(&expansion, &runs, folder);
     remove_old(&contents, folder);
     write_decks(&runs, folder);
     write_table(&expansion, &runs, folder);
-    write_makefile(&expansion, &runs, folder);
     char *copy = memory_print("%s/study.yaml", folder);
-    write_text(copy, deck_text(deck));
+    if (!is_same(copy, deck_name(deck))) write_text(copy, deck_text(deck));
     note("make -j2 -C %s   runs them and gathers", folder);
     if (slurm) write_slurm(&runs, folder);
     free(copy);

@@ -1,6 +1,7 @@
 #include "study_make.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 /* What does not depend on the study.  One shell runs a whole recipe (.ONESHELL).  A run that fails
  * says so and leaves the others alone: its target is not there, which the last line tells and the
@@ -160,6 +161,16 @@ static void write_cores(FILE *file, const struct study_make *study)
         if (!named)
             fprintf(file, "%s: %04ld/deck.yaml\n\t@$(CORES)\n", study->cores[i], study->makers[i]);
     }
+}
+
+bool study_make_wrote(const char *path)
+{
+    char line[128] = "";
+    FILE *file = fopen(path, "r");
+    if (!file) return false;
+    const bool read = fgets(line, sizeof line, file) != NULL;
+    fclose(file);
+    return read && strncmp(line, head, strcspn(head, "\n") + 1) == 0;
 }
 
 void study_make_write(FILE *file, const struct study_make *study)

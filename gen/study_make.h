@@ -14,6 +14,9 @@ struct study_make {
     bool sensitivity;   /* there are changes of one key at a time */
 };
 
+/* Whether a file begins as what study_make_write writes. */
+bool study_make_wrote(const char *path);
+
 void study_make_write(FILE *file, const struct study_make *study);
 
 #endif

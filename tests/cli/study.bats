@@ -164,6 +164,29 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     refused "study.yaml with ufg_fraction 0.3: 4:" 'vary: {a: {csv: short.csv}}'
 }
 
+@test "what is not a study's is not replaced, and nothing is written beside it" {
+    deck 'vary: {ufg_fraction: [0.3, 0.40]}'
+    mkdir -p makes tables decks/0001 here
+    echo 'all:' >makes/Makefile
+    echo 'a,b' >tables/study.csv
+    echo mine >decks/0001/deck.yaml
+    for file in makes/Makefile tables/study.csv decks/0001/deck.yaml; do
+        find "${file%%/*}" -type f -exec cksum {} + >before
+        run -2 --separate-stderr hsgen --study study.yaml -o "${file%%/*}"
+        [[ "$stderr" == *"$file is there, in a folder without a Makefile of hsgen --study"* ]]
+        find "${file%%/*}" -type f -exec cksum {} + | cmp - before
+    done
+    # into the folder that the deck is in, and once more
+    cp study.yaml here/study.yaml
+    for time in first second; do (cd here && hsgen -q --study study.yaml -o .); done
+    cmp study.yaml here/study.yaml
+    [ -e here/0002/deck.yaml ]
+    # one that was left half done is gone on with
+    rm -r here/0002 here/study.csv here/study.yaml
+    hsgen -q --study study.yaml -o here
+    [ -e here/0002/deck.yaml ]
+}
+
 @test "a study is no deck of a body, and says what to do" {
     for section in 'vary: {seed: 1..3}' 'refine: 2'; do
         deck "$section"
