@@ -106,10 +106,10 @@ static void make_true_curve(struct analysis *analysis, const struct choices *cho
 static void compare_noise(struct curve *curve, const struct choices *choices)
 {
     const double noise = noise_of(curve->strain, curve->stress, curve->n);
-    const double strain = noise_of_strain(curve->strain, curve->n);
-    curve->strain_is_noisier = curve->measured && strain > 0;
-    if (!curve->strain_is_noisier) return;
-    curve->strain_is_noisier = strain * strength_line(curve, choices).slope > noise;
+    if (!curve->measured) return;
+    const struct elastic_line line = strength_line(curve, choices);
+    const double strain = noise_of_strain(curve->strain, curve->n, line.first, line.count);
+    curve->strain_is_noisier = strain > 0 && strain * line.slope > noise;
 }
 
 /* By the rows; and by what scatters more about the elastic line: correlated, it is what a filter
@@ -119,7 +119,7 @@ static void find_noise(struct analysis *analysis, const struct elastic_line *lin
     const struct curve *curve = &analysis->envelope;
     const double digits = rounding * gsl_stats_max(curve->stress, 1, (size_t)curve->n);
     struct noise *noise = &analysis->noise;
-    analysis->strain_noise = noise_of_strain(curve->strain, curve->n);
+    analysis->strain_noise = noise_of_strain(curve->strain, curve->n, line->first, line->count);
     noise->deviation = noise_of(curve->strain, curve->stress, curve->n);
     if (noise->deviation <= digits) noise->deviation = 0;
     if (line->count == 0) return;

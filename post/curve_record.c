@@ -19,6 +19,7 @@ static const double elastic_spans = 3; /* strain of an excursion over that of it
 static const double reversal =
     0.3; /* of the elastic strain, by which the strain of a loop goes back */
 static const double steepest = 2;       /* elastic slopes, by which no stress of a body rises */
+static const double rounded_widths = 4; /* standard deviations: a step of rounding is 3.5 of them */
 static const double least_spike = 0.02; /* of the highest stress */
 static const double least_leap = 5e-4;  /* of the strain */
 static const double flowing = 0.005;    /* plastic strain */
@@ -78,6 +79,22 @@ static void refuse_signs(const struct curve *curve)
                  curve->title, strain < 0 ? "strain" : "stress", strain < 0 ? "stress" : "strain");
 }
 
+/* Virgin yield is then one of compression, and what follows in tension is not virgin. */
+static void refuse_compression_first(const struct curve *curve)
+{
+    const double least_share = 0.1, *e = curve->strain, *s = curve->stress;
+    double low, high;
+    gsl_stats_minmax(&low, &high, s, 1, (size_t)curve->n);
+    long i = 0;
+    while (i < curve->n - 1 && fabs(s[i]) <= least_share * fmax(high, -low)) i++;
+    if (s[i] < 0 && e[i] < 0)
+        die_user(
+            "%s: the record begins with compression (stress down to %.4g MPa): what is measured "
+            "here is defined for a test that begins with tension; hspost --columns prints what "
+            "there is",
+            curve->title, low / 1e6);
+}
+
 void record_turn(struct curve *curve)
 {
     const double *e = curve->strain;
@@ -85,6 +102,7 @@ void record_turn(struct curve *curve)
     long falls = 0;
     if (curve->measured) refuse_signs(curve);
     if (curve->measured) refuse_disorder(curve);
+    refuse_compression_first(curve);
     for (long i = 1; i < n; i++) falls += e[i] < e[i - 1];
     if (n < FEWEST_STANDING || (double)falls < turned_share * (double)(n - 1) || e[0] <= 0 ||
         gsl_stats_min(e, 1, (size_t)n) < 0)
@@ -106,6 +124,7 @@ static double threshold(const struct record *record, double s)
 struct leap {
     double slope, toe;     /* Pa, -; of the elastic part */
     double strain, stress; /* changes that count */
+    double rounded;        /* what the strain may lack, of what it has risen by */
 };
 
 /* How fast the stress may rise: where it is the highest so far and the body flows, hardly. */
@@ -123,7 +142,7 @@ static bool follows(const struct leap *leap, const struct curve *curve, long fro
 {
     const double strain = curve->strain[row] - curve->strain[from];
     const double stress = curve->stress[row] - curve->stress[from];
-    return stress <= slope * fmax(strain, 0) + leap->stress &&
+    return stress <= slope * fmax(strain + leap->rounded, 0) + leap->stress &&
            -strain <= steepest * fmax(-stress, 0) / leap->slope + leap->strain;
 }
 
@@ -157,7 +176,8 @@ static void take_leaps_out(struct record *record, struct curve *curve,
     double top = gsl_stats_max(curve->stress, 1, (size_t)curve->n);
     const struct leap leap = {line->slope, line->toe,
                               fmax(least_leap, noise_widths * record->strain_noise),
-                              fmax(least_spike * top, noise_widths * record->noise)};
+                              fmax(least_spike * top, noise_widths * record->noise),
+                              rounded_widths * record->strain_noise};
     top = curve->stress[0];
     for (long i = 1; curve->measured && i < curve->n - 1; i++) {
         const long next = leap_end(&leap, curve, i, top);
@@ -322,7 +342,7 @@ struct record record_judge(const struct curve *curve, const struct elastic_line 
     record.loading = memory_new((size_t)n, sizeof *record.loading);
     for (long i = 0; i < n; i++) record.loading[i] = true;
     record.noise = noise_of(curve->strain, curve->stress, n);
-    record.strain_noise = noise_of_strain(curve->strain, n);
+    record.strain_noise = noise_of_strain(curve->strain, n, line->first, line->count);
     if (!(line->slope > 0)) return record;
     struct curve clean = *curve;
     clean.strain = copy_of(curve->strain, n);

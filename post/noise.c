@@ -63,6 +63,39 @@ static double by_rounding(const double y[], long n, double work[])
     return gsl_stats_quantile_from_sorted_data(work, 1, count, usual) / sqrt(12);
 }
 
+/* Whether all changes are whole numbers of the step; *turns: how often that number is not the one
+ * of the row before. */
+static bool are_whole(const double y[], long n, double step, long *turns)
+{
+    const double off = 0.02;
+    double before = NAN;
+    *turns = -1;
+    for (long i = 1; i < n; i++) {
+        const double steps = (y[i] - y[i - 1]) / step, whole = round(steps);
+        if (fabs(steps - whole) > off) return false;
+        *turns += whole != before;
+        before = whole;
+    }
+    return true;
+}
+
+/* Of values that were rounded to a step that is smaller than their changes, which then are whole
+ * numbers of it, now more, now fewer; a ramp that is exact, or is one by parts, has one number
+ * for long. 0: no such step. */
+static double by_grid(const double y[], long n)
+{
+    enum { MOST_STEPS = 10 };
+    const double least_turns = fmax(0.01 * (double)n, 8);
+    double least = INFINITY;
+    long turns;
+    for (long i = 1; i < n; i++)
+        if (y[i] != y[i - 1]) least = fmin(least, fabs(y[i] - y[i - 1]));
+    for (int k = 1; isfinite(least) && k <= MOST_STEPS; k++)
+        if (are_whole(y, n, least / k, &turns))
+            return (double)turns < least_turns ? 0 : least / k / sqrt(12);
+    return 0;
+}
+
 /* The mean where all three agree, of which the least would be too small; else the least, as a
  * bend adds to the others. */
 static double together(const double seen[3])
@@ -84,14 +117,16 @@ double noise_of(const double x[], const double y[], long n)
     return fmax(together(seen), rounding);
 }
 
-double noise_of_strain(const double strain[], long n)
+double noise_of_strain(const double strain[], long n, long first, long count)
 {
     const double least_share = 0.01;
     long falls = 0;
     for (long i = 1; i < n; i++) falls += strain[i] < strain[i - 1];
     if (n < FEWEST_ROWS) return 0;
     double *work = memory_new((size_t)n, sizeof *work);
-    double noise = by_rounding(strain, n, work);
+    double noise = by_grid(strain, n);
+    if (noise == 0 && count > 1) noise = by_rounding(strain + first, count, work);
+    if (noise == 0) noise = by_rounding(strain, n, work);
     if ((double)falls >= least_share * (double)n)
         noise = fmax(noise, fmin(by_second_differences(strain, n, work),
                                  by_fourth_differences(strain, n, 1, work)));

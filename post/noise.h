@@ -22,8 +22,10 @@ double noise_of_means(struct noise noise);
 double noise_of(const double x[], const double y[], long n);
 
 /* The same of the strain, which is noise only where it goes back and forth: that of rounding
- * alone where fewer than one step in a hundred falls. */
-double noise_of_strain(const double strain[], long n);
+ * alone where fewer than one step in a hundred falls.  It is rounded
+ * where all changes are whole numbers of a step, or where rows are repeated among count rows from
+ * first on, of the elastic part, where rows lie closest, or among all. */
+double noise_of_strain(const double strain[], long n, long first, long count);
 
 /* Noise behind a filter, as an autoregressive sequence, by fourth differences of rows that are
  * farther and farther apart.  n >= 16. */

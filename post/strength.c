@@ -180,7 +180,14 @@ static struct elastic_line find_line(const struct curve *curve, const struct cho
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices)
 {
     struct elastic_line line = find_line(curve, choices);
-    if (!isnan(choices->toe)) line.toe = choices->toe;
+    if (isnan(choices->toe)) return line;
+    const double reach = gsl_stats_max(curve->strain, 1, (size_t)curve->n);
+    if (fabs(choices->toe) >= reach)
+        die_user(
+            "%s: the strain %g of the toe, which is a pure number, is as large as the largest of "
+            "the curve, %.3g",
+            curve->title, choices->toe, reach);
+    line.toe = choices->toe;
     return line;
 }
 

@@ -55,6 +55,17 @@ turns() {
     awk -F, 'NR > 1 {if ($10 == "" || $10 ^ 2 > 2.5 ^ 2) exit 1; n++} END {exit n != 2}' loops.csv || { cat loops.csv; return 1; }
 }
 
+@test "what begins with compression has no tensile curve, and is told so" {
+    for programme in '{to_strain: -0.4 %}' '{to_strain: -0.4 %}, {to_strain: 0.8 %}'; do
+        deck "programme: [$programme]" >deck.yaml
+        hsgen -q deck.yaml | hssolve -q -H h.e
+        run -2 --separate-stderr hspost h.e -o curve.csv
+        [[ "$stderr" == *"begins with compression (stress down to -20"* ]]
+        [ ! -e curve.csv ]
+        hspost -q --columns h.e -o columns.csv
+    done
+}
+
 @test "cycles between strains; the same bits on two ranks and after a restart" {
     deck 'programme: [{cycles: 2, between: [-0.4 %, 0.6 %]}]' 'output: {checkpoint: {every: 50 steps, keep: 9}}' >deck.yaml
     hsgen -q deck.yaml >domain.g

@@ -150,6 +150,42 @@ static void errors_cover_noise_of_the_strain(void **state)
     expect_coverage(found, all, ALL);
 }
 
+/* Written in per cent with two digits, every row or each twelfth, where 4 in the elastic part do
+ * not repeat one another: the truth is within two errors, and these are of the size that steps of
+ * 1e-4 make: at least (1e-4/sqrt(12))/(4.5e-4/sqrt(12))/sqrt(rows) of the slope, 2 % of 90 rows. */
+static void errors_cover_a_strain_that_is_rounded(void **state)
+{
+    (void)state;
+    enum { OFFSETS = 10 };
+    const double step = 1e-4;
+    const long each[] = {1, 12};
+    struct curve truth = made_curve(0);
+    struct choices choices = choices_read(NULL);
+    struct random_stream *stream = random_new(9, "curves");
+    for (int t = 0; t < 2; t++)
+        for (int k = 0; k < OFFSETS; k++) {
+            struct curve dense = noisy(&truth, (struct scatter){.stress = 1e5}, stream);
+            const long n = ROWS / each[t];
+            long *rows = memory_new((size_t)n, sizeof *rows);
+            for (long i = 0; i < n; i++) rows[i] = i * each[t];
+            struct curve curve = curve_rows(&dense, n, rows);
+            for (long i = 0; i < n; i++)
+                curve.strain[i] = step * round(curve.strain[i] / step + (double)k / OFFSETS);
+            struct analysis analysis = analysis_make(&curve, &choices);
+            const struct elastic_line *line = &analysis.measures.line;
+            const double error = fmax(line->error, analysis.measures.error[MEASURE_MODULUS]);
+            assert_relative(analysis.strain_noise, step / sqrt(12), 0.2);
+            assert_near(line->slope, young, 2 * error);
+            assert_true(error > 0.02 * young && error < 0.3 * young);
+            analysis_free(&analysis);
+            curve_free(&curve);
+            curve_free(&dense);
+            free(rows);
+        }
+    random_free(stream);
+    curve_free(&truth);
+}
+
 static void errors_cover_a_yield_point(void **state)
 {
     (void)state;
@@ -213,6 +249,7 @@ int main(void)
         cmocka_unit_test(errors_cover_the_truth),
         cmocka_unit_test(errors_cover_filtered_noise),
         cmocka_unit_test(errors_cover_noise_of_the_strain),
+        cmocka_unit_test(errors_cover_a_strain_that_is_rounded),
         cmocka_unit_test(errors_cover_a_yield_point),
         cmocka_unit_test(noise_is_found),
         cmocka_unit_test(noise_makes_no_yield_point),
