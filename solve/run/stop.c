@@ -58,6 +58,8 @@ void stop_end(const struct stop *stop)
 
 const char *stop_asked(const struct stop *stop, double needed)
 {
+    /* The launcher's SIGUSR1 stands for whatever it was sent itself. */
+    if (noted == SIGUSR1 && getenv("HSSOLVE_COMMAND")) return "a signal";
     if (noted) return strsignal(noted);
     return ranks_clock() + needed >= stop->deadline ? "the time limit" : NULL;
 }

@@ -66,6 +66,8 @@ no_rank_left() { while pgrep -f "domain.g .*-H out.e|domain.g .*history out.e" >
             ended "$solver"
             [ "$status" -eq 143 ]
             [ "$(grep -c 'stopped at step' said)" -eq 1 ]
+            # what reaches the ranks of a launcher is not the signal that it was sent
+            [ "$ranks" = 1 ] || grep -q 'stopped at step.*(a signal)' said
             no_rank_left
             [ "$(ls)" = "domain.g
 fields.e.failed
