@@ -81,17 +81,17 @@ void export_vti(const struct export_source *source, FILE *file)
     const double *edge = sites->spacing;
     double low[3];
     for (int axis = 0; axis < 3; axis++) low[axis] = -0.5 * (double)count[axis] * edge[axis];
-    fprintf(file,
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" "
-            "byte_order=\"LittleEndian\" "
-            "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
-            "  <ImageData WholeExtent=\"0 %lld 0 %lld 0 %lld\" Origin=\"%.17g %.17g %.17g\" "
-            "Spacing=\"%.17g %.17g %.17g\">\n    <Piece Extent=\"0 %lld 0 %lld 0 %lld\">\n      "
-            "<CellData "
-            "Scalars=\"material\">\n",
-            (long long)count[0], (long long)count[1], (long long)count[2], low[0], low[1], low[2],
-            edge[0], edge[1], edge[2], (long long)count[0], (long long)count[1],
-            (long long)count[2]);
+    fprintf(
+        file,
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" "
+        "byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
+        "  <ImageData Unit=\"m\" WholeExtent=\"0 %lld 0 %lld 0 %lld\" Origin=\"%.17g %.17g %.17g\" "
+        "Spacing=\"%.17g %.17g %.17g\">\n    <Piece Extent=\"0 %lld 0 %lld 0 %lld\">\n      "
+        "<CellData "
+        "Scalars=\"material\">\n",
+        (long long)count[0], (long long)count[1], (long long)count[2], low[0], low[1], low[2],
+        edge[0], edge[1], edge[2], (long long)count[0], (long long)count[1], (long long)count[2]);
     write_values(source, file, false);
     if (source->structure->grain) write_values(source, file, true);
     fprintf(file,

@@ -146,6 +146,8 @@ static void read_grid(struct vti *vti, struct image *image)
     double direction[9];
     if (!read_list(&vti->grid, "Spacing", 3, image->edge))
         image->edge[0] = image->edge[1] = image->edge[2] = 0;
+    /* VTK has no word for it: hsgen's own, which others leave aside. */
+    if (attribute_is(&vti->grid, "Unit", "m")) image->unit = "m";
     if (read_list(&vti->grid, "Direction", 9, direction) &&
         memcmp(direction, upright, sizeof upright) != 0)
         refuse(vti, "its axes are turned (Direction); resample it along x, y and z first");

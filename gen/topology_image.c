@@ -134,8 +134,9 @@ static void read_edges(struct deck_node domain, const struct measured *measured,
     } else if (known) {
         deck_error(deck_get(domain, "image"),
                    "%s says that a voxel is %.9g x %.9g x %.9g, and not in what unit: add 'voxel', "
-                   "such as voxel: %.9g um",
-                   measured->file, image->edge[0], image->edge[1], image->edge[2], image->edge[0]);
+                   "such as voxel: %.9g um, or %.9g m",
+                   measured->file, image->edge[0], image->edge[1], image->edge[2], image->edge[0],
+                   image->edge[0]);
     } else {
         deck_error(deck_get(domain, "image"),
                    "%s does not say how large a voxel is: add 'voxel', such as voxel: 0.5 um",

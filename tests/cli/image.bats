@@ -107,9 +107,9 @@ domain:
   topology: image
   image: cell.vti
   array: material
-  voxel: 1 um
   labels: {CG: 0, UFG: 1}
 DECK
+    # without a word on the voxels: the file says that its lengths are in m
     hsgen -q again.yaml -o again.g -s again.csv
     for block in 1 2; do
         cmp <(ncdump -v connect$block cell.g | sed -n "/^ connect$block =/,\$p") <(ncdump -v connect$block again.g | sed -n "/^ connect$block =/,\$p")
@@ -117,7 +117,7 @@ DECK
     [ "$(statistic cell.csv interface_area_per_volume)" = "$(statistic again.csv interface_area_per_volume)" ]
     # through Abaqus' format, too
     hsgen -q cell.yaml -o cell.g --export cell.inp
-    sed 's/cell.vti/cell.inp/; /array/d; s/voxel.*/voxel: 1 um/; s/labels.*/labels: {CG: CG, UFG: UFG}/' again.yaml >third.yaml
+    sed 's/cell.vti/cell.inp/; s/array.*/voxel: 1 um/; s/labels.*/labels: {CG: CG, UFG: UFG}/' again.yaml >third.yaml
     hsgen -q third.yaml -o third.g
     cmp <(ncdump -v connect1 cell.g | sed -n '/^ connect1 =/,$p') <(ncdump -v connect1 third.g | sed -n '/^ connect1 =/,$p')
 }
