@@ -273,6 +273,52 @@ static void check_places(const struct variations *variations)
         }
 }
 
+/* What the keys of some variations are in one row of their values. */
+struct row {
+    char *text;
+    int number;
+};
+
+static int by_row(const void *a, const void *b)
+{
+    const struct row *first = a, *second = b;
+    const int order = strcmp(first->text, second->text);
+    return order != 0 ? order : first->number - second->number;
+}
+
+/* Two runs of one deck would be read as two of a scatter of 0. */
+static void refuse_twice(const struct variation *items, int count)
+{
+    const int n = items->count;
+    struct row *rows = memory_new((size_t)n, sizeof *rows);
+    for (int i = 0; i < n; i++) {
+        rows[i] = (struct row){memory_text(""), i};
+        for (int v = 0; v < count; v++)
+            for (int k = 0; k < items[v].n_keys; k++) {
+                char *longer = memory_print("%s%s\n", rows[i].text, items[v].keys[k].texts[i]);
+                free(rows[i].text);
+                rows[i].text = longer;
+            }
+    }
+    qsort(rows, (size_t)n, sizeof *rows, by_row);
+    for (int i = 1; i < n; i++) {
+        const struct variation_key *key = &items->keys[0];
+        const int again = rows[i].number;
+        if (strcmp(rows[i - 1].text, rows[i].text) == 0)
+            deck_error(key->where[again], "%s %s is there twice (values %d and %d), expected once",
+                       key->name, key->texts[again], rows[i - 1].number + 1, again + 1);
+    }
+    for (int i = 0; i < n; i++) free(rows[i].text);
+    free(rows);
+}
+
+static void refuse_duplicates(const struct variations *variations)
+{
+    if (variations->zipped) refuse_twice(variations->items, variations->count);
+    for (int i = 0; !variations->zipped && i < variations->count; i++)
+        refuse_twice(&variations->items[i], 1);
+}
+
 static void count_runs(struct variations *variations)
 {
     variations->runs = variations->zipped ? variations->items[0].count : 1;
@@ -323,6 +369,7 @@ struct variations variations_read(const struct deck *deck)
     set_roles(&variations, words);
     check_places(&variations);
     count_runs(&variations);
+    refuse_duplicates(&variations);
     return variations;
 }
 

@@ -164,6 +164,16 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     refused "study.yaml with ufg_fraction 0.3: 4:" 'vary: {a: {csv: short.csv}}'
 }
 
+@test "a body that is there twice is refused with its place" {
+    refused "study.yaml:37:34: ufg_fraction 0.40 is there twice (values 1 and 3), expected once" \
+        'vary: {ufg_fraction: [0.40, 0.3, 0.40]}'
+    refused "spacing 25 um is there twice (values 2 and 3)" 'refine: [2, 2]'
+    refused "is there twice (values 1 and 3)" 'vary: {set: {ufg_fraction: [0.3, 0.4, 0.3], domain.seed: [1, 1, 1]}}'
+    refused "is there twice (values 1 and 3)" 'vary: {combine: zipped, ufg_fraction: [0.3, 0.4, 0.3], domain.seed: [1, 1, 1]}'
+    deck 'vary: {combine: zipped, ufg_fraction: [0.3, 0.4, 0.3], domain.seed: [1, 1, 2]}'
+    hsgen -q --study study.yaml --check
+}
+
 @test "what is not a study's is not replaced, and nothing is written beside it" {
     deck 'vary: {ufg_fraction: [0.3, 0.40]}'
     mkdir -p makes tables decks/0001 here
