@@ -17,7 +17,7 @@
 #   make docs            the keys of the deck and the columns into docs/deck.md, docs/formats.md and docs/man/hsdeck.5
 #   make format          clang-format over the tree
 #   make first           the small study of the README
-#   make flagship study  the larger ones of pipelines/ (minutes to an hour)
+#   make hs40 study      the larger ones of pipelines/ (minutes to an hour)
 #   make studies         all studies in their small forms, each through its own check, a line each (some twenty minutes)
 #   make mutations       breaks the code in some 180 places, one at a time, and says which test notices (hours)
 #

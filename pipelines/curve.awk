@@ -6,7 +6,7 @@ function end_of_curve() {
     must(strain >= end, name ": ends at a strain of " strain ", not " end)
     # All phases have the same modulus, and elastic nominal stress is E ln(1 + e)/(1 + e): a line through strains a to b falls short of E by
     # 1.5 (a + b).  Forces of load steps are accurate to 0.1 %, at either end of it.  Explicit steps: the grips of a plate w wide hold what
-    # starts to contract, nu w/2 times the rate of strain: 0.6 m/s in the flagship, whose waves are per cents of its yield stress.
+    # starts to contract, nu w/2 times the rate of strain: 0.6 m/s in the plate HS40, whose waves are per cents of its yield stress.
     exact = E * (1 - 1.5 * (strains[first_row] + strains[last_row]))
     must(E > 0 && off(slope / exact, 1) < (moves ? 0.03 : 0.002), name ": slope of " slope / 1e9 " GPa, not " exact / 1e9)
     # Yield lies between that of CG and the flow stress of UFG at 30 % (voce: 182.1; 1259.8 + 564.5 MPa).

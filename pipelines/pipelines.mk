@@ -8,10 +8,10 @@
 #   make plate-cg              the homogeneous plate that proves E and the hardening curve
 #   make cells                 harmonic against random at equal fraction, on periodic cells: 320 runs (an hour of one core)
 #   make map                   what of a harmonic cell counts: Sobol's indices of seven factors, 1,000 runs (half an hour of one core)
-#   make ni-cell               a periodic cell of harmonic nickel, yields by Hall and Petch
-#   make flagship              pipelines/ni-hs40
-#   make flagship-horizons     the same at horizons 1, 2 and 3 spacings
-#   make flagship-rate         the same at half the speed
+#   make ni-cell               the flagship: a periodic cell of harmonic nickel, yields by Hall and Petch
+#   make hs40                  pipelines/ni-hs40
+#   make hs40-horizons         the same at horizons 1, 2 and 3 spacings
+#   make hs40-rate             the same at half the speed
 #   make r40 thesis            its random counterpart; the spheres that 25 um cannot resolve
 #   make study                 CG, UFG, HS40 and R40 at two spacings: one figure, one table
 #   make study SPACINGS=25um   the same at the coarse spacing alone
@@ -32,13 +32,13 @@
 #   make decks                 the decks of all studies, as the targets above would run them; nothing is run
 #   make studies               every study in its small form and through its check (some twenty minutes of two cores), a line each
 #
-# FORMULATION=corner: flagship, r40, thesis, study, fracture, loops and spacings, whose decks say correspondence with mix, in that formulation; results in
+# FORMULATION=corner: hs40, r40, thesis, study, fracture, loops and spacings, whose decks say correspondence with mix, in that formulation; results in
 # build/results-corner.
 #
 # Several runs side by side are fastest on one rank each: make -j2 RANKS=1 study.
 #
 # SMALL=yes: the small form of a study, in build/studies: fewer runs, or shorter ones, with what then holds of its check.  Those of the
-# horizons and the rate of the flagship have none: a plate of 64,000 particles is to be pulled far for them.
+# horizons and the rate of hs40 have none: a plate of 64,000 particles is to be pulled far for them.
 #
 # A run is made anew when its deck is newer, not when a program is: remove its folder for that.
 
@@ -47,9 +47,9 @@ RANKS ?= $(shell n=$$(nproc); echo $$((n < 2 ? n : 2)))
 SPACINGS ?= 25um$(if $(SMALL),, 12.5um)
 
 
-STUDIES := first cells map ni-cell plate-cg errors truths flagship r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking necking-bar taylor-bar fracture \
+STUDIES := first cells map ni-cell plate-cg errors truths hs40 r40 thesis study bond-plate load-steps crack thesis-impact thesis-boundary fracture-spacing necking necking-bar taylor-bar fracture \
            solver-switch solvers rates spacings finite-elements loops thesis-calibration strip waves
-.PHONY: $(STUDIES) flagship-horizons flagship-rate decks studies
+.PHONY: $(STUDIES) flagship hs40-horizons hs40-rate decks studies
 
 # A check says how many of its assertions hold, or which does not.
 small := $(if $(SMALL),/small)
@@ -61,9 +61,10 @@ first: $(RESULTS)/first/curve.csv
 	$(call curves,$@,0.04) $<
 plate-cg: $(RESULTS)/plate-cg/curve.csv
 	$(call must,$@,-v blank=all) $<
+flagship: ni-cell
 ni-cell: $(RESULTS)/ni-cell$(small)/curve.csv
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $<
-flagship: $(RESULTS)/ni-hs40$(small)/curve.csv
+hs40: $(RESULTS)/ni-hs40$(small)/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
 r40: $(RESULTS)/ni-r40$(small)/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.30)) $<
@@ -71,8 +72,8 @@ thesis: $(RESULTS)/ni-hs40-thesis$(small)/curve.csv
 	$(call curves,$@,$(if $(SMALL),0.01,0.25)) $<
 errors: $(RESULTS)/errors/table.md $(if $(SMALL),,$(RESULTS)/errors/finite.csv)
 	$(call must,$@,-v blank=all $(if $(SMALL),-v small=yes)) $(@:%=$(RESULTS)/%/elastic.csv) $(@:%=$(RESULTS)/%/plates.csv)
-flagship-horizons: $(RESULTS)/ni-hs40/horizons.csv
-flagship-rate: $(RESULTS)/ni-hs40/rate.csv
+hs40-horizons: $(RESULTS)/ni-hs40/horizons.csv
+hs40-rate: $(RESULTS)/ni-hs40/rate.csv
 study: $(RESULTS)/study/figure.svg $(RESULTS)/study/table.csv
 
 $(RESULTS)/%: SHELL := /bin/bash
@@ -143,8 +144,8 @@ $(RESULTS)/first/curve.csv: pipelines/first/study.yaml | all
 	@mkdir -p $(@D)
 	hsgen $< | hssolve -j $(RANKS) | hspost --plot $(@D)/curve.svg > $@
 
-flagship_varied := 'vary:\n  test: {name: [horizon-2, horizon-3, half-speed], post.title: [HS40 at horizon 2, HS40 at horizon 3, HS40 at half the speed],\n    solver.horizon: [2, 3, 1], end_strain: [0.30, 0.30, 0.10],\n    boundary.1.velocity: [-10 m/s, -10 m/s, -5 m/s], boundary.2.velocity: [10 m/s, 10 m/s, 5 m/s]}\n'
-$(call runs,ni-hs40-varied,horizon-2 horizon-3 half-speed,$(flagship_varied),pipelines/ni-hs40/study.yaml)
+hs40_varied := 'vary:\n  test: {name: [horizon-2, horizon-3, half-speed], post.title: [HS40 at horizon 2, HS40 at horizon 3, HS40 at half the speed],\n    solver.horizon: [2, 3, 1], end_strain: [0.30, 0.30, 0.10],\n    boundary.1.velocity: [-10 m/s, -10 m/s, -5 m/s], boundary.2.velocity: [10 m/s, 10 m/s, 5 m/s]}\n'
+$(call runs,ni-hs40-varied,horizon-2 horizon-3 half-speed,$(hs40_varied),pipelines/ni-hs40/study.yaml)
 # Differences are those of the longer horizon against horizon 1, cost is what hssolve said at the end.
 LONGER := $(foreach h,2 3,$(RESULTS)/ni-hs40-varied/horizon-$(h)/curve.csv)
 HORIZONS := $(RESULTS)/ni-hs40/curve.csv $(LONGER)
