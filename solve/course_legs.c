@@ -46,6 +46,15 @@ static double elastic_strain(const struct simulation *s)
     return fabs(change) / legs->modulus;
 }
 
+/* Whether this leg is to unload, from a strain, and would load on. */
+static bool loads_on(const struct simulation *s, double sense)
+{
+    const struct legs *legs = &s->load_steps.legs;
+    const struct leg *leg = leg_of(s);
+    return leg->kind == LEG_TO_STRESS && legs->leg > 0 && leg[-1].kind != LEG_TO_STRESS &&
+           legs->sense == sense;
+}
+
 /* The grips go to the end of the leg that begins here; a turn begins with a short step. */
 static void begin_leg(struct simulation *s)
 {
@@ -59,6 +68,11 @@ static void begin_leg(struct simulation *s)
     }
     const double ahead = legs->target - (is_of_stress(s) ? legs->stress : legs->strain);
     legs->sense = ahead < 0 ? -1 : 1;
+    if (loads_on(s, sense) && !s->failure)
+        s->failure = memory_print("leg %d of %d of the programme would unload from %.4g MPa to "
+                                  "%.4g MPa, which is to load on: unload_to is on the other side",
+                                  legs->leg + 1, s->scene.programme.count, 1e-6 * legs->stress,
+                                  1e-6 * legs->target);
     if (legs->sense == sense) return;
     legs->turn = legs->strain;
     legs->elastic = elastic_strain(s);

@@ -55,6 +55,20 @@ turns() {
     awk -F, 'NR > 1 {if ($10 == "" || $10 ^ 2 > 2.5 ^ 2) exit 1; n++} END {exit n != 2}' loops.csv || { cat loops.csv; return 1; }
 }
 
+@test "an unloading that would load on stops where it begins" {
+    deck 'programme: [{to_strain: 0.4 %}, {unload_to: 900 MPa}, {to_strain: 3 %}]' >deck.yaml
+    hsgen -q deck.yaml >domain.g
+    for ranks in 1 2; do
+        run -1 --separate-stderr hssolve -q -j $ranks -i domain.g -H h.e
+        [[ "$stderr" == *"leg 2 of 3 of the programme would unload from 20"*" MPa to 900 MPa, which is to load on"* ]]
+        near "$(turns h.e.failed | tail -1 | cut -d' ' -f1)" 0.4 1e-3
+    done
+    # a second unloading goes on from the first
+    deck 'programme: [{to_strain: 0.4 %}, {unload_to: 100 MPa}, {unload_to: 50 MPa}]' >deck.yaml
+    hsgen -q deck.yaml | hssolve -q -H h.e
+    [ "$(turns h.e | tail -1 | cut -d' ' -f2)" = 50 ]
+}
+
 @test "what begins with compression has no tensile curve, and is told so" {
     for programme in '{to_strain: -0.4 %}' '{to_strain: -0.4 %}, {to_strain: 0.8 %}'; do
         deck "programme: [$programme]" >deck.yaml
