@@ -103,7 +103,7 @@ static double *ratio(struct input *input, const char *column, const char *from, 
     double *values = table_find(&input->table, from);
     if (!values) return NULL;
     if (isnan(size))
-        die_user("%s: a table of force and extension does not say the %s, so there is no %s",
+        die_user("%s: a table of force and extension does not say the %s (for the column %s)",
                  input->name, what, column);
     double *made = table_add(&input->table, column);
     for (long i = 0; i < input->table.n_rows; i++) made[i] = values[i] / size;

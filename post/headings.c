@@ -20,25 +20,26 @@ static const struct {
 } quantities[QUANTITIES] = {
     {"strain", "engineering_strain", "1", true,
      "|engineering strain|eng strain|eng. strain|technische dehnung|tensile strain|axial strain"
-     "|extensometer strain|longitudinal strain|strain|strain 1|strain gauge 1|dehnung|dehnung 1|e"
-     "|eps|epsilon|ε|elongation|extension|deformation|extensometer|percent strain"
+     "|extensometer strain|longitudinal strain|strain|strain 1|strain gauge 1|dehnung|dehnung "
+     "1|längsdehnung|axialdehnung|ingenieurdehnung|e"
+     "|eps|epsilon|ε|elongation|extension|deformation|verformung|extensometer|percent strain"
      /* by the crosshead, where there is another one */
      "|nominal strain|nenndehnung|nominelle dehnung|"},
     {"stress", "engineering_stress_Pa", "Pa", false,
      "|engineering stress|eng stress|eng. stress|nominal stress|technische "
      "spannung|nennspannung|tensile stress|axial stress"
-     "|zugspannung|stress|spannung|s|r|sigma|sig|σ|"},
+     "|zugspannung|ingenieurspannung|stress|spannung|s|r|sigma|sig|σ|"},
     {"force", "force_N", "N", false,
      "|force|standard force|standardkraft|load|kraft|prüfkraft|axial force|axial load|tensile "
-     "force|zugkraft|primary force"
-     "|load cell|f|force 1|load 1|"},
+     "force|zugkraft|axialkraft|last|primary force"
+     "|load cell|kraftaufnehmer|f|force 1|load 1|"},
     {"extension", "extension_m", "m", false,
      "|extensometer|extensometer extension|extensometer 1|axial extension|strain 1|strain "
      "extension|längenänderung|verlängerung"
-     "|dehnung|feindehnung|elongation|extension|deformation|displacement|displacement 1|axial "
-     "displacement|standard travel"
+     "|dehnung|feindehnung|dehnweg|wegaufnehmer|elongation|extension|deformation|verformung"
+     "|displacement|displacement 1|axial displacement|axialweg|standard travel"
      "|standardweg|weg|crosshead|crosshead displacement|crosshead extension|crosshead "
-     "travel|traversenweg|traverse|stroke"
+     "travel|traversenweg|traverse|traverse absolut|kolbenweg|maschinenweg|stroke"
      "|position|"},
     {"time", "time_s", "s", true,
      "|time|test time|elapsed time|running time|zeit|prüfzeit|testzeit|versuchszeit|t|"},
@@ -52,18 +53,26 @@ static const struct {
 };
 
 static const struct {
-    const char *si, *names;
+    const char *fact, *si, *names;
 } sizes[] = {
-    {"m2", "|s0|section|area|cross section|cross-section|cross sectional area|cross-sectional "
-           "area|initial area|initial section"
-           "|specimen area|sample area|original cross-sectional area|dimension "
-           "area|querschnitt|anfangsquerschnitt"
-           "|querschnittsfläche|probenquerschnitt|"},
-    {"m", "|l0|gauge length|gage length|initial gauge length|original gauge length|extensometer "
-          "gauge length"
-          "|extensometer gage length|dimension length|specimen "
-          "length|messlänge|meßlänge|anfangsmesslänge|le|"},
+    {"section_m2", "m2",
+     "|s0|section|area|cross section|cross-section|cross sectional area|cross-sectional "
+     "area|initial area|initial section"
+     "|specimen area|sample area|original cross-sectional area|dimension "
+     "area|querschnitt|anfangsquerschnitt"
+     "|querschnittsfläche|probenquerschnitt|"},
+    {"gauge_length_m", "m",
+     "|l0|gauge length|gage length|initial gauge length|original gauge length|extensometer "
+     "gauge length"
+     "|extensometer gage length|dimension length|specimen "
+     "length|messlänge|meßlänge|anfangsmesslänge|le|"},
+    {"thickness_m", "m",
+     "|a0|thickness|specimen thickness|dicke|probendicke|anfangsdicke|blechdicke|"},
+    {"width_m", "m", "|b0|width|specimen width|breite|probenbreite|anfangsbreite|"},
+    {"diameter_m", "m",
+     "|d0|diameter|specimen diameter|durchmesser|probendurchmesser|anfangsdurchmesser|"},
 };
+enum { SIZES = sizeof sizes / sizeof *sizes };
 
 static const char specimens[] =
     "|specimen|specimen name|specimen id|specimen label|sample|sample name|sample id|probe"
@@ -104,7 +113,7 @@ static void normalise(const char *text, char name[LONGEST], char unit[LONGEST])
 }
 
 /* Place of a name in a list "|a|b|", -1 where it is not in it. */
-static int place_of(const char *name, const char *names)
+static int place_in(const char *name, const char *names)
 {
     char sought[LONGEST + 2];
     snprintf(sought, sizeof sought, "|%s|", name);
@@ -112,6 +121,17 @@ static int place_of(const char *name, const char *names)
     int place = 0;
     for (const char *c = names; found && c < found; c++) place += *c == '|';
     return found ? place : -1;
+}
+
+/* The same of a name alone, or of one and its symbol: "kraft f", "messlänge l0". */
+static int place_of(const char *name, const char *names)
+{
+    const char *blank = strrchr(name, ' ');
+    const int place = place_in(name, names);
+    if (place >= 0 || !blank || place_in(blank + 1, names) < 0) return place;
+    char alone[LONGEST];
+    snprintf(alone, sizeof alone, "%.*s", (int)(blank - name), name);
+    return place_in(alone, names);
 }
 
 double heading_factor(const char *unit, const char *si)
@@ -214,6 +234,7 @@ const char *heading_size(const char *words, char decimal, double *value)
         rest = token + strcspn(token, " \t:=\"");
         char alone[LONGEST];
         snprintf(alone, sizeof alone, "%.*s", (int)(rest - token), token);
+        if (decimal == ',' && rows_is_grouped(alone, '.')) return NULL;
         if (rows_number(alone, decimal, &number) || rows_number(alone, '.', &number)) break;
         number = NAN;
     }
@@ -224,11 +245,11 @@ const char *heading_size(const char *words, char decimal, double *value)
     normalise(text, name, unit);
     normalise(behind, unused, within);
     if (*within) snprintf(behind, sizeof behind, "%s", within);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < SIZES; i++) {
         if (place_of(name, sizes[i].names) < 0) continue;
         double factor = heading_factor(*unit ? unit : behind, sizes[i].si);
         *value = number * factor;
-        return isnan(factor) ? NULL : sizes[i].si;
+        return isnan(factor) ? NULL : sizes[i].fact;
     }
     return NULL;
 }

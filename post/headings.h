@@ -43,9 +43,10 @@ double heading_factor(const char *unit, const char *si);
 /* Any unit, or "-". */
 bool heading_is_unit(const char *text);
 
-/* A value that stands above the table: "Querschnitt;20,0;mm²", "Gauge length = 50 mm".  si is
- * "m2" or "m" where words name a section or a gauge length, and *value is set; NULL where they
- * do not. */
+/* A value that stands above the table: "Querschnitt;20,0;mm²", "Gauge length = 50 mm", "Dicke a0
+ * [mm];2".  "section_m2", "gauge_length_m", "thickness_m", "width_m" or "diameter_m" where words
+ * name one, and *value is set; NULL where they do not, or where a mark may part thousands or
+ * decimals. */
 const char *heading_size(const char *words, char decimal, double *value);
 
 /* Whether words name the specimen. */

@@ -27,8 +27,12 @@ _Noreturn static void refuse_field(const struct layout *layout, const struct row
     int i = 0;
     while (row->fields[i][0] == '\0' || rows_number(row->fields[i], layout->rows.decimal, &unused))
         i++;
-    die_user("%s:%ld:%d: '%s' is not a finite number", layout->name, row->line, row->places[i],
-             row->fields[i]);
+    const char mark = layout->rows.decimal == '.' ? ',' : '.';
+    die_user("%s:%ld:%d: '%s' is not a finite number%s", layout->name, row->line, row->places[i],
+             row->fields[i],
+             rows_is_grouped(row->fields[i], mark)
+                 ? ": thousands or decimals? the other numbers of its column do not say"
+                 : "");
 }
 
 /* Whether a row was meant to be one of the table: all its fields begin as numbers do. */

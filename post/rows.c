@@ -23,6 +23,16 @@ static bool is_grouped(const char *text, char mark, char decimal)
     return group == end && !strchr(end, mark);
 }
 
+bool rows_is_grouped(const char *text, char mark)
+{
+    const char *from = text + strspn(text, "+-"), *group = strchr(from, mark);
+    if (!group || *from == '0' || group - from < 1 || group - from > 3) return false;
+    if (strspn(from, "0123456789") != (size_t)(group - from)) return false;
+    for (; *group; group += 4)
+        if (*group != mark || strspn(group + 1, "0123456789") < 3) return false;
+    return true;
+}
+
 bool rows_number(const char *text, char decimal, double *value)
 {
     char copy[LONGEST_NUMBER], *to = copy, *end;
@@ -72,20 +82,15 @@ static char *next_field(char **line, char delimiter)
     return field;
 }
 
-/* Cuts a line in place; fields and places have room for it. */
-static enum row_kind cut(struct row *row, char *line, char delimiter, char decimal)
+/* By its fields; counts the numbers. */
+static enum row_kind judge(struct row *row, char decimal)
 {
-    const char *begin = line;
     bool first = false;
     int numbers = 0, words = 0;
-    row->count = 0;
-    if (delimiter == ' ') line += strspn(line, " \t");
-    for (char *rest = line; rest; row->count++) {
-        char *field = next_field(&rest, delimiter);
+    for (int k = 0; k < row->count; k++) {
+        const char *field = row->fields[k];
         double unused;
         const bool number = rows_number(field, decimal, &unused);
-        row->fields[row->count] = field;
-        row->places[row->count] = (int)(field - begin) + 1;
         first = first || (number && words == 0);
         numbers += number;
         words += !number && *field;
@@ -93,6 +98,20 @@ static enum row_kind cut(struct row *row, char *line, char delimiter, char decim
     row->numbers = numbers;
     if (numbers == 0 && words == 0) return ROW_BLANK;
     return words == 0 ? ROW_NUMBERS : first ? ROW_MIXED : ROW_WORDS;
+}
+
+/* Cuts a line in place; fields and places have room for it. */
+static enum row_kind cut(struct row *row, char *line, char delimiter, char decimal)
+{
+    const char *begin = line;
+    row->count = 0;
+    if (delimiter == ' ') line += strspn(line, " \t");
+    for (char *rest = line; rest; row->count++) {
+        char *field = next_field(&rest, delimiter);
+        row->fields[row->count] = field;
+        row->places[row->count] = (int)(field - begin) + 1;
+    }
+    return judge(row, decimal);
 }
 
 /* How many fields a line may have at most. */
@@ -190,6 +209,61 @@ static void blank_column(struct rows *rows, int usual, int column)
         }
 }
 
+/* How the numbers of a column are written. */
+struct writing {
+    long grouped;      /* whole, in groups of three digits */
+    long small, large; /* whole, without marks, to 999 and above */
+    long decimal;
+    long other; /* "1.04" */
+};
+
+static void count_writing(const char *field, char decimal, struct writing *writing)
+{
+    const char mark = decimal == '.' ? ',' : '.';
+    const char *digits = field + strspn(field, "+-");
+    double unused;
+    if (!strchr("0123456789", *digits) || !*digits) return;
+    const bool number = rows_number(field, decimal, &unused), whole = !strchr(field, decimal);
+    writing->grouped += whole && rows_is_grouped(field, mark);
+    writing->small += number && whole && strlen(digits) <= 3;
+    writing->large += number && whole && strlen(digits) > 3;
+    writing->decimal += number && !whole;
+    writing->other += !number && !(whole && rows_is_grouped(field, mark));
+}
+
+static void take_marks_out(char *field, char mark)
+{
+    char *to = field;
+    for (; *field; field++)
+        if (*field != mark) *to++ = *field;
+    *to = '\0';
+}
+
+/* "1.004" of a table with decimal commas is one thousand and four where its column says so: by
+ * decimal commas of its own, or by whole numbers below a thousand without a mark, and none above.
+ */
+static void ungroup(struct rows *rows)
+{
+    const char mark = rows->decimal == '.' ? ',' : '.';
+    const int usual = usual_count(rows);
+    struct writing writings[MOST_COLUMNS] = {0};
+    long decimals = 0;
+    for (long i = 0; i < rows->count; i++)
+        for (int k = 0; rows->items[i].count == usual && k < usual; k++)
+            count_writing(rows->items[i].fields[k], rows->decimal, &writings[k]);
+    for (int k = 0; k < usual; k++) decimals += writings[k].decimal;
+    for (int k = 0; decimals > 0 && k < usual; k++) {
+        const struct writing *w = &writings[k];
+        if (w->grouped == 0 || w->other + w->large > 0 || w->decimal + w->small == 0) continue;
+        for (long i = 0; i < rows->count; i++) {
+            struct row *row = &rows->items[i];
+            if (row->count != usual || !rows_is_grouped(row->fields[k], mark)) continue;
+            take_marks_out(row->fields[k], mark);
+            row->kind = judge(row, rows->decimal);
+        }
+    }
+}
+
 static void blank_words(struct rows *rows)
 {
     const int usual = usual_count(rows);
@@ -222,6 +296,7 @@ struct rows rows_read(const char *text)
         rows.items[rows.count] = (struct row){.line = rows.count + 1};
         make_row(&rows.items[rows.count], line, &rows);
     }
+    ungroup(&rows);
     blank_words(&rows);
     return rows;
 }

@@ -41,4 +41,8 @@ int rows_of_note(struct rows *rows, long i);
  * other mark between them where a decimal mark follows. */
 bool rows_number(const char *text, char decimal, double *value);
 
+/* A whole number in groups of three digits, "1.004": which it is with this mark, or one with
+ * decimals, a field alone does not say.  rows_read takes the marks out where the column says. */
+bool rows_is_grouped(const char *text, char mark);
+
 #endif

@@ -36,9 +36,19 @@ static void read_note(const char *line, struct attributes *facts)
 static void read_size(const char *words, char decimal, struct attributes *facts)
 {
     double value;
-    const char *si = heading_size(words, decimal, &value);
-    if (!si) return;
-    attributes_set_number(facts, strcmp(si, "m2") == 0 ? "section_m2" : "gauge_length_m", value);
+    const char *fact = heading_size(words, decimal, &value);
+    if (fact) attributes_set_number(facts, fact, value);
+}
+
+/* Of thickness and width, or of a diameter; where both are there they do not say. */
+static void derive_section(struct attributes *facts)
+{
+    const double pi = 3.14159265358979323846;
+    const double flat = attributes_number(facts, "thickness_m", NAN) *
+                        attributes_number(facts, "width_m", NAN),
+                 round = pi / 4 * pow(attributes_number(facts, "diameter_m", NAN), 2);
+    if (!isnan(attributes_number(facts, "section_m2", NAN)) || isnan(flat) == isnan(round)) return;
+    attributes_set_number(facts, "section_m2", isnan(flat) ? round : flat);
 }
 
 static void read_above(const struct layout *layout, struct attributes *facts)
@@ -305,6 +315,7 @@ struct table text_table_read(const char *text, const char *name, const char *col
 {
     struct layout layout = layout_find(text, name, columns_of != NULL);
     read_above(&layout, facts);
+    derive_section(facts);
     struct table table = {.n_rows = count_rows(&layout)};
     struct found found[QUANTITIES];
     for (int q = 0; q < QUANTITIES; q++) found[q].column = -1;

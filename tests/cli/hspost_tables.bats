@@ -106,6 +106,44 @@ numbers() { sed 1d "$curve"; }
     grep -q "strain = column 2 'Dehnung' as it is, stress = column 3 'Spannung (MPa)' in MPa, rows from" said
 }
 
+# whole SCALE: force in whole N with thousands dots, extension with decimal commas, of a section of SCALE times 20 mm2
+whole() { numbers | perl -F, -lane '$n = sprintf "%.0f", $F[1] * 20 * '"$1"'; 1 while $n =~ s/^(-?\d+)(\d{3})/$1.$2/; $w = sprintf "%.7f", $F[0] * 50; $w =~ tr/./,/; print "$n;$w"'; }
+
+@test "thousands dots of whole numbers beside decimal commas, where the column says that they are" {
+    { echo 'Kraft [N];Weg [mm]'; whole 100; } >t.csv
+    grep -q '^[1-9][0-9]*\.[0-9]*;' t.csv
+    grep -q '^[0-9]*;' t.csv
+    same t.csv --section '2000 mm2' --gauge-length '50 mm'
+    # nothing below a thousand, or a thousand without its dot, or a point that parts no thousands
+    ambiguous() { fails "is not a finite number" hspost "$@" --section '2000 mm2' --gauge-length '50 mm'; }
+    { echo 'Kraft [N];Weg [mm]'; whole 100 | grep '^[^;]*\.'; } >all.csv
+    ambiguous all.csv
+    sed '100s/\.//' t.csv >some.csv
+    ambiguous some.csv
+    [[ $stderr == *"thousands or decimals? the other numbers of its column do not say"* ]]
+    sed '100s/^[^;]*/1.5/' t.csv >some.csv
+    ambiguous some.csv
+    { echo 'L0;1.000;mm'; cat t.csv; } >some.csv
+    fails 'does not say the gauge length' hspost some.csv --section '2000 mm2'
+}
+
+@test "name and symbol, thickness and width, diameter, more headings in German" {
+    body() { numbers | awk -F, '{printf "%.5f;%.7f\n", $2 * 20, $1 * 50}' | tr . ,; }
+    for facts in 'Querschnitt S0 [mm²];20,00|Messlänge L0 [mm];50,0' 'Dicke a0 [mm];2,0|Breite b0 [mm];10,0|Anfangsmesslänge L0;50,0;mm' \
+        'Probendurchmesser d0;5,0462650;mm|Gauge length L0;50;mm'; do
+        for names in 'Kraft F [N];Dehnweg [mm]' 'Last [N];Verformung [mm]' 'Standardkraft in N;Wegaufnehmer in mm' 'Kraft [N];Kolbenweg [mm]' 'Kraft [N];Traverse absolut [mm]'; do
+            { tr '|' '\n' <<<"$facts"; echo "$names"; body; } >t.csv
+            same t.csv
+        done
+    done
+    near "$(value section p.csv)" 2e-5 1e-11
+    { echo 'Dehnung ε;Nennspannung R [MPa]'; numbers | tr ,. ';,'; } >t.csv
+    same t.csv
+    # a round and a flat one at once say nothing
+    { printf 'Dicke;2;mm\nBreite;10;mm\nDurchmesser;5;mm\nL0;50;mm\nKraft [N];Weg [mm]\n'; body; } >t.csv
+    fails 'does not say the section; give --section' hspost t.csv
+}
+
 @test "Greek, the extensometer before the crosshead, names right below a fact" {
     { echo 'ε,σ [MPa]'; numbers; } >t.csv
     same t.csv
