@@ -24,6 +24,10 @@ static const char *const names[] = {EXAMPLES(NAME)};
 static const char *const texts[] = {EXAMPLES(TEXT)};
 enum { COUNT = sizeof names / sizeof *names };
 
+#define BEHIND(name) "|" #name
+static const char behind[] = EXAMPLES(BEHIND);
+const char *const examples_names = behind + 1;
+
 void examples_list(void)
 {
     for (int i = 0; i < COUNT; i++)

@@ -8,4 +8,7 @@ void examples_list(void);
 /* Prints a deck; dies (exit 2) at an unknown name. */
 void example_print(const char *name);
 
+/* "plate|harmonic|...". */
+extern const char *const examples_names;
+
 #endif

@@ -52,7 +52,7 @@ static struct arguments read_arguments(int argc, char **argv)
         {0, "slurm", NULL, "with --study: a script beside them, a job array of Slurm", &c.slurm,
          NULL},
         {0, "examples", NULL, "list the decks that --example writes, and leave", &c.examples, NULL},
-        {0, "example", "NAME", "write a deck that runs, with comments, and leave", NULL,
+        {0, "example", examples_names, "write a deck that runs, with comments, and leave", NULL,
          &c.example},
         {0, "from", "PROGRAM", "make a deck of ours of one of another program: peridigm", NULL,
          &c.from},

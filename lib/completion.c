@@ -15,6 +15,18 @@ static bool is_file(const struct option_row *row)
     return false;
 }
 
+/* "iso|astm": the words that it may be. */
+static bool has_words(const struct option_row *row)
+{
+    return row->argument && strchr(row->argument, '|');
+}
+
+/* Those words, with blanks between. */
+static void print_list(const char *words)
+{
+    for (; *words; words++) putchar(*words == '|' ? ' ' : *words);
+}
+
 static bool takes_word(const struct option_row *row)
 {
     return row->argument && *row->argument != '[';
@@ -25,7 +37,7 @@ static bool print_pattern(const struct option_row *const rows[], int count, bool
 {
     bool any = false;
     for (int i = 0; i < count; i++) {
-        if (!takes_word(rows[i]) || is_file(rows[i]) != files) continue;
+        if (!takes_word(rows[i]) || has_words(rows[i]) || is_file(rows[i]) != files) continue;
         if (rows[i]->letter) printf("%s-%c", any ? "|" : "", rows[i]->letter);
         printf("%s--%s", any || rows[i]->letter ? "|" : "", rows[i]->name);
         any = true;
@@ -44,6 +56,12 @@ static void print_bash(const char *program, const struct option_row *const rows[
         printf(")\n        mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n        return ;;\n  "
                "  ");
     if (print_pattern(rows, count, false)) printf(") return ;;\n    ");
+    for (int i = 0; i < count; i++) {
+        if (!has_words(rows[i])) continue;
+        printf("--%s)\n        mapfile -t COMPREPLY < <(compgen -W '", rows[i]->name);
+        print_list(rows[i]->argument);
+        printf("' -- \"$word\")\n        return ;;\n    ");
+    }
     printf("esac\n"
            "    if [[ $word != -* ]]; then\n"
            "        mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n"
@@ -79,8 +97,10 @@ static void print_zsh_row(const struct option_row *row, char letter)
     putchar(']');
     if (takes_word(row)) {
         putchar(':');
-        print_words(row->argument);
-        fputs(is_file(row) ? ":_files" : ": ", stdout);
+        print_words(has_words(row) ? row->name : row->argument);
+        fputs(is_file(row) ? ":_files" : has_words(row) ? ":(" : ": ", stdout);
+        if (has_words(row)) print_list(row->argument);
+        if (has_words(row)) putchar(')');
     }
     putchar('\'');
 }

@@ -15,15 +15,27 @@ static char *option_name(const struct key *key)
     return name;
 }
 
-static const char *argument_of(const struct key *key)
+/* "iso|astm" */
+static char *words_of(const char *const *names)
 {
-    if (key->kind == KEY_TEXT) return "TEXT";
-    if (key->kind == KEY_CHOICE) return "NAME";
-    if (key->size) return "A:B";
-    return strcmp(key->unit, "m") == 0    ? "LENGTH"
-           : strcmp(key->unit, "m2") == 0 ? "AREA"
-           : strcmp(key->unit, "Pa") == 0 ? "STRESS"
-                                          : "NUMBER";
+    char *words = memory_text(*names);
+    while (*++names) {
+        char *longer = memory_print("%s|%s", words, *names);
+        free(words);
+        words = longer;
+    }
+    return words;
+}
+
+static char *argument_of(const struct key *key)
+{
+    if (key->kind == KEY_CHOICE) return words_of(key->names);
+    return memory_text(key->kind == KEY_TEXT          ? "TEXT"
+                       : key->size                    ? "A:B"
+                       : strcmp(key->unit, "m") == 0  ? "LENGTH"
+                       : strcmp(key->unit, "m2") == 0 ? "AREA"
+                       : strcmp(key->unit, "Pa") == 0 ? "STRESS"
+                                                      : "NUMBER");
 }
 
 /* The key's words with its default in parentheses. */
@@ -50,6 +62,7 @@ void keys_options_free(const struct keys *keys, struct option_row rows[])
 {
     for (int i = 0; i < keys->count; i++) {
         free((char *)rows[i].name);
+        free((char *)rows[i].argument);
         free((char *)rows[i].help);
     }
 }

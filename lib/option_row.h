@@ -9,7 +9,7 @@
 struct option_row {
     char letter;          /* 'o' for -o, or 0 */
     const char *name;     /* "output" for --output */
-    const char *argument; /* "FILE", or NULL for a flag */
+    const char *argument; /* "FILE", the words that it may be, "iso|astm", or NULL for a flag */
     const char *help;
     bool *flag;
     const char **value;

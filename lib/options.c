@@ -26,7 +26,7 @@ enum { LONG_OPTION = 256, HELP_COLUMN = 30 };
 static const struct option_row built_in[] = {
     {'h', "help", NULL, "print this and leave", NULL, NULL},
     {'V', "version", NULL, "print the version and leave", NULL, NULL},
-    {0, "completion", "SHELL", "print what bash or zsh completes by, and leave", NULL, NULL},
+    {0, "completion", "bash|zsh", "print what bash or zsh completes by, and leave", NULL, NULL},
     {0, "keys", "[=FORMAT]", "print the deck's keys (text, mdoc, markdown) and leave", NULL, NULL},
 };
 enum { HELP, VERSION, COMPLETION, KEYS_OPTION, BUILT_IN };

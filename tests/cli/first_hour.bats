@@ -118,6 +118,10 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
         COMP_WORDS=("$program" -o afi) COMP_CWORD=2 COMPREPLY=()
         "_$program"
         [ "${COMPREPLY[*]}" = afile.yaml ]
+        # words of which one is meant
+        COMP_WORDS=("$program" --completion z) COMP_CWORD=2 COMPREPLY=()
+        "_$program"
+        [ "${COMPREPLY[*]}" = zsh ]
         if command -v zsh >/dev/null; then
             "$program" --completion zsh >"_$program"
             zsh -n "_$program"
@@ -126,6 +130,15 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
         fi
         run -2 "$program" --completion fish
     done
+    # shellcheck disable=SC2034 # of the function
+    COMP_WORDS=(hspost --standard '') COMP_CWORD=2 COMPREPLY=()
+    _hspost
+    [ "${COMPREPLY[*]}" = 'iso astm' ]
+    # shellcheck disable=SC2034
+    COMP_WORDS=(hsgen --example '') COMPREPLY=()
+    _hsgen
+    printf '%s\n' "${COMPREPLY[@]}" >completed
+    hsgen --examples | sed -n 's/^\([a-z][a-z]*\)  .*/\1/p' | diff - completed
 }
 
 @test "the version is the number and the commit, and is in every output" {
