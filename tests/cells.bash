@@ -41,8 +41,8 @@ solve() {
     hssolve -q --deck "$1.yaml" -i "$2.txt" --history "$1.e" "${@:3}"
 }
 
-# near A B TOLERANCE: relative
-near() {
+# near_share A B SHARE: off by that share of B at most
+near_share() {
     awk -v a="$1" -v b="$2" -v most="$3" 'BEGIN {
         d = (a - b) / b; if (d < 0) d = -d
         if (!(d <= most)) { printf "%.12g is not %.12g within %g: off by %.3g\n", a, b, most, d; exit 1 } }'
@@ -80,8 +80,8 @@ cells_are_alike() {
     read -r stress side < <(last one.e mean_stress_xx_Pa mean_gradient_yy)
     for cell in cut many; do
         read -r other_stress other_side < <(last $cell.e mean_stress_xx_Pa mean_gradient_yy)
-        near "$other_stress" "$stress" 1e-8 || return
-        near "$other_side" "$side" "$4" || return
+        near_share "$other_stress" "$stress" 1e-8 || return
+        near_share "$other_side" "$side" "$4" || return
     done
 }
 

@@ -16,7 +16,7 @@ tension='{component: xx, rate: 1 1/s}'
         [ "$model" = bond_based ] && one='youngs_modulus: 200 GPa'
         read -r uniform _ < <(moduli "$kind")
         [ "$model" = correspondence ] && uniform=200e9
-        near "$(modulus "$kind" cube xx)" "$uniform" 2e-6
+        near_share "$(modulus "$kind" cube xx)" "$uniform" 2e-6
     done
 }
 
@@ -41,8 +41,8 @@ tension='{component: xx, rate: 1 1/s}'
         for way in xx:$across yy:$along; do
             read -r first second < <(echo "$(modulus "$kind" "$cell$coarse" "${way%:*}") $(modulus "$kind" "$cell$fine" "${way%:*}")")
             echo "$case $way: $first $second"
-            near "$(awk "BEGIN { printf \"%.12g\", 2 * $second - $first }")" "${way#*:}" $most
-            near "$second" "${way#*:}" 0.04
+            near_share "$(awk "BEGIN { printf \"%.12g\", 2 * $second - $first }")" "${way#*:}" $most
+            near_share "$second" "${way#*:}" 0.04
         done
     done
 }
@@ -65,12 +65,12 @@ tension='{component: xx, rate: 1 1/s}'
     body cube 8 8 8 1
     awk '($1 - 4e-5) ^ 2 + ($2 - 4e-5) ^ 2 + ($3 - 4e-5) ^ 2 > 7e-10' cube.txt >hole.txt
     cloud off hole 1e-3 8 8 8
-    cloud near hole 1e-4 8 8 8
+    cloud near_share hole 1e-4 8 8 8
     [ "$(wc -l <hole.txt)" -lt 512 ]
     for kind in capped plastic ordinary bonds; do
         take "$kind"
         echo "$kind"
-        for cell in hole off near; do
+        for cell in hole off near_share; do
             deck $cell 'x, y, z' "$one" "$two" "$tension, {component: xy, strain: {ramp: 1 s, to: 1}}" \
                 "end_steps: 3, step: 0.001, tolerance: 1e-9, most_evaluations: 20000, $keys"
             sed -i /block_2/d $cell.yaml
@@ -78,7 +78,7 @@ tension='{component: xx, rate: 1 1/s}'
             [ $cell = hole ] || grep -q 'list of neighbours' log
             last $cell.e mean_stress_xx_Pa mean_stress_xy_Pa mean_gradient_yy mean_gradient_zz >$cell
         done
-        paste hole off near | awk '{
+        paste hole off near_share | awk '{
             for (k = 1; k <= 4; k++) {
                 size = k < 3 ? $1 : $3; far = ($(k + 4) - $k) / size; close_by = ($(k + 8) - $k) / size
                 print far, close_by
@@ -125,7 +125,7 @@ tension='{component: xx, rate: 1 1/s}'
         whole=$(awk 'BEGIN { print 0.001 * 200e9 }') cut=$(last crack40.2.e mean_stress_xx_Pa)
         echo "$kind $cut"
         awk "BEGIN { exit !($cut < 0.95 * $whole) }"
-        near "$(last crack0.2.e mean_stress_xx_Pa)" "$cut" 1e-8
+        near_share "$(last crack0.2.e mean_stress_xx_Pa)" "$cut" 1e-8
     done
 }
 
@@ -181,7 +181,7 @@ END
         done
         grep -q 'explicit from' log
         grep -q 'load steps from strain' log
-        near "$(last hybrid.e mean_stress_xx_Pa)" "$exact" 1e-3 # waves that the way into explicit steps sends out
+        near_share "$(last hybrid.e mean_stress_xx_Pa)" "$exact" 1e-3 # waves that the way into explicit steps sends out
         last hybrid.e energy_drift | tee /dev/stderr | awk '{ exit !($1 < 2e-6 && $1 > -2e-6) }'
     done
 }
