@@ -183,3 +183,8 @@ scripts() {
     run ! shellcheck -f gcc "$BATS_TEST_TMPDIR/planted.bats"
     [[ $output == *SC2314* ]]
 }
+
+@test "every mutation fits the code" {
+    tests/mutate -l >"$BATS_TEST_TMPDIR/list" || { grep -v '\.[ch]$' "$BATS_TEST_TMPDIR/list"; false; }
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/list")" -gt 200 ]
+}
