@@ -169,6 +169,7 @@ void static_settle(struct simulation *s)
         s->drift = energy_drift(&s->integration.balance);
         simulation_record(s);
     }
+    if (legs_are(s)) legs_look(s);
     if (s->load_steps.framing || (s->fields && simulation_at_end(s))) simulation_write_frame(s);
     loads_raise(&s->boundary.loads, s->integration.step, true);
 }
@@ -180,7 +181,6 @@ static void static_advance(struct simulation *s)
         return;
     }
     static_settle(s);
-    if (legs_are(s)) legs_look(s);
 }
 
 const struct course course_quasi_static = {.advance = static_advance};

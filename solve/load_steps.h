@@ -30,7 +30,7 @@ void static_free(struct load_steps *steps);
 
 /* A load step with its record; false where there is no equilibrium, and all is as before. */
 bool static_load(struct simulation *simulation);
-/* What follows a load step: damage, frame, stepped loads. */
+/* What follows a load step: damage, the next leg, frame, stepped loads. */
 void static_settle(struct simulation *simulation);
 
 #endif

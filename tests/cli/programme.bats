@@ -31,9 +31,11 @@ turns() {
 }
 
 @test "to a strain, unloaded to a stress, reloaded: the grips turn where the gauge says" {
-    deck 'programme: [{to_strain: 1 %}, {unload_to: 0 MPa}, {reload}, {to_strain: 2 %}, {unload_to: 50 MPa}, reload, {to_strain: 3 %}, {unload_to: 100 MPa}, {reload}]' >deck.yaml
-    hsgen -q deck.yaml | hssolve -q -H h.e
+    deck 'programme: [{to_strain: 1 %}, {unload_to: 0 MPa}, {reload}, {to_strain: 2 %}, {unload_to: 50 MPa}, reload, {to_strain: 3 %}, {unload_to: 100 MPa}, {reload}]' 'output: {fields: {frames: 1, variables: [displacement]}}' >deck.yaml
+    hsgen -q deck.yaml | hssolve -q -H h.e -o fields.e
     turns h.e >turns
+    # a frame of the start, and one of the end
+    [ "$(hspost --frames fields.e | grep -c '^[0-9]')" -eq 2 ]
     # strains exactly, stresses within a thousandth of the change
     [ "$(cut -d' ' -f1 turns | sed -n '1p;3p;5p;7p' | tr '\n' ' ')" = '1.000 2.000 3.000 3.000 ' ]
     [ "$(cut -d' ' -f2 turns | sed -n '2p;4p;6p' | tr '\n' ' ' | tr -d -)" = '0 50 100 ' ]
