@@ -213,6 +213,11 @@ whole.e.checkpoint.2" ]
         cmp <(numbers whole.e) <(numbers run.e)
         cmp <(numbers whole.f) <(numbers run.f)
     done
+    # its own checkpoint, which nobody asked for, goes when it is whole
+    run -143 hssolve -q -i steps.g -H own.e --time-limit '1 ms'
+    hssolve -q --restart own.e.checkpoint -H own.e
+    cmp <(numbers whole.e) <(numbers own.e)
+    [ ! -e own.e.checkpoint ]
 }
 
 # bad TEXT OPTION...: refused with exit 2 and the text, and nothing is left
