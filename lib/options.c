@@ -169,12 +169,36 @@ const char *options_version(void)
     return text;
 }
 
+/* $'a\\nb': of one line, whatever is in it. */
+static char *quoted_controls(const char *word)
+{
+    char *text = memory_new(4 * strlen(word) + 4, 1), *end = stpcpy(text, "$'");
+    for (; *word != '\0'; word++) {
+        const unsigned char c = (unsigned char)*word;
+        if (c == '\'' || c == '\\') *end++ = '\\';
+        if (c < 0x20 || c == 0x7f)
+            end += sprintf(end, "\\%03o", c);
+        else
+            *end++ = *word;
+    }
+    *end = '\'';
+    return text;
+}
+
+static bool has_controls(const char *word)
+{
+    for (; *word != '\0'; word++)
+        if ((unsigned char)*word < 0x20 || *word == 0x7f) return true;
+    return false;
+}
+
 /* In single quotes unless the shell would read it unchanged. */
 static char *quoted(const char *word)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                 "0123456789_-+=./,:@%";
     if (*word != '\0' && strspn(word, plain) == strlen(word)) return memory_text(word);
+    if (has_controls(word)) return quoted_controls(word);
     char *text = memory_new(4 * strlen(word) + 3, 1), *end = text;
     *end++ = '\'';
     for (; *word != '\0'; word++) {

@@ -115,12 +115,19 @@ static bool is_file(const char *name)
     return strcmp(name, "-") != 0 && (stat(name, &status) != 0 || S_ISREG(status.st_mode));
 }
 
+static void refuse_input(const char *place, const char *name)
+{
+    if (is_input(place))
+        die_user("%s is an input, which would be overwritten: give the output another name", name);
+}
+
 void taken_check(const char *const names[], int count)
 {
     char **places = memory_new((size_t)count, sizeof *places);
     for (int i = 0; i < count; i++) {
         if (!names[i] || !is_file(names[i])) continue;
         places[i] = place_of(names[i]);
+        refuse_input(places[i], names[i]);
         refuse_second(places[i], places, i, names[i]);
     }
     for (int i = 0; i < count; i++) free(places[i]);
@@ -130,8 +137,7 @@ void taken_check(const char *const names[], int count)
 void taken_as_output(const char *name)
 {
     char *place = place_of(name);
-    if (is_input(place))
-        die_user("%s is an input, which would be overwritten: give the output another name", name);
+    refuse_input(place, name);
     refuse_second(place, taken.outputs, taken.n_outputs, name);
     look_for_others(place, name);
     taken.outputs = memory_grow(taken.outputs, taken.n_outputs, sizeof *taken.outputs);

@@ -11,7 +11,7 @@ void taken_as_input(int descriptor);
 void taken_as_output(const char *name);
 
 /* Files of these names (NULL: none) are going to be written, later.  Dies (exit 2) where two of
- * them are one. */
+ * them are one, or one is an input that is open by now or was. */
 void taken_check(const char *const names[], int count);
 
 /* An output of that name is there, and may be replaced by the next one, as in trials. */

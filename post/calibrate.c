@@ -93,7 +93,7 @@ static struct text_output begin_deck(const char *directory, const char *name,
             "  topology: homogeneous\n  phase: %s\n  grips: {length: %ld spacings, phase: %s}\n  "
             "gauge: {length: %ld spacings}\n",
             name, gauge + 2 * (grip + shoulder), 1e6 * spacing, m->name, grip, m->name, gauge);
-    material_print(deck.file, m, curve);
+    material_print(deck.file, m, curve, "correspondence");
     free(path);
     return deck;
 }
@@ -257,7 +257,7 @@ void calibrate(FILE *file, const char *directory, const struct material *m,
          "%.3f %%; "
          "with the elastic rows %.3f %%",
          misfit.count, 100 * misfit.root_mean_square, 100 * misfit.largest, 100 * misfit.all);
-    material_print(file, m, measured->curve);
+    material_print(file, m, measured->curve, "correspondence");
     fprintf(file,
             "# Its test by hssolve is off the curve by %.3f %% of Rm (root mean square of %ld rows "
             "from yield to maximum force),\n"

@@ -13,21 +13,24 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* 12 cm by 9 cm in print; the PNG has 340 dots an inch. */
+/* 12 cm by 9 cm in print; the PNG has 340 dots an inch.  Higher by what rows of the legend have
+ * no room above the curves. */
 static const struct format {
     const char *ending, *terminal;
-    double width, height;
+    double width, height, row;
+    int rows; /* with room */
     const char *unit, *options;
 } formats[] = {
-    {".svg", "svg", 640, 480, "", "font 'Helvetica,15' linewidth 1.2 background 'white' enhanced"},
-    {".png", "pngcairo", 1600, 1200, "", "font 'Helvetica,32' linewidth 3 enhanced"},
-    {".pdf", "pdfcairo", 12, 9, "cm", "font 'Helvetica,11' linewidth 1.6 enhanced"},
+    {".svg", "svg", 640, 480, 20, 2, "",
+     "font 'Helvetica,15' linewidth 1.2 background 'white' enhanced"},
+    {".png", "pngcairo", 1600, 1200, 48, 2, "", "font 'Helvetica,32' linewidth 3 enhanced"},
+    {".pdf", "pdfcairo", 12, 9, 0.4, 2, "cm", "font 'Helvetica,11' linewidth 1.6 enhanced"},
 };
 enum { FORMATS = sizeof formats / sizeof *formats };
 /* On a page: on a telephone its letters are still those of small print. */
 static const struct format inlined = {
-    "", "svg", 440, 310, "", "font 'sans-serif,13' linewidth 1.2 background 'white' enhanced"};
-static const double row = 20;            /* of its legend */
+    "", "svg", 440, 310,
+    20, 0,     "",  "font 'sans-serif,13' linewidth 1.2 background 'white' enhanced"};
 static const double panel_height = 0.34; /* over the width, of a row of panels */
 
 static const struct format *format_of(const char *name)
@@ -80,11 +83,13 @@ static struct spool script_of(const char *name, const struct format *format,
 {
     char *text;
     size_t length;
-    const int rows = d->loops ? 0 : figure_rows(d->count);
+    const int rows = d->loops ? 0 : figure_rows(d->count),
+              legend = d->loops ? 0 : figure_legend_rows(d->series, d->count) - format->rows;
+    const double height = format->height + (legend > 0 ? legend * format->row : 0);
     FILE *script = open_memstream(&text, &length);
     if (!script) die_run("%s: %s", name, strerror(errno));
     fprintf(script, "set terminal %s size %g%s,%g%s %s\n", format->terminal, format->width,
-            format->unit, fmax(format->height, rows * panel_height * format->width), format->unit,
+            format->unit, fmax(height, rows * panel_height * format->width), format->unit,
             format->options);
     if (d->loops)
         figure_write_loops(script, d->loops, d->count);
@@ -167,9 +172,7 @@ static void draw_inline(FILE *page, const char *id, const struct drawing *drawin
     size_t length;
     FILE *figure = open_memstream(&text, &length);
     if (!figure) die_run("%s: %s", id, strerror(errno));
-    struct format format = inlined;
-    if (drawing->series) format.height += row * figure_legend_rows(drawing->series, drawing->count);
-    draw(id, figure, &format, drawing);
+    draw(id, figure, &inlined, drawing);
     if (fclose(figure) != 0) die_run("%s: %s", id, strerror(errno));
     const char *start = strstr(text, "viewBox"), *body = strstr(text, end_of_description);
     if (!start || !body) die_run("%s: this is no figure of gnuplot's", id);

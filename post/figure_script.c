@@ -105,10 +105,11 @@ static void write_axes(FILE *gnuplot, bool true_curve, int columns)
           "set border 3 lw 0.8\n"
           "set tics nomirror out scale 0.7\n"
           "set grid lt 1 lw 0.5 lc rgb '#d0d0d0'\n"
-          "set key outside top center horizontal Left reverse samplen 2 width 1\n"
           "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n",
           gnuplot);
-    fprintf(gnuplot, "set key maxcols %d\n", columns);
+    /* Of one column gnuplot finds room for any length of title only where it is a vertical one. */
+    fprintf(gnuplot, "set key outside top center %s Left reverse samplen 2 width 1 maxcols %d\n",
+            columns > 1 ? "horizontal" : "vertical", columns);
     fputs(true_curve ? "set xlabel 'True strain ε'\nset ylabel 'True stress σ (MPa)'\n"
                      : "set xlabel 'Engineering strain (%)'\n"
                        "set ylabel 'Engineering stress (MPa)'\n",

@@ -23,13 +23,6 @@ static char *describe_maker(int argc, char **argv)
     return text;
 }
 
-static void treat_curves(const struct request *request, const char *maker)
-{
-    struct study study = study_read(request, maker);
-    study_write(request, &study);
-    study_free(&study);
-}
-
 static void check_frames(const struct view_request *request)
 {
     struct snapshot snapshot = snapshot_read(request);
@@ -71,6 +64,16 @@ static void outputs_of(const struct request *request, const char *files[OUTPUTS]
                                       request->extrapolate, request->extrapolate_properties,
                                       request->report,      request->sensitivities};
     memcpy(files, all, sizeof all);
+}
+
+static void treat_curves(const struct request *request, const char *maker)
+{
+    const char *files[OUTPUTS];
+    struct study study = study_read(request, maker);
+    outputs_of(request, files);
+    taken_check(files, OUTPUTS); /* before anything is told of them */
+    study_write(request, &study);
+    study_free(&study);
 }
 
 /* Before anything is read, which may take as long as a run. */

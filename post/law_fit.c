@@ -11,7 +11,8 @@
 
 enum { GRID = 24, MOST_ITERATIONS = 500 };
 
-static const double pascals = 1e6; /* MPa inside, so that all unknowns are of a size */
+static const double least_apart = 1.5; /* shapes of two terms */
+static const double pascals = 1e6;     /* MPa inside, so that all unknowns are of a size */
 
 struct data {
     const struct hardening_law *law;
@@ -173,13 +174,14 @@ struct law_fit law_fit(const struct hardening_law *law, const double p[], const 
 }
 
 /* The data do not fix a parameter that is smaller than its standard error, or a shape that has left
- * the range where such laws are found. */
+ * the range where such laws are found; nor two terms of almost one shape, which are one. */
 static bool ill_determined(const struct law_fit *fit)
 {
     const struct hardening_law *law = fit->hardening.law;
     const double *value = fit->hardening.parameter, *shape = value + law->n_linear;
     for (int k = 0; k < law->n_linear + law->n_shapes; k++)
         if (fit->error[k] > fabs(value[k])) return true;
+    if (law->interchangeable && fabs(log(shape[0] / shape[1])) < log(least_apart)) return true;
     for (int k = 0; k < law->n_shapes; k++)
         if (shape[k] < law->range[k].low || shape[k] > law->range[k].high) return true;
     return false;

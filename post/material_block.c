@@ -153,6 +153,14 @@ static struct law_fit best_law(const struct points *points, const char *name)
     return best;
 }
 
+/* Whether the modulus is that of the measured rows, as they are. */
+static bool is_slope(const struct analysis *analysis)
+{
+    const struct elastic_line *line = &analysis->measures.line;
+    const bool corrected = line->flag && strcmp(line->flag, "machine_compliance_removed") == 0;
+    return line->count > 0 && !corrected && analysis->measures.modulus == line->slope;
+}
+
 struct material material_make(const char *name, const struct curve *curve,
                               const struct analysis *analysis, const char *law)
 {
@@ -169,6 +177,7 @@ struct material material_make(const char *name, const struct curve *curve,
             curve->title, points.n - 1);
     struct material m = {.name = name,
                          .youngs_modulus = analysis->measures.modulus,
+                         .is_slope = is_slope(analysis),
                          .count = points.n - 1,
                          .first = points.strain[1],
                          .last = points.strain[points.n - 1]};
@@ -205,7 +214,8 @@ void material_free(struct material *material)
     free(material->reason);
 }
 
-void material_print(FILE *file, const struct material *m, const struct curve *curve)
+void material_print(FILE *file, const struct material *m, const struct curve *curve,
+                    const char *model)
 {
     const char *input = attributes_text(&curve->provenance, "input");
     const char *checksum = attributes_text(&curve->provenance, "input_cksum");
@@ -216,10 +226,14 @@ void material_print(FILE *file, const struct material *m, const struct curve *cu
             "force); beyond it the law is an\n"
             "# extrapolation.\n",
             m->root_mean_square / 1e6, m->count, m->first, m->last);
+    if (m->is_slope)
+        fputs("# Young's modulus: the slope of the curve, which is the machine's, too, where no "
+              "extensometer measured the strain:\n# --true-modulus takes that out.\n",
+              file);
     fprintf(file,
-            "materials:\n  %s:\n    model: correspondence\n    density: %.6g kg/m3\n    "
+            "materials:\n  %s:\n    model: %s\n    density: %.6g kg/m3\n    "
             "youngs_modulus: %.6g GPa\n"
             "    poissons_ratio: %.6g\n    hardening: ",
-            m->name, m->density, m->youngs_modulus / 1e9, m->poissons_ratio);
+            m->name, model, m->density, m->youngs_modulus / 1e9, m->poissons_ratio);
     hardening_print(file, &m->hardening, "      ");
 }

@@ -13,6 +13,7 @@ long material_first_row(const struct analysis *analysis);
 struct material {
     const char *name;
     double density, youngs_modulus, poissons_ratio; /* kg/m^3, Pa, - */
+    bool is_slope;                                  /* the modulus is the slope of the curve */
     struct hardening hardening;
     double root_mean_square; /* Pa, of the law from its points */
     double first, last;      /* plastic strain of the points used */
@@ -31,7 +32,8 @@ struct material material_make(const char *name, const struct curve *curve,
                               const struct analysis *analysis, const char *law);
 void material_free(struct material *material);
 
-/* "materials:", under comments that say where it comes from. */
-void material_print(FILE *file, const struct material *material, const struct curve *curve);
+/* "materials:", under comments that say where it comes from, for this model. */
+void material_print(FILE *file, const struct material *material, const struct curve *curve,
+                    const char *model);
 
 #endif

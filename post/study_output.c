@@ -157,7 +157,7 @@ static void make_material(const struct request *request, const struct study *stu
         calibrate(output.file, request->calibrate, &material,
                   &(struct measured){&study->curves[0], &study->analyses[0], &study->choices[0]});
     else
-        material_print(output.file, &material, &study->curves[0]);
+        material_print(output.file, &material, &study->curves[0], "corner");
     text_output_close(&output);
     material_free(&material);
 }

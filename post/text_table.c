@@ -25,7 +25,8 @@ static void read_note(const char *line, struct attributes *facts)
     if (colon && colon != key && colon - key <= LONGEST_KEY) {
         *colon = '\0';
         double number;
-        if (rows_number(colon + 2, '.', &number))
+        const bool text = strcmp(key, "title") == 0 || strcmp(key, "input") == 0;
+        if (!text && rows_number(colon + 2, '.', &number))
             attributes_set_number(facts, key, number);
         else
             attributes_set_text(facts, key, colon + 2);

@@ -128,6 +128,22 @@ fails() {
     fails 2 'no-such-directory' hspost "$data/ni200_cg.csv" -o no-such-directory/curve.csv
 }
 
+@test "an output over an input is refused before anything is told of it" {
+    cp "$data/ni200_cg.csv" own.csv
+    fails 2 'own.csv is an input' hspost own.csv -p own.csv
+    [ "$(wc -l <messages)" -le 2 ]
+    cmp own.csv "$data/ni200_cg.csv"
+}
+
+@test "a name with line ends stays in its line, and a title of digits is one" {
+    cp "$data/ni200_cg.csv" $'a\n1,2\nb.csv'
+    hspost -q --title 42 -o curve.csv $'a\n1,2\nb.csv'
+    hspost -q curve.csv -o again.csv
+    grep -qx '# title: 42' again.csv
+    [ "$(sed -n "s/^# command: //p" curve.csv)" = "hspost -q --title 42 -o curve.csv \$'a\\0121,2\\012b.csv'" ]
+    run ! grep -vq '^#' <(sed '/^time_s/,$d' curve.csv)
+}
+
 @test "wrong decks are told by line and column" {
     printf 'post:\n  modulus_rang: [0.1, 0.4]\n' > deck.yaml
     fails 2 'deck.yaml:2:.*modulus_range' hspost --deck deck.yaml "$data/ni200_cg.csv"

@@ -106,6 +106,19 @@ keep_script() {
     [ "$(grep -c '^set yrange' script)" -eq 1 ]
 }
 
+@test "a long legend makes the figure higher, and gnuplot finds no fault with it" {
+    specimens 6
+    for k in 1 2 3 4 5 6; do { echo "# title: Steel, annealed for $k h, spacing 12.5 um, as received"; cat "s$k.csv"; } >"t$k.csv"; done
+    hspost -q t1.csv t2.csv --band --plot two.svg 2>said
+    hspost -q t?.csv --band --plot six.svg 2>>said
+    hspost -q t1.csv --title 'Harmonic nickel of forty per cent, hot isostatically pressed' --band --plot one.svg -o c.csv 2>>said
+    run ! grep -q difficulty said
+    height() { sed -n 's/.* height="\([0-9]*\)".*/\1/p' "$1" | head -1; }
+    # a heading and six rows, of which two have room
+    [ "$(height six.svg)" -eq $((480 + 5 * 20)) ]
+    [ "$(height two.svg)" -eq $((480 + 20)) ]
+}
+
 @test "more than eight curves of which some share a title are bands" {
     specimens 9
     keep_script
