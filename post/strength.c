@@ -181,12 +181,11 @@ struct elastic_line strength_line(const struct curve *curve, const struct choice
 {
     struct elastic_line line = find_line(curve, choices);
     if (isnan(choices->toe)) return line;
-    const double reach = gsl_stats_max(curve->strain, 1, (size_t)curve->n);
+    const double reach = curve->strain[gsl_stats_max_index(curve->stress, 1, (size_t)curve->n)];
     if (fabs(choices->toe) >= reach)
-        die_user(
-            "%s: the strain %g of the toe, which is a pure number, is as large as the largest of "
-            "the curve, %.3g",
-            curve->title, choices->toe, reach);
+        die_user("%s: the strain %g of the toe, which is a pure number, is as large as that of the "
+                 "highest stress, %.3g",
+                 curve->title, choices->toe, reach);
     line.toe = choices->toe;
     return line;
 }

@@ -115,6 +115,7 @@ fails() {
     fails 2 'help' hspost --no-such-option
     fails 2 'toe' hspost --toe '3 MPa' "$data/ni200_cg.csv"
     fails 2 'the strain 1 of the toe' hspost --toe 1 "$data/ni200_cg.csv"
+    fails 2 'as large as that of the highest stress, 0.144' hspost --toe 0.16 "$data/records/voce.csv"
     fails 2 'modulus-range' hspost --modulus-range 0.4 "$data/ni200_cg.csv"
     fails 2 'modulus-range' hspost --modulus-range 0.4:0.1 "$data/ni200_cg.csv"
     fails 2 'row 99' hspost --modulus-rows 1:99 "$data/ni200_cg.csv"
