@@ -57,7 +57,7 @@ static const char rules[] =
     "\t@$(LIST)\n"
     "\thspost -q --files-from gathered/files --report gathered/report.html \\\n"
     "\t    $(patsubst %,--frames %,$(firstword $(wildcard $(RUNS:%=%/fields.e)))) >/dev/null\n"
-    "\techo $(CURDIR)/gathered/report.html\n"
+    "\techo \"$$PWD/gathered/report.html\"\n"
     "columns: $(RUNS:%=%/columns.csv)\n"
     "\t@$(REPORT)\n"
     "status:\n"
@@ -145,7 +145,7 @@ static const char rules[] =
     "    else missing=$$((missing + 1)); fi\n"
     "done < <($(NUMBERS))\n"
     "echo \"$$done runs done, $$missing not run, $$stopped stopped, $$failed failed$$([ ! -e "
-    "gathered/tidy.csv ] || echo '; gathered in $(CURDIR)/gathered')\"\n"
+    "gathered/tidy.csv ] || echo \"; gathered in $$PWD/gathered\")\"\n"
     "[ $$((stopped + failed)) -eq 0 ]\n"
     "endef\n";
 

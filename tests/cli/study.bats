@@ -209,6 +209,11 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
     [ ! -e Makefile ]
     run -2 --separate-stderr hsgen --study study.yaml
     [[ "$stderr" == *"-o FOLDER"* ]]
+    # wherever it lies
+    hsgen -q --study study.yaml -o "Anna's study"
+    mkdir "Anna's study/gathered"
+    touch "Anna's study/gathered/tidy.csv"
+    make -s -C "Anna's study" status | grep -q "not run.*gathered in $PWD/Anna's study/gathered$"
     # hssolve and hspost pass over it
     deck
     hsgen -q study.yaml -o domain.g
