@@ -49,11 +49,11 @@ static struct hardening read_back(const struct material *material, const struct 
     char *text;
     size_t size;
     FILE *file = open_memstream(&text, &size);
-    material_print(file, material, curve);
+    material_print(file, material, curve, "corner");
     fclose(file);
     struct deck *deck = deck_parse(text, size, "printed");
     struct deck_node map = deck_get(deck_get(deck_root(deck), "materials"), "M");
-    assert_string_equal(deck_string(deck_get(map, "model")), "correspondence");
+    assert_string_equal(deck_string(deck_get(map, "model")), "corner");
     assert_relative(deck_number(deck_get(map, "density"), "kg/m3", 0, 1e6), 7800, 1e-9);
     assert_relative(deck_number(deck_get(map, "youngs_modulus"), "Pa", 0, 1e15), young, 1e-5);
     struct hardening law = hardening_read(deck_get(map, "hardening"));
