@@ -68,7 +68,7 @@ commands() { sed -n 's/^    //p' "$root/docs/tutorial.md" | grep -v 'make instal
     near "$(number rate)" 12 0.1
     for file in plate.svg mine.svg structure.png fractions/gathered/curves.svg fair/gathered/curves.svg error/gathered/extrapolated.svg; do [ -s "$file" ]; done
     [ "$(sed 1d fractions/gathered/properties.csv | sed 's/"[^"]*"/q/g' | cut -d, -f4 | sort -u | tr '\n' ' ')" = "0.4 0.5 0.6 " ]
-    tail -1 said | grep -q 'Rp0.2,MPa,2,'
+    tail -1 said | grep -q 'Rp0.2,MPa,1,0,2,' # of one curve at each of two spacings, none left out
 }
 
 @test "files and links of the tutorial and of the page of studies are there" {

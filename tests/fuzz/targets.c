@@ -135,7 +135,7 @@ static void read_expression(const char *text, size_t size)
 
 static void look_at(struct domain *domain, bool text)
 {
-    static const char deck_of[] = "domain: {grips: {length: 3 spacings}, gauge: {length: 0.2 mm}}\n"
+    static const char deck_of[] = "domain: {grips: {length: 3 spacings}, gauge: {length: 0.1 mm}}\n"
                                   "materials:\n  CG: {}\n  UFG: {}\n";
     struct lattice lattice;
     const bool regular = domain_sort(domain, &lattice);
