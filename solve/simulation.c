@@ -191,6 +191,7 @@ static void read_inputs(struct simulation *s)
         if (s->lattice.dimensions == 2 && s->lattice.axis == 2)
             die_user("domain.axis: z is no axis of a test of a sheet in x and y");
         scene_resolve(&s->scene, &s->domain, nodes_of(s), &s->lattice);
+        scene_check_images(&s->scene, &s->domain, nodes_of(s), &s->lattice);
         text = memory_text(deck_text(s->deck));
         length = (long)strlen(text);
     }
@@ -518,7 +519,7 @@ static void plan_time(struct simulation *s)
     /* A prescribed displacement is asked for half a step beyond the end. */
     if (s->ranks.rank == 0) {
         scene_try(&s->scene, nodes_of(s), s->end_time + dt);
-        scene_check_symmetry(&s->scene, &s->domain, nodes_of(s), &s->lattice, s->end_time);
+        scene_check_planes(&s->scene, nodes_of(s), &s->lattice, s->end_time);
     }
     if (s->scene.start == START_AFFINE)
         boundary_affine_start(&s->boundary, &s->body, mean_poissons_ratio(s), dt);

@@ -182,11 +182,14 @@ extern const struct section section_solver, section_boundary, section_initial, s
 void scene_resolve(struct scene *scene, const struct domain *domain, const struct domain *nodes,
                    const struct lattice *lattice);
 /* Dies where a body with planes of symmetry is held, loaded, set in motion or observed otherwise
- * than its images: by a box or an expression that holds on one side alone, below, or by a value
- * across a plane of nodes in it.  After scene_resolve, whose arguments it takes; end_time [s]. */
-void scene_check_symmetry(const struct scene *scene, const struct domain *domain,
-                          const struct domain *nodes, const struct lattice *lattice,
-                          double end_time);
+ * than its images, by a box or an expression that holds on one side alone, below.  Arguments of
+ * scene_resolve. */
+void scene_check_images(const struct scene *scene, const struct domain *domain,
+                        const struct domain *nodes, const struct lattice *lattice);
+/* Dies where a value acts across a plane of symmetry on nodes in it.  After scene_resolve; end_time
+ * [s]. */
+void scene_check_planes(const struct scene *scene, const struct domain *nodes,
+                        const struct lattice *lattice, double end_time);
 
 /* Evaluates the expressions of all entries up to this time [s], at their nodes: dies where one is
  * not finite or out of range. */

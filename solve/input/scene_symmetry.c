@@ -49,21 +49,29 @@ static void check_value(const struct scene_entry *entry, const struct domain *no
         }
 }
 
-void scene_check_symmetry(const struct scene *scene, const struct domain *domain,
-                          const struct domain *nodes, const struct lattice *lattice,
-                          double end_time)
+void scene_check_images(const struct scene *scene, const struct domain *domain,
+                        const struct domain *nodes, const struct lattice *lattice)
 {
-    const struct scene_entry *const lists[] = {scene->boundary, scene->initial};
-    const int counts[] = {scene->n_boundary, scene->n_initial};
     for (int axis = 0; axis < 3; axis++) {
         if (!lattice->mirror[axis]) continue;
-        for (int k = 0; k < 2; k++)
-            for (int i = 0; i < counts[k]; i++) {
-                check_selection(&lists[k][i].nodes.selection, nodes, lattice, axis);
-                check_value(&lists[k][i], nodes, lattice, axis, end_time);
-            }
+        for (int i = 0; i < scene->n_boundary; i++)
+            check_selection(&scene->boundary[i].nodes.selection, nodes, lattice, axis);
+        for (int i = 0; i < scene->n_initial; i++)
+            check_selection(&scene->initial[i].nodes.selection, nodes, lattice, axis);
         for (int i = 0; i < scene->n_quantities; i++)
             if (scene->quantities[i].place.index == 0)
                 check_selection(&scene->quantities[i].nodes.selection, domain, lattice, axis);
+    }
+}
+
+void scene_check_planes(const struct scene *scene, const struct domain *nodes,
+                        const struct lattice *lattice, double end_time)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        if (!lattice->mirror[axis]) continue;
+        for (int i = 0; i < scene->n_boundary; i++)
+            check_value(&scene->boundary[i], nodes, lattice, axis, end_time);
+        for (int i = 0; i < scene->n_initial; i++)
+            check_value(&scene->initial[i], nodes, lattice, axis, end_time);
     }
 }

@@ -183,4 +183,14 @@ DECK
     run -2 check 'y, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: 1e-5 m/s'
     [[ $output == *'deck.yaml:5:'*'acts along y on nodes in the plane of symmetry across y'* ]]
     check 'y, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: "1e-5*y"'
+    # Quantities are of particles, whose places have gone when the run begins.
+    observe() { # place of a quantity
+        check "x, velocity: 0, where: 'x > 3.5e-5'}
+output:
+  quantities:
+  - {name: q, quantity: stress_xx, reduce: mean, $1"
+    }
+    observe "where: 'x > 1e-5'"
+    run -2 observe 'box: [[-20 um, -1 mm, -1 mm], [10 um, 1 mm, 1 mm]]'
+    [[ $output == *'deck.yaml:8:'*'below the plane of symmetry across x'* ]]
 }
