@@ -25,3 +25,10 @@ own_words() {
     sed '/^---*$/,/^---*$/d' said
     return "$code"
 }
+
+# none_left PATTERN: waits for the processes of this folder whose command has it; others' may be alike
+none_left() {
+    while pgrep -f "$1" | while read -r pid; do [ "$(readlink "/proc/$pid/cwd")" != "$PWD" ] || echo "$pid"; done | grep -q .; do
+        sleep 0.1
+    done
+}

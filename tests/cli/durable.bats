@@ -4,6 +4,7 @@ bats_require_minimum_version 1.5.0
 
 load ../bodies
 load ../columns
+load ../ranks
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
     # Hours at a speed that strains little, with a record at almost every step.
@@ -53,7 +54,7 @@ ended() {
     wait "$1" || status=$?
 }
 
-no_rank_left() { while pgrep -f "domain.g .*-H out.e|domain.g .*history out.e" >/dev/null; do sleep 0.1; done; }
+no_rank_left() { none_left 'domain.g .*-H out.e|domain.g .*history out.e'; }
 
 @test "signals end a run in order: 143, one line, the history and the last frame" {
     for ranks in 1 2; do

@@ -460,7 +460,7 @@ END
         done
         kill $!
         wait $! || true
-        while pgrep -f "domain.g -d changed.yaml -H out.e" >/dev/null; do sleep 0.1; done
+        none_left 'domain.g -d changed.yaml -H out.e'
     done
     exec 9>&-
 }
