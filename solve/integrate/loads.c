@@ -2,7 +2,9 @@
 
 #include "checkpoint.h"
 #include "memory.h"
+#include "ranks.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +20,26 @@ static double volume_of(const struct members *members, const struct body *body)
     return volume;
 }
 
+/* Images of the part that the nodes of a force are one set with: across each plane of symmetry that
+ * they reach, and of a block across all.  Across the force itself the image is pulled the other way
+ * and has its own. */
+static double images_of(const struct load *load, const struct scene_entry *entry,
+                        const struct body *body)
+{
+    const bool whole = entry->nodes.selection.kind == SELECT_BLOCK;
+    double images = 1, apart[3];
+    for (int a = 0; a < 3; a++) apart[a] = whole ? 0 : 1;
+    for (int64_t i = 0; i < load->members.count; i++) {
+        int at[3];
+        grid_position(&body->grid, load->members.sites[i], at);
+        for (int a = 0; a < 3; a++) apart[a] = fmin(apart[a], at[a]);
+    }
+    ranks_minimum(apart, 3);
+    for (int a = 0; a < 3; a++)
+        if (body->lattice->mirror[a] && a != load->direction && apart[a] == 0) images *= 2;
+    return images;
+}
+
 static struct load load_new(const struct scene_entry *entry, const struct body *body)
 {
     struct load load = {.direction = entry->direction,
@@ -25,7 +47,8 @@ static struct load load_new(const struct scene_entry *entry, const struct body *
                         .share = 1,
                         .members =
                             members_of_nodes(body, entry->nodes.numbers, entry->nodes.count)};
-    if (entry->kind == SCENE_FORCE) load.share = 1 / volume_of(&load.members, body);
+    if (entry->kind == SCENE_FORCE)
+        load.share = 1 / (images_of(&load, entry, body) * volume_of(&load.members, body));
     size_t count = 1;
     if (value_depends_on_place(&entry->value)) {
         members_places(&load.members, body, load.place);

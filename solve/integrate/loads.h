@@ -11,7 +11,8 @@ struct checkpoint;
 struct load {
     int direction;
     struct value value; /* N or N/m^3; the scene frees it */
-    double share; /* of the value that is the density: 1, or one over the volume of all nodes */
+    double share; /* of the value that is the density: 1, or one over the volume of all nodes, with
+                   * that of their images where planes of symmetry make one set of them */
     struct members members;
     double *place[3]; /* [members.count] m; NULL where the value is the same at all of them */
     double *density;  /* N/m^3 now, [members.count] or one for all */

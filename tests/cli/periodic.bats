@@ -2,6 +2,7 @@
 
 bats_require_minimum_version 1.5.0
 
+load ../columns
 load ../structures
 
 setup() {
@@ -193,4 +194,26 @@ output:
     observe "where: 'x > 1e-5'"
     run -2 observe 'box: [[-20 um, -1 mm, -1 mm], [10 um, 1 mm, 1 mm]]'
     [[ $output == *'deck.yaml:8:'*'below the plane of symmetry across x'* ]]
+}
+
+@test "a force on a part of a body is its share of that on the whole one" {
+    for symmetry in '' 'symmetry: [y, z]' 'symmetry: [x, z]'; do
+        cat >deck.yaml <<DECK
+domain: {specimen: plate, size: [80 um, 40 um, 40 um], spacing: 10 um, topology: homogeneous, phase: A${symmetry:+, $symmetry},
+         grips: {length: 2 spacings, phase: structure}}
+materials:
+  A: {model: corner, law: elastic, density: 8000 kg/m3, youngs_modulus: 200 GPa, poissons_ratio: 0.3}
+boundary:
+  - {box: [[-1 um, -1 mm, -1 mm], [1 um, 1 mm, 1 mm]], direction: x, displacement: 0}
+  - {set: grip_right, direction: x, force: 0.1 N}
+solver: {type: quasi_static, end_steps: 1, step: 1, tolerance: 1e-9}
+output: {history: 2, quantities: [{name: end, quantity: displacement_x, reduce: max, set: grip_right},
+                                  {name: pull, quantity: external_force_x, reduce: sum, set: grip_right}]}
+DECK
+        hsgen -q deck.yaml -o part.g && hssolve -q -d deck.yaml -i part.g --history part.e
+        columns part.e end pull | tail -n 1 >>ends
+    done
+    # a quarter has a quarter of 0.1 N, a half of either end's half
+    awk 'NR == 1 { end = $1 } { ratio[NR] = $1 / end; pull[NR] = $2 } function near(a, b) { return (a - b) ^ 2 < 1e-12 * b * b }
+         END { exit !(near(ratio[2], 1) && near(pull[1], 0.1) && near(pull[2], 0.025) && near(pull[3], 0.05)) }' ends
 }
