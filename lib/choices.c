@@ -49,7 +49,7 @@ static const struct key rows[] = {
     {"resolution_order", NUMBER(resolution_order), .unit = "1", .low = 0.25, .high = 4, .usual = 1,
      .help = "power of the spacing with which errors fall, in extrapolations that do not tell it"},
     {"fracture_share", NUMBER(fracture_share), .unit = "1", .low = 0, .high = 1, .usual = 0.1,
-     .help = "share of Rm; the specimen counts as broken where the stress falls below"},
+     .help = "share of the highest stress; the specimen counts as broken where it falls below"},
 };
 
 const struct section post_section = {

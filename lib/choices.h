@@ -26,8 +26,9 @@ struct choices {
     double window;             /* true strain over which a slope is taken */
     double yield_drop;         /* share of ReH by which the stress must fall for a yield point */
     enum standard standard;
-    double loop_offset;    /* strain at which a branch of a loop yields */
-    double fracture_share; /* share of Rm below which the specimen counts as broken */
+    double loop_offset; /* strain at which a branch of a loop yields */
+    double
+        fracture_share; /* share of the highest stress below which the specimen counts as broken */
     double
         resolution_order; /* with which what a study extrapolates falls, where it does not tell */
 };

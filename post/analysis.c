@@ -144,7 +144,7 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     phases_add_factor(curve);
     compare_noise(curve, choices);
     const struct elastic_line rough = strength_line(curve, choices);
-    analysis.record = record_judge(curve, &rough);
+    analysis.record = record_judge(curve, &rough, choices->fracture_share);
     analysis.envelope = record_envelope(&analysis.record, curve, &analysis.rows);
     renumber(&analysis, curve, &chosen);
     struct elastic_line line = strength_line(&analysis.envelope, &chosen);
@@ -161,7 +161,7 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     while (analysis.strained > 0 && analysis.rows[analysis.strained] > analysis.record.strained)
         analysis.strained--;
     const struct loading loading = {envelope, analysis.noise, analysis.strain_noise,
-                                    analysis.strained};
+                                    analysis.strained, analysis.record.broken};
     analysis.measures = measures_take(&loading, &chosen, line);
     measures_bootstrap(&loading, &chosen, &analysis.measures);
     make_true_curve(&analysis, choices);

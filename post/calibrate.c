@@ -189,7 +189,7 @@ static double elongation(const char *directory, const struct material *m,
     choices.modulus = m->youngs_modulus;
     struct analysis analysis = analysis_make(&run, &choices);
     const double found = analysis.measures.value[MEASURE_FRACTURE];
-    const bool broken = analysis.measures.broken;
+    const bool broken = analysis.record.broken;
     note("  onset %.4g: %s at %.4g %%", onset, broken ? "parts" : "holds", 100 * found);
     analysis_free(&analysis);
     curve_free(&run);
@@ -221,7 +221,7 @@ static void add_fracture(FILE *file, const char *directory, const struct materia
                          const struct measured *measured)
 {
     const struct measures *measures = &measured->analysis->measures;
-    const bool parted = measures->broken &&
+    const bool parted = measured->analysis->record.broken &&
                         measured->analysis->strained == measured->analysis->envelope.n - 1 &&
                         measures->maximum.reached;
     if (!parted) {

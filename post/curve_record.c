@@ -304,6 +304,23 @@ static void find_excursions(struct record *record, const struct curve *curve, do
     }
 }
 
+/* --- fracture --------------------------------------------------------------------------------- */
+
+/* Behind the fracture is no specimen: its rows, and excursions that begin there, are left out. */
+static void cut_fracture(struct record *record, const struct curve *curve, double share)
+{
+    const double *s = curve->stress;
+    long top = 0, row;
+    for (long i = 0; i < curve->n; i++)
+        if (record->loading[i] && s[i] > s[top]) top = i;
+    for (row = top + 1; row < curve->n; row++)
+        if (record->loading[row] && s[row] < share * s[top]) break;
+    if (row >= curve->n) return;
+    record->broken = true;
+    exclude(record, row, curve->n - 1);
+    while (record->count > 0 && record->excursions[record->count - 1].end >= row) record->count--;
+}
+
 /* --- extensometer
  * ------------------------------------------------------------------------------ */
 
@@ -335,7 +352,8 @@ static double *copy_of(const double values[], long n)
     return copy;
 }
 
-struct record record_judge(const struct curve *curve, const struct elastic_line *line)
+struct record record_judge(const struct curve *curve, const struct elastic_line *line,
+                           double fracture_share)
 {
     const long n = curve->n;
     struct record record = {.strained = n - 1};
@@ -343,12 +361,16 @@ struct record record_judge(const struct curve *curve, const struct elastic_line 
     for (long i = 0; i < n; i++) record.loading[i] = true;
     record.noise = noise_of(curve->strain, curve->stress, n);
     record.strain_noise = noise_of_strain(curve->strain, n, line->first, line->count);
-    if (!(line->slope > 0)) return record;
+    if (!(line->slope > 0)) {
+        cut_fracture(&record, curve, fracture_share);
+        return record;
+    }
     struct curve clean = *curve;
     clean.strain = copy_of(curve->strain, n);
     clean.stress = copy_of(curve->stress, n);
     take_leaps_out(&record, &clean, line);
     find_excursions(&record, &clean, line->slope);
+    cut_fracture(&record, &clean, fracture_share);
     find_strained(&record, &clean, line->slope);
     free(clean.strain);
     free(clean.stress);

@@ -23,6 +23,7 @@ struct record {
     struct excursion *excursions; /* [count] */
     long spikes;                  /* of a few rows, that no body makes; left out */
     bool unloaded;                /* the end of the record is an unloading, which is left out */
+    bool broken;                  /* the specimen breaks; what is behind the fracture is left out */
     long strained;                /* the last row whose strain was measured; n - 1 where all are */
     double noise, strain_noise;   /* Pa, -; standard deviations on the envelope */
 };
@@ -30,8 +31,10 @@ struct record {
 /* Turns rows that run from the last to the first, with a note; dies (exit 2) at a measured
  * record of compression, with signs that do not go together, or in no order. */
 void record_turn(struct curve *curve);
-/* line: of the elastic part, slope NAN where it is not known. */
-struct record record_judge(const struct curve *curve, const struct elastic_line *line);
+/* line: of the elastic part, slope NAN where it is not known; the specimen is broken where the
+ * stress falls below fracture_share of its highest. */
+struct record record_judge(const struct curve *curve, const struct elastic_line *line,
+                           double fracture_share);
 void record_free(struct record *record);
 
 /* How many there are of a kind. */

@@ -44,7 +44,7 @@ static void write_quoted(FILE *gnuplot, const char *text)
 static long points_of(const struct figure_series *series, const struct figure_style *style)
 {
     const struct analysis *analysis = series->analysis;
-    if (style->whole || !analysis || !analysis->measures.broken) return series->curve->n;
+    if (style->whole || !analysis || !analysis->record.broken) return series->curve->n;
     return analysis->rows[analysis->measures.fracture] + 1;
 }
 

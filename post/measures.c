@@ -45,7 +45,8 @@ static void find_marks(const struct loading *loading, const struct choices *choi
                                         m->line.toe};
     const bool zero_slope = choices->standard == STANDARD_ASTM;
     m->yield = yield_point_find(&record, zero_slope ? level_share : choices->yield_drop);
-    m->maximum = strength_maximum(curve, smooth, left, m->yield.row < 0 ? 0 : m->yield.end);
+    m->maximum =
+        strength_maximum(curve, smooth, left, m->yield.row < 0 ? 0 : m->yield.end, loading->broken);
     free(smooth);
 }
 
@@ -96,8 +97,7 @@ struct measures measures_take(const struct loading *loading, const struct choice
     const struct curve *curve = loading->curve;
     m.modulus = plastic_modulus(curve, &line, choices);
     find_marks(loading, choices, &m);
-    m.fracture = strength_fracture_row(curve, m.maximum.row, choices->fracture_share, &m.broken);
-    if (m.fracture > loading->strained) m.fracture = loading->strained;
+    m.fracture = loading->strained;
     m.uniform = m.maximum.row < loading->strained ? m.maximum.row : loading->strained;
     if (m.yield.row >= 0)
         m.hardening = curve->strain[m.yield.row] + m.yield.extension - line.toe -
@@ -128,8 +128,8 @@ void measures_bootstrap(const struct loading *loading, const struct choices *cho
     const bool noisy = noise.deviation > 0 || loading->strain_noise > 0;
     if (!noisy || measures->line.count == 0) return;
     struct curve trend = trend_of(loading);
-    const struct loading smooth = {&trend, loading->noise, loading->strain_noise,
-                                   loading->strained};
+    const struct loading smooth = {&trend, loading->noise, loading->strain_noise, loading->strained,
+                                   loading->broken};
     const struct measures reference =
         measures_take(&smooth, choices, strength_line(&trend, choices));
     double squares[MEASURES] = {0};

@@ -37,6 +37,7 @@ struct loading {
     struct noise noise; /* of the stress, Pa */
     double strain_noise;
     long strained; /* the last row whose strain was measured */
+    bool broken;   /* the specimen broke behind the last row */
 };
 
 struct measures {
@@ -44,9 +45,8 @@ struct measures {
     double modulus; /* Pa, E of the plastic strain */
     struct yield_point yield;
     struct strength_maximum maximum;
-    long uniform; /* last row of uniform deformation: of the maximum, or the last strained one */
-    long fracture;
-    bool broken;
+    long uniform;  /* last row of uniform deformation: of the maximum, or the last strained one */
+    long fracture; /* the last row, or the last strained one */
     struct power_law power_law;
     bool cut_at_maximum; /* the range of n ends at Ag */
     /* Engineering plastic strain where work hardening begins: 0, or behind a yield plateau. */

@@ -56,10 +56,17 @@ static struct property *add_measure(struct properties *list, const struct analys
                           definition);
 }
 
+/* Why there is none of what lies further on. */
+static const char *not_reached(const struct analysis *analysis)
+{
+    return analysis->record.broken ? "broke_before" : "not_reached";
+}
+
 static void add_proofs(struct properties *list, const struct analysis *analysis)
 {
     static const char *const offsets[] = {"0.01", "0.1", "0.2", "1.0"};
-    const char *blank = isnan(analysis->measures.line.slope) ? "no_elastic_part" : "not_reached";
+    const char *blank =
+        isnan(analysis->measures.line.slope) ? "no_elastic_part" : not_reached(analysis);
     for (int k = 0; k < 4; k++) {
         const enum measure what = MEASURE_PROOF_001 + (enum measure)k;
         char *name = memory_print("proof_strength_%s", offsets[k]);
@@ -77,7 +84,7 @@ static void add_proofs(struct properties *list, const struct analysis *analysis)
     struct property *row =
         add_measure(list, analysis, MEASURE_TOTAL_05, "total_extension_strength_0.5", "Rt0.5", mega,
                     "MPa", "stress at a total extension e - e0 of 0.5 %");
-    if (isnan(row->value)) row->flag = "not_reached";
+    if (isnan(row->value)) row->flag = not_reached(analysis);
 }
 
 /* Rp0.2 by the line through the ends of the first unloading, where there is one: its slope does
@@ -103,7 +110,7 @@ static void add_proof_by_loop(struct properties *list, const struct curve *curve
         "by the slope of the first unloading, %.4g GPa, from the line of that slope that touches "
         "the rise",
         line.slope / giga)
-        ->flag = isnan(stress) ? "not_reached" : NULL;
+        ->flag = isnan(stress) ? not_reached(analysis) : NULL;
 }
 
 static void add_yield_point(struct properties *list, const struct analysis *analysis,
@@ -160,7 +167,7 @@ static void add_extensions(struct properties *list, const struct curve *curve,
                                                            : "lower_bound";
     const char *end = stopped                     ? "strain_not_measured"
                       : analysis->record.unloaded ? "unloaded"
-                      : m->broken                 ? NULL
+                      : analysis->record.broken   ? NULL
                                                   : "curve_ends";
     add_measure(list, analysis, MEASURE_EXTENSION, "extension_at_maximum_force", "Agt", 1 / percent,
                 "%", "total extension at maximum force, e - e0; middle of the plateau")
@@ -200,7 +207,7 @@ static void add_neck(struct properties *list, const struct analysis *analysis)
         properties_add(list, "reduction_of_area", "Z", percent * (1 - ratio[row]), "%", NAN,
                        "1 - smallest section/initial section at the fracture point; section from "
                        "the mean lateral stretch of a layer of nodes")
-            ->flag = analysis->measures.broken ? NULL : "curve_ends";
+            ->flag = analysis->record.broken ? NULL : "curve_ends";
     if (ratio && curve->strain[row] > 0)
         properties_add(list, "localisation", "", -log(ratio[row]) / log1p(curve->strain[row]), "1",
                        NAN, "logarithmic strain of the smallest section over that of the gauge");
@@ -217,7 +224,7 @@ static void add_energies(struct properties *list, const struct analysis *analysi
     properties_add(list, "toughness", "U_T",
                    strength_energy(curve, line, analysis->measures.fracture) / mega, "MJ/m3", NAN,
                    "area under the engineering curve from the toe to the fracture point")
-        ->flag = analysis->measures.broken ? NULL : "curve_ends";
+        ->flag = analysis->record.broken ? NULL : "curve_ends";
     properties_add(list, "energy_to_maximum_force", "U_m",
                    strength_energy(curve, line, analysis->measures.maximum.row) / mega, "MJ/m3",
                    NAN, "area under the engineering curve from the toe to the maximum force");
@@ -272,7 +279,7 @@ static void add_hardening(struct properties *list, const struct analysis *analys
     double toe = isnan(analysis->measures.line.toe) ? 0 : analysis->measures.line.toe;
     double total = log1p(analysis->measures.maximum.strain - toe);
     const bool strained = analysis->measures.uniform == analysis->measures.maximum.row;
-    flag = isnan(considere->strain) ? strained ? "not_reached" : "strain_not_measured"
+    flag = isnan(considere->strain) ? strained ? not_reached(analysis) : "strain_not_measured"
            : considere->error > noisy_share * considere->strain ? "noisy"
                                                                 : NULL;
     properties_add(list, "considere_strain", "eps_u", considere->strain, "1", considere->error,
@@ -304,7 +311,7 @@ struct properties analysis_report(const struct curve *curve, const struct analys
     add_hardening(&list, analysis);
     if (fits) report_fits(&list, analysis);
     report_phases(&list, analysis);
-    report_quality(&list, analysis);
+    report_quality(&list, curve, analysis);
     report_record(&list, curve, analysis);
     return list;
 }

@@ -11,7 +11,8 @@ extern const double report_quasi_static_limit;
 void report_fits(struct properties *list, const struct analysis *analysis);
 /* Phases at maximum force, and the quality of a run. */
 void report_phases(struct properties *list, const struct analysis *analysis);
-void report_quality(struct properties *list, const struct analysis *analysis);
+void report_quality(struct properties *list, const struct curve *whole,
+                    const struct analysis *analysis);
 /* What happened during the test (record.h), and the noise. */
 void report_record(struct properties *list, const struct curve *curve,
                    const struct analysis *analysis);

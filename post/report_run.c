@@ -59,17 +59,18 @@ void report_phases(struct properties *list, const struct analysis *analysis)
                    "sum of fraction times mean nominal stress over the engineering stress");
 }
 
-void report_quality(struct properties *list, const struct analysis *analysis)
+void report_quality(struct properties *list, const struct curve *whole,
+                    const struct analysis *analysis)
 {
     const struct curve *curve = &analysis->envelope;
     if (curve->measured) return;
     long first = 0;
     while (curve->stress[first] < analysis->measures.maximum.stress / 2) first++;
-    double imbalance = curve_force_imbalance(curve);
+    double imbalance = curve_force_imbalance(whole);
     const double *unsteady = table_find(&curve->table, "unsteady_to_internal");
     double kinetic = largest(table_find(&curve->table, "kinetic_to_internal"), first,
                              analysis->measures.fracture);
-    double drift = largest(table_find(&curve->table, "energy_drift"), 0, curve->n - 1);
+    double drift = largest(table_find(&whole->table, "energy_drift"), 0, whole->n - 1);
     properties_add(list, "force_imbalance", "r_F", imbalance, "1", NAN,
                    "largest |F_right + F_left| over the largest |F|; above 0.01 the grips disagree")
         ->flag = imbalance > balance_limit ? "not_balanced" : NULL;
@@ -85,7 +86,7 @@ void report_quality(struct properties *list, const struct analysis *analysis)
                        "from half of Rm to Rm; above 0.01 the test is not quasi-static")
             ->flag = beyond > report_quasi_static_limit ? "not_quasi_static" : NULL;
     }
-    const double rest = largest(table_find(&curve->table, "residual"), 0, curve->n - 1);
+    const double rest = largest(table_find(&whole->table, "residual"), 0, whole->n - 1);
     if (rest > 0)
         properties_add(list, "residual", "r", rest, "1", NAN,
                        "largest residual of a load step: forces out of balance over the reactions; "

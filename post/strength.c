@@ -190,6 +190,18 @@ struct elastic_line strength_line(const struct curve *curve, const struct choice
     return line;
 }
 
+/* Whether the curve passes a stress before row i because the specimen breaks, over several rows: it
+ * falls faster than an elastic body unloads, and nothing behind carries that stress again. */
+static bool breaks(const struct curve *curve, const struct elastic_line *line, long i,
+                   double stress)
+{
+    const double *s = curve->stress + i, *e = curve->strain + i;
+    if (!(s[-1] - s[0] > line->slope * fabs(e[0] - e[-1]))) return false;
+    for (long k = i; k < curve->n; k++)
+        if (curve->stress[k] > stress) return false;
+    return true;
+}
+
 double strength_proof(const struct curve *curve, const struct elastic_line *line, double offset)
 {
     double before = NAN;
@@ -197,7 +209,9 @@ double strength_proof(const struct curve *curve, const struct elastic_line *line
         double above = curve->stress[i] - line->slope * (curve->strain[i] - line->toe - offset);
         if (before > 0 && above <= 0) {
             double share = before / (before - above);
-            return curve->stress[i - 1] + share * (curve->stress[i] - curve->stress[i - 1]);
+            const double stress =
+                curve->stress[i - 1] + share * (curve->stress[i] - curve->stress[i - 1]);
+            return breaks(curve, line, i, stress) ? NAN : stress;
         }
         before = above;
     }
@@ -209,14 +223,15 @@ double strength_total(const struct curve *curve, const struct elastic_line *line
     const double strain = extension + (isnan(line->toe) ? 0 : line->toe);
     for (long i = 1; i < curve->n; i++) {
         const double *e = curve->strain + i, *s = curve->stress + i;
-        if (e[-1] < strain && e[0] >= strain)
-            return s[-1] + (strain - e[-1]) / (e[0] - e[-1]) * (s[0] - s[-1]);
+        if (!(e[-1] < strain && e[0] >= strain)) continue;
+        const double stress = s[-1] + (strain - e[-1]) / (e[0] - e[-1]) * (s[0] - s[-1]);
+        return breaks(curve, line, i, stress) ? NAN : stress;
     }
     return NAN;
 }
 
 struct strength_maximum strength_maximum(const struct curve *curve, const double smooth[],
-                                         double noise, long first)
+                                         double noise, long first, bool broken)
 {
     const double *s = curve->stress, *e = curve->strain;
     long row = first, top = first;
@@ -224,7 +239,7 @@ struct strength_maximum strength_maximum(const struct curve *curve, const double
         if (s[i] > s[row]) row = i;
         if (smooth[i] > smooth[top]) top = i;
     }
-    struct strength_maximum maximum = {row, s[row], e[row], 0, row < curve->n - 1};
+    struct strength_maximum maximum = {row, s[row], e[row], 0, broken || row < curve->n - 1};
     if (!maximum.reached) return maximum;
     long from = top, to = top;
     const double level =
@@ -234,16 +249,6 @@ struct strength_maximum strength_maximum(const struct curve *curve, const double
     maximum.strain = (e[from] + e[to]) / 2;
     maximum.plateau = e[to] - e[from];
     return maximum;
-}
-
-long strength_fracture_row(const struct curve *curve, long maximum, double share, bool *broken)
-{
-    for (long i = maximum + 1; i < curve->n; i++) {
-        *broken = curve->stress[i] < share * curve->stress[maximum];
-        if (*broken) return i - 1;
-    }
-    *broken = false;
-    return curve->n - 1;
 }
 
 double strength_energy(const struct curve *curve, const struct elastic_line *line, long last)

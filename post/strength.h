@@ -30,30 +30,26 @@ struct elastic_line strength_line(const struct curve *curve, const struct choice
 extern const double straight_limit;
 
 /* Stress [Pa] where the curve first meets s = slope (e - toe - offset), linear between the points;
- * NAN where it does not. */
+ * NAN where it does not, or only while the specimen breaks. */
 double strength_proof(const struct curve *curve, const struct elastic_line *line, double offset);
 
-/* Stress [Pa] at a total extension from the toe on; NAN where it is not reached. */
+/* Stress [Pa] at a total extension from the toe on; NAN as above. */
 double strength_total(const struct curve *curve, const struct elastic_line *line, double extension);
 
 /* The plateau: what lies within this share of Rm below it, so flat that the noise of a digitised or
  * computed curve decides where its maximum is. */
 extern const double strength_plateau_share;
 
-/* Maximum force from row first on.  strain is that of the middle of the plateau of smooth, the
- * stress without most of its noise, which is also what lies within three standard deviations of
- * the noise that is left below the highest. */
+/* Maximum force from row first on, of a specimen that broke behind the last row, or did not. strain
+ * is that of the middle of the plateau of smooth, the stress without most of its noise, which is
+ * also what lies within three standard deviations of the noise that is left below the highest. */
 struct strength_maximum {
     long row;
     double stress, strain, plateau; /* Pa, -, - */
-    bool reached;                   /* false: the maximum is the last point */
+    bool reached;                   /* false: the maximum is the last point, not of a broken one */
 };
 struct strength_maximum strength_maximum(const struct curve *curve, const double smooth[],
-                                         double noise, long first);
-
-/* The last row before the stress falls below share of that of row maximum behind it; the last
- * row of the curve, and *broken = false, where it does not. */
-long strength_fracture_row(const struct curve *curve, long maximum, double share, bool *broken);
+                                         double noise, long first, bool broken);
 
 /* Integral of s de [J/m^3] by trapezia from the toe to a row. */
 double strength_energy(const struct curve *curve, const struct elastic_line *line, long last);

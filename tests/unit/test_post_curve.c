@@ -177,15 +177,62 @@ static void plateau_and_fracture(void **state)
     const double e[] = {0, 0.001, 0.1, 0.2, 0.3, 0.4, 0.5};
     const double s[] = {0, 200e6, 400e6, 400e6, 300e6, 30e6, 1e6};
     struct curve curve = curve_of(7, e, s);
-    struct strength_maximum maximum = strength_maximum(&curve, s, 0, 0);
+    struct strength_maximum maximum = strength_maximum(&curve, s, 0, 0, false);
     assert_true(maximum.reached);
     assert_near(maximum.strain, 0.15, 1e-15);
     assert_near(maximum.plateau, 0.1, 1e-15);
-    bool broken;
-    assert_int_equal(strength_fracture_row(&curve, 2, 0.1, &broken), 4);
-    assert_true(broken);
-    assert_int_equal(strength_fracture_row(&curve, 2, 0.001, &broken), 6);
-    assert_false(broken);
+    const struct elastic_line none = {.slope = NAN};
+    const double shares[] = {0.1, 0.001};
+    for (int k = 0; k < 2; k++) {
+        struct record record = record_judge(&curve, &none, shares[k]);
+        long *rows;
+        struct curve envelope = record_envelope(&record, &curve, &rows);
+        assert_int_equal(envelope.n, k == 0 ? 5 : 7);
+        assert_int_equal(record.broken, k == 0);
+        curve_free(&envelope);
+        free(rows);
+        record_free(&record);
+    }
+    curve_free(&curve);
+}
+
+/* E = 200 GPa, yield at 700 MPa, a break before Rp0.2, and a machine's zero behind it that swings
+ * up and down: no yield point, no loops and no proof strength are there. */
+static void nothing_behind_the_fracture(void **state)
+{
+    (void)state;
+    enum { ELASTIC = 70, BREAK = 90, N = 190 };
+    struct curve curve = curve_new(N, "broken");
+    for (long i = 0; i < N; i++) {
+        curve.strain[i] = 5e-5 * (double)i;
+        curve.stress[i] = i <= ELASTIC ? young * curve.strain[i]
+                          : i <= BREAK ? 700e6 + 1e9 * 5e-5 * (double)(i - ELASTIC)
+                                       : 2e6 * sin(0.7 * (double)i);
+    }
+    for (int k = 0; k < 4; k++) {
+        struct choices choices = choices_read(NULL);
+        curve.measured = k % 2;
+        /* The fall over three rows, which the line of Rp0.2 meets at 509 MPa. */
+        if (k == 2)
+            for (long i = 1; i < 4; i++) curve.stress[BREAK + i] = 701e6 - 2e8 * (double)i;
+        struct analysis found = analysis_make(&curve, &choices);
+        struct properties list = analysis_report(&curve, &found, &choices, true);
+        static const char *const blanks[] = {"proof_strength_0.2", "proof_strength_1.0",
+                                             "upper_yield_strength", "lower_yield_strength",
+                                             "total_extension_strength_0.5"};
+        for (size_t b = 0; b < sizeof blanks / sizeof *blanks; b++)
+            assert_true(isnan(property_value(&list, blanks[b])));
+        assert_string_equal(property_of(&list, "proof_strength_0.2")->flag, "broke_before");
+        assert_near(property_value(&list, "proof_strength_0.01"), 700.1, 0.01);
+        assert_near(property_value(&list, "tensile_strength"), 701, 1e-9);
+        assert_near(property_value(&list, "tensile_strength_reached"), 1, 0);
+        /* Within a plateau of 1e-4 Rm, two rows. */
+        assert_near(property_value(&list, "extension_at_maximum_force"), 0.45, 0.01);
+        assert_near(property_value(&list, "extension_at_fracture"), k < 2 ? 0.45 : 0.465, 1e-6);
+        assert_int_equal(found.record.count, 0);
+        properties_free(&list);
+        analysis_free(&found);
+    }
     curve_free(&curve);
 }
 
@@ -266,7 +313,7 @@ int main(void)
         cmocka_unit_test(every_law_fits_itself), cmocka_unit_test(yield_point),
         cmocka_unit_test(transient_and_span),    cmocka_unit_test(plateau_and_fracture),
         cmocka_unit_test(poor_curves),           cmocka_unit_test(mixtures),
-        cmocka_unit_test(differences),
+        cmocka_unit_test(differences),           cmocka_unit_test(nothing_behind_the_fracture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
