@@ -7,6 +7,7 @@
 #include "text_output.h"
 #include "tidy.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <jansson.h>
 #include <stdlib.h>
@@ -14,6 +15,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
+static const char own_action[] = "#hspost-run";
 static const char process[] = "https://w3id.org/ro/wfrun/process/0.5";
 static const char specification[] = "https://w3id.org/ro/crate/1.1";
 
@@ -25,6 +27,32 @@ struct crate {
     char *date;
 };
 
+static bool is_empty(const char *folder)
+{
+    DIR *directory = opendir(folder);
+    int entries = 0;
+    while (directory && entries <= 2 && readdir(directory)) entries++; /* "." and ".." */
+    if (directory) closedir(directory);
+    return entries <= 2;
+}
+
+/* Whether the folder is a crate that hspost wrote. */
+static bool is_own(const char *folder)
+{
+    char *path = memory_print("%s/ro-crate-metadata.json", folder);
+    json_t *all = json_load_file(path, 0, NULL), *entity;
+    bool own = false;
+    size_t i;
+    json_array_foreach(json_object_get(all, "@graph"), i, entity)
+    {
+        const char *id = json_string_value(json_object_get(entity, "@id"));
+        own = own || (id && strcmp(id, own_action) == 0);
+    }
+    json_decref(all);
+    free(path);
+    return own;
+}
+
 void crate_check(const char *folder)
 {
     struct stat found;
@@ -32,6 +60,10 @@ void crate_check(const char *folder)
         die_user("--crate %s: %s", folder, strerror(errno));
     if (stat(folder, &found) != 0 || !S_ISDIR(found.st_mode))
         die_user("--crate %s: this is no folder", folder);
+    if (!is_empty(folder) && !is_own(folder))
+        die_user("--crate %s: there are files in it, and it is no crate of hspost's: they would be "
+                 "replaced, or taken for parts of it; give a new folder",
+                 folder);
 }
 
 /* --- entities --------------------------------------------------------------------------------- */
@@ -246,7 +278,7 @@ void crate_write(const struct request *request, const struct study *study)
                        : NULL;
     add_root(&crate);
     char *hspost = add_program(&crate, options_version(), "hspost");
-    json_t *action = add_action(&crate, "#hspost-run", hspost, words);
+    json_t *action = add_action(&crate, own_action, hspost, words);
     set(action, "endTime", crate.date);
     for (int k = 0; k < study->count; k++) add_input(&crate, k, action);
     add_results(&crate, action);

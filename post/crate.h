@@ -5,7 +5,8 @@
 
 #include "study.h"
 
-/* Makes the folder where it is not there; dies (exit 2) where it cannot be. */
+/* Makes the folder where it is not there; dies (exit 2) where it cannot be, or has files without
+ * being a crate of hspost. */
 void crate_check(const char *folder);
 
 /* Writes into request->crate: inputs and decks as they were read, the page of --report, curves and

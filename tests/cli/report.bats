@@ -158,6 +158,13 @@ crate() {
     hspost -q "$records/voce.csv" --crate both >curve.csv
     crate both | grep -q '^1 '
     run -2 hspost -q "$records/voce.csv" --crate curve.csv
+    # nor among the files of somebody else, whoever else's crate they are
+    mkdir foreign
+    echo mine >foreign/report.html
+    echo '{"@graph": [{"@id": "#other-run"}]}' >foreign/ro-crate-metadata.json
+    run -2 hspost -q "$records/voce.csv" --crate foreign
+    [[ $output == *"no crate of hspost's"* ]]
+    [ "$(cat foreign/report.html)" = mine ]
 }
 
 @test "the script for ParaView names variables that hssolve writes" {
