@@ -1,5 +1,6 @@
 #include "balance.h"
 
+#include "damping.h"
 #include "memory.h"
 #include "profile.h"
 #include "simd.h"
@@ -208,6 +209,22 @@ static void finish(struct integration *integration, const struct body *body,
     free(all);
 }
 
+/* What the sums of the balance may have lost [J], each of its terms the same at most (exact_sum.h):
+ * of the energies of nodes and particles, now and at the start, and of work and damping in both
+ * halves of every step.  Loads that begin smoothly stay below that for a while. */
+static double lost_in_sums(const struct integration *integration, const struct body *body,
+                           const struct boundary *boundary)
+{
+    enum { ENERGIES = STABILISATION - HELD + 1, TIMES = 2, HALVES = 2, AXES = 3 };
+    const double nodes = (double)body->n_nodes;
+    double terms = damping_acts(integration) ? AXES * nodes : 0;
+    for (int k = 0; k < boundary->loads.count; k++)
+        terms += (double)boundary->loads.items[k].members.n_all;
+    for (int b = 0; b < boundary->count; b++) terms += (double)boundary->sets[b].members.n_all;
+    return exact_sum_loss(&integration->kinetic_zero) *
+           (TIMES * ENERGIES * nodes + HALVES * terms * (double)integration->step);
+}
+
 /* Where there are grips they set the scale alone, as long as nothing else moves or loads the body.
  */
 static void take_energies(struct integration *integration, const struct body *body,
@@ -220,6 +237,7 @@ static void take_energies(struct integration *integration, const struct body *bo
     balance->plastic = values[PLASTIC];
     balance->stabilisation = values[STABILISATION];
     balance->reference = fmax(balance->reference, values[LOADED]);
+    balance->rounding = lost_in_sums(integration, body, boundary);
     if (!boundary_has_grips(boundary) || affine_energy(integration, body, boundary) == 0)
         balance->reference = fmax(balance->reference, set_energy(integration, body, boundary));
 }

@@ -8,7 +8,8 @@
  * difference of both sides over the larger of them, and, while both are still small, over a
  * reference: what the loads and prescribed motions themselves say about the energy that is to come
  * (theory.md).  It measures the integrator, the law and the output together: the left side is
- * evaluated from the state, the right side from forces and motion. */
+ * evaluated from the state, the right side from forces and motion.  What the sums may lose, all of
+ * terms that are smaller, is no drift. */
 #ifndef HS_ENERGY_H
 #define HS_ENERGY_H
 
@@ -18,6 +19,7 @@ struct energy_balance {
     double fracture;      /* what the body held less after bonds had broken, J */
     double initial, work; /* J */
     double reference;     /* J */
+    double rounding;      /* what its sums over the body may have lost, J */
 };
 
 double energy_drift(const struct energy_balance *balance);

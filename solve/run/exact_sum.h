@@ -16,6 +16,13 @@ struct exact_sum {
 
 struct exact_sum exact_sum_new(double bound);
 
+/* The most that is lost of a term: half a unit in the last place of the fine extractor, which is
+ * 2^-53 of it or less. */
+static inline double exact_sum_loss(const struct exact_sum *sum)
+{
+    return 0x1p-53 * sum->low;
+}
+
 static inline void exact_sum_add(struct exact_sum *sum, double term)
 {
     double top = (term + sum->high) - sum->high;
