@@ -10,7 +10,7 @@
 
 #include <stdlib.h>
 
-enum { ROWS = 1200, CURVES = 120 };
+enum { ROWS = 1200, CURVES = 60 };
 
 static const double young = 200e9, yield = 300e6, saturation = 260e6, rate = 9;
 
