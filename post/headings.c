@@ -40,7 +40,7 @@ static const struct {
      "|displacement|displacement 1|axial displacement|axialweg|standard travel"
      "|standardweg|weg|crosshead|crosshead displacement|crosshead extension|crosshead "
      "travel|traversenweg|traverse|traverse absolut|kolbenweg|maschinenweg|stroke"
-     "|position|"},
+     "|position|dl|Δl|∆l|δl|"},
     {"time", "time_s", "s", true,
      "|time|test time|elapsed time|running time|zeit|prüfzeit|testzeit|versuchszeit|t|"},
     {"transverse", "transverse_strain", "1", true,
@@ -91,6 +91,14 @@ const char *quantity_unit(enum quantity quantity)
     return quantities[quantity].unit;
 }
 
+/* A byte of UTF-8, and the one before it, as a small letter, umlauts among them; Δ stays. */
+static char small(char letter, char before)
+{
+    const unsigned char byte = (unsigned char)letter;
+    const bool capital = byte == 0x84 || byte == 0x96 || byte == 0x9C; /* Ä, Ö, Ü behind 0xC3 */
+    return (char)(capital && (unsigned char)before == 0xC3 ? byte + 0x20 : tolower(byte));
+}
+
 /* In small letters, with single blanks for blanks, underscores, colons and equals signs, and
  * without what stands in brackets, of which the last goes to unit (NULL: lost). */
 static void normalise(const char *text, char name[LONGEST], char unit[LONGEST])
@@ -105,15 +113,33 @@ static void normalise(const char *text, char name[LONGEST], char unit[LONGEST])
         if (depth > 0 || closes) continue;
         const bool blank = isspace((unsigned char)*text) || strchr("_:=\"", *text);
         if (blank && (n == 0 || name[n - 1] == ' ')) continue;
-        name[n++] = blank ? ' ' : (char)tolower((unsigned char)*text);
+        name[n] = blank ? ' ' : small(*text, n > 0 ? name[n - 1] : ' ');
+        n++;
     }
     while (n > 0 && name[n - 1] == ' ') n--;
     name[n] = '\0';
     if (unit) unit[m] = '\0';
 }
 
+/* "verlaengerung" as "verlängerung". */
+static void fold_umlauts(const char *name, char folded[LONGEST])
+{
+    size_t n = 0;
+    for (; *name; name++) {
+        const char *umlaut = name[1] != 'e' ? NULL
+                             : *name == 'a' ? "ä"
+                             : *name == 'o' ? "ö"
+                             : *name == 'u' ? "ü"
+                                            : NULL;
+        folded[n++] = umlaut ? umlaut[0] : *name;
+        if (umlaut) folded[n++] = umlaut[1];
+        name += umlaut != NULL;
+    }
+    folded[n] = '\0';
+}
+
 /* Place of a name in a list "|a|b|", -1 where it is not in it. */
-static int place_in(const char *name, const char *names)
+static int place_as_written(const char *name, const char *names)
 {
     char sought[LONGEST + 2];
     snprintf(sought, sizeof sought, "|%s|", name);
@@ -121,6 +147,14 @@ static int place_in(const char *name, const char *names)
     int place = 0;
     for (const char *c = names; found && c < found; c++) place += *c == '|';
     return found ? place : -1;
+}
+
+static int place_in(const char *name, const char *names)
+{
+    char folded[LONGEST];
+    const int place = place_as_written(name, names);
+    fold_umlauts(name, folded);
+    return place >= 0 ? place : place_as_written(folded, names);
 }
 
 /* The same of a name alone, or of one and its symbol: "kraft f", "messlänge l0". */

@@ -129,9 +129,9 @@ whole() { numbers | perl -F, -lane '$n = sprintf "%.0f", $F[1] * 20 * '"$1"'; 1 
 
 @test "name and symbol, thickness and width, diameter, more headings in German" {
     body() { numbers | awk -F, '{printf "%.5f;%.7f\n", $2 * 20, $1 * 50}' | tr . ,; }
-    for facts in 'Querschnitt S0 [mm²];20,00|Messlänge L0 [mm];50,0' 'Dicke a0 [mm];2,0|Breite b0 [mm];10,0|Anfangsmesslänge L0;50,0;mm' \
+    for facts in 'Querschnitt S0 [mm²];20,00|Messlaenge L0 [mm];50,0' 'Dicke a0 [mm];2,0|Breite b0 [mm];10,0|Anfangsmesslänge L0;50,0;mm' \
         'Probendurchmesser d0;5,0462650;mm|Gauge length L0;50;mm'; do
-        for names in 'Kraft F [N];Dehnweg [mm]' 'Last [N];Verformung [mm]' 'Standardkraft in N;Wegaufnehmer in mm' 'Kraft [N];Kolbenweg [mm]' 'Kraft [N];Traverse absolut [mm]'; do
+        for names in 'Kraft F [N];Dehnweg [mm]' 'PRÜFKRAFT [N];VERLÄNGERUNG ΔL [mm]' 'Pruefkraft F [N];Verlaengerung dL [mm]' 'Last [N];Verformung [mm]' 'Standardkraft in N;Wegaufnehmer in mm' 'Kraft [N];Kolbenweg [mm]' 'Kraft [N];Traverse absolut [mm]'; do
             { tr '|' '\n' <<<"$facts"; echo "$names"; body; } >t.csv
             same t.csv
         done
