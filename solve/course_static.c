@@ -19,10 +19,18 @@ void static_first_step(struct simulation *s)
      * Rp0.2.  A short test has records, too. */
     static const double share = 1.0 / 80, of_test = 0.01;
     struct scene_static *statics = &s->scene.statics;
+    const double yield = share * yield_first_strain(&s->materials);
+    const double rate = fabs(boundary_full_strain_rate(&s->boundary));
     if (isfinite(statics->first_step)) return;
-    statics->first_step =
-        fmin(fmin(share * yield_first_strain(&s->materials), of_test * s->scene.end_strain),
-             statics->largest_step);
+    if (s->scene.end_strain > 0) {
+        statics->first_step =
+            fmin(fmin(yield, of_test * s->scene.end_strain), statics->largest_step);
+    } else {
+        if (rate > 0) statics->largest_step = scene_strain_step / rate;
+        statics->first_step =
+            rate > 0 ? fmin(yield / rate, statics->largest_step) : statics->largest_step;
+        statics->smallest_step = 1e-4 * statics->largest_step;
+    }
     statics->smallest_step = fmin(statics->smallest_step, statics->first_step);
 }
 

@@ -130,14 +130,16 @@ static const struct key solver_keys[] = {
      .help = "of finding equilibria: lbfgs, which leaves to newton what it does not find; newton; "
              "adaptive dynamic relaxation, which takes ten times as many evaluations"},
     {"step", KEY_NODE, AT(statics.given.largest), .form = "NUMBER", .users = RESTING,
-     .otherwise = "0.005 of strain, or a hundredth of end_time, or 1 s",
+     .otherwise = "0.005 of strain, also of end_steps where velocities of grips are numbers and no "
+                  "step is given; or a hundredth of end_time, or 1 s",
      .help =
          "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
          "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where none is found"},
     {"first_step", KEY_NODE, AT(statics.given.first), .form = "NUMBER", .users = RESTING,
-     .otherwise =
-         "1/80 of the strain at which the first phase yields, so that the elastic slope "
-         "has its records, at most 1/100 of end_strain; where the run ends at none, the largest",
+     .otherwise = "1/80 of the strain at which the first phase yields, so that the elastic slope "
+                  "has its records, at most 1/100 of end_strain; of end_time, and of end_steps "
+                  "whose step is in s, the "
+                  "largest",
      .help = "first load step, in the same unit"},
     {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,
      .otherwise = "1e-4 of the largest", .help = "in the same unit; below it the run stops"},
@@ -190,10 +192,14 @@ static void read_steps(struct scene *scene)
 {
     struct scene_static *s = &scene->statics;
     const bool strain = scene->end_strain > 0;
-    const double usual = strain ? 0.005 : scene->end_time > 0 ? scene->end_time / 100 : 1;
+    const double usual = strain                ? scene_strain_step
+                         : scene->end_time > 0 ? scene->end_time / 100
+                                               : 1;
+    const bool open =
+        strain || (scene->end_steps > 0 && !s->given.largest.index && !s->given.smallest.index);
     s->largest_step = step_or(scene, s->given.largest, usual);
     /* Steps of loads are all alike; that of a strain follows from the materials. */
-    s->first_step = step_or(scene, s->given.first, strain ? INFINITY : s->largest_step);
+    s->first_step = step_or(scene, s->given.first, open ? INFINITY : s->largest_step);
     s->smallest_step =
         step_or(scene, s->given.smallest, fmin(1e-4 * s->largest_step, s->first_step));
     if (s->given.first.index)

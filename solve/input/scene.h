@@ -27,9 +27,13 @@ extern const char *const equilibrium_methods[]; /* ended by NULL */
 
 /* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s.
  */
+static const double scene_strain_step = 0.005; /* largest of a load step where none is given */
+
 struct scene_static {
-    int method;                                     /* of equilibrium_methods */
-    double first_step, largest_step, smallest_step; /* first: INFINITY where the yield says it */
+    int method; /* of equilibrium_methods */
+    /* In strain where the run ends at one, else s; first: INFINITY where what moves and yields says
+     * it, and without an end_strain the others. */
+    double first_step, largest_step, smallest_step;
     struct {
         struct deck_node first, largest, smallest;
     } given;

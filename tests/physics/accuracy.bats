@@ -97,3 +97,11 @@ END
     type=auto body counted corner "$pulled" 'end_steps: 10' || true
     grep "counted.yaml:.*'type: auto' ends at an end_strain or end_time" counted.err
 }
+
+@test "steps that are counted are as long in strain as those to a strain, whatever the rate" {
+    body counted corner "$pulled" 'end_steps: 12'
+    body slow corner "${pulled//1 m/1e-3 m}" 'end_steps: 12'
+    # Grips 8 spacings of 25 um apart: from 1/80 of the first yield's strain by 3/2 each, not by seconds; never over 0.5 %.
+    paste counted.txt slow.txt | awk 'NR > 1 && $1 > 0 { d = $1 / $4 - 1; n++; if (d < -1e-6 || d > 1e-6 || $1 - last > 0.006 * 8 * 25e-6) bad = 1 } { last = $1 }
+        END { exit !(n > 8 && !bad) }'
+}
