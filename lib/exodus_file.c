@@ -222,7 +222,8 @@ static void enter_length(const struct exodus_file *file)
     exodus_wrote(file, nc_put_att_double(id, NC_GLOBAL, LENGTH_ATTRIBUTE, NC_DOUBLE, 1, &bytes),
                  "its length");
     exodus_wrote(file, nc_close(id), "its length");
-    if ((double)file_size(file) != bytes) die_run("%s: changed while it was closed", file->shown);
+    if ((double)file_size(file) != bytes)
+        die_run("%s: changed while it was closed: does another program write to it?", file->shown);
 }
 
 static void forget(struct exodus_file *file)
@@ -268,8 +269,11 @@ static void check_length(const struct exodus_file *file, bool foreign)
             "is whole in it)",
             file->shown);
     if (bytes != (double)file->bytes)
-        die_user("%s: truncated or damaged: %lld bytes, expected %.0f", file->shown,
-                 (long long)file->bytes, bytes);
+        die_user("%s: truncated or damaged: it has %lld bytes, and had %.0f when it was finished%s",
+                 file->shown, (long long)file->bytes, bytes,
+                 ex_inquire_int(file->id, EX_INQ_TIME) > 0
+                     ? "; hssolve --repair gives back what is whole in it"
+                     : "");
 }
 
 /* All that a file of netCDF-4 has, wherever it leads. */
@@ -363,19 +367,47 @@ void exodus_close(struct exodus_file *file)
     forget(file);
 }
 
+/* How many records end within the file: where one begins is the place of its first variable. */
+static int64_t records_within(const struct exodus_file *file)
+{
+    int count = 0, unlimited = -1;
+    int64_t begin = INT64_MAX, size = 0;
+    nc_inq(file->id, NULL, &count, NULL, &unlimited);
+    for (int v = 0; v < count; v++) {
+        char name[NC_MAX_NAME + 1];
+        int rank = 0, dimensions[NC_MAX_VAR_DIMS];
+        nc_type type;
+        size_t bytes, length;
+        nc_inq_var(file->id, v, name, &type, &rank, dimensions, NULL);
+        if (rank == 0 || dimensions[0] != unlimited) continue;
+        nc_inq_type(file->id, type, NULL, &bytes);
+        for (int d = 1; d < rank; d++) {
+            nc_inq_dimlen(file->id, dimensions[d], &length);
+            bytes *= length;
+        }
+        const int64_t place = exodus_variable_place(file->path, file->shown, name);
+        if (place < begin) begin = place;
+        size += ((int64_t)bytes + 3) / 4 * 4;
+    }
+    return size > 0 && file->bytes > begin ? (file->bytes - begin) / size : 0;
+}
+
 /* Records are written one behind the other, and time goes on: what is not so has not reached the
  * disk. */
 static int64_t sound_records(const struct exodus_file *file, double *last)
 {
-    const int64_t records = ex_inquire_int(file->id, EX_INQ_TIME);
+    const int64_t records = ex_inquire_int(file->id, EX_INQ_TIME), within = records_within(file);
     int64_t sound = 0;
     exodus_bound(file, records, 8, "records");
     double *time = memory_new((size_t)records, sizeof *time);
     if (records > 0) exodus_read(file, ex_get_all_times(file->id, time), "the times");
-    while (sound < records && isfinite(time[sound]) && time[sound] < NC_FILL_FLOAT &&
+    while (sound < records && sound < within && isfinite(time[sound]) &&
+           time[sound] < NC_FILL_FLOAT &&
            (sound == 0 || (time[sound] > 0 && time[sound] >= time[sound - 1])))
         sound++;
-    if (sound == 0) die_user("%s: not one whole record in it", file->shown);
+    if (sound == 0)
+        die_user("%s: not one whole record in it: nothing can be given back, run it again",
+                 file->shown);
     *last = time[sound - 1];
     free(time);
     return sound;
@@ -388,6 +420,8 @@ int64_t exodus_repair(const char *name, double *time)
     nc_type type;
     size_t length;
     double bytes = 0;
+    if (file.packed)
+        die_user("%s: netCDF-4, which these tools do not write: copy the original again", name);
     if (nc_inq_att(file.id, NC_GLOBAL, LENGTH_ATTRIBUTE, &type, &length) != NC_NOERR ||
         type != NC_DOUBLE || length != 1)
         die_user("%s: not written by these tools: no attribute " LENGTH_ATTRIBUTE, name);

@@ -171,6 +171,12 @@ said" ]
     hssolve -q --repair cut.e
     rows cut.e >cut.csv
     rows out.e.failed | head -n "$records" | cmp - cut.csv
+    # As of a copy that stopped within the last record.
+    head -c -12 out.e.failed >cut.e
+    run hspost -q cut.e
+    [[ "$output" == *"it has $((size - 12)) bytes, and had $size when it was finished; hssolve --repair"* ]]
+    hssolve -q --repair cut.e
+    rows cut.e | cmp - cut.csv
 }
 
 # A short run with checkpoints, kept as whole.e and whole.e.checkpoint, .checkpoint.1 ...; its deck: short.yaml
