@@ -39,7 +39,10 @@ static double end_of(const struct analysis *analysis)
 static double stress_at(const struct analysis *analysis, double strain)
 {
     const struct curve *curve = &analysis->envelope;
-    const double wanted = strain + toe_of(analysis);
+    double first, last;
+    gsl_stats_minmax(&first, &last, curve->strain, 1, (size_t)analysis->measures.fracture + 1);
+    /* An end of the curve, less the toe and plus the toe, is rounded to either side of it. */
+    const double wanted = fmin(fmax(strain + toe_of(analysis), first), last);
     for (long i = 1; i <= analysis->measures.fracture; i++) {
         const double *e = curve->strain + i, *s = curve->stress + i;
         if (e[-1] <= wanted && wanted <= e[0] && e[0] > e[-1])

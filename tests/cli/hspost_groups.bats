@@ -31,6 +31,20 @@ specimens() {
     grep -q '^Al,upper_yield_strength,ReH,MPa,0,,,,$' statistics.csv
 }
 
+@test "the last row of a mean is that of the shortest curve's end, however its strain is rounded" {
+    rod() { # END in units of 1e-4, E
+        awk -v last="$1" -v young="$2" 'BEGIN {print "strain [1],stress [MPa]"
+            for (i = 0; i < last + 1; i++) {e = 1e-4 * (i < last ? i : last); printf "%.12f,%.6f\n", e, e < 0.0015 ? young * e : 0.0015 * young + 1000 * (e - 0.0015)}}'
+    }
+    rod 205 201000 >long.csv
+    for end in 200.0013 200.0026 200.0039 200.0104 200.0117; do
+        rod "$end" 200000 >short.csv
+        hspost -q short.csv long.csv --title rod --mean mean.csv
+        # 300 and 301.5 MPa at yield, and 1 GPa from there on
+        near "$(tail -n 1 mean.csv | cut -d, -f4)" 319.25 0.01
+    done
+}
+
 @test "groups are curves of one title" {
     specimens 3
     for k in 1 2 3; do { echo "# title: soft"; cat "s$k.csv"; } >"t$k.csv"; done
