@@ -84,7 +84,9 @@ static struct spool script_of(const char *name, const struct format *format,
     char *text;
     size_t length;
     const int rows = d->loops ? 0 : figure_rows(d->count),
-              legend = d->loops ? 0 : figure_legend_rows(d->series, d->count) - format->rows;
+              legend = (d->loops ? figure_loops_legend_rows(d->loops, d->count)
+                                 : figure_legend_rows(d->series, d->count)) -
+                       format->rows;
     const double height = format->height + (legend > 0 ? legend * format->row : 0);
     FILE *script = open_memstream(&text, &length);
     if (!script) die_run("%s: %s", name, strerror(errno));

@@ -328,6 +328,19 @@ void figure_write_curves(FILE *gnuplot, const struct figure_series series[], int
         write_together(gnuplot, series, count, style);
 }
 
+static int loops_columns(const struct figure_loops series[], int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strlen(series[i].title) > SHORT_TITLE) return 1;
+    return 2;
+}
+
+int figure_loops_legend_rows(const struct figure_loops series[], int count)
+{
+    const int columns = loops_columns(series, count), stresses = 2;
+    return (count + stresses + columns - 1) / columns;
+}
+
 void figure_write_loops(FILE *gnuplot, const struct figure_loops series[], int count)
 {
     for (int i = 0; i < count; i++) {
@@ -339,7 +352,7 @@ void figure_write_loops(FILE *gnuplot, const struct figure_loops series[], int c
         }
         fputs("EOD\n", gnuplot);
     }
-    write_axes(gnuplot, true, 2);
+    write_axes(gnuplot, true, loops_columns(series, count));
     fputs("set xlabel 'True strain (%)'\nset yrange [*:*]\nset datafile missing 'nan'\nplot ",
           gnuplot);
     for (int i = 0; i < count; i++) {

@@ -11,6 +11,7 @@ int figure_rows(int count);
 
 /* Rows of the legend above a plot. */
 int figure_legend_rows(const struct figure_series series[], int count);
+int figure_loops_legend_rows(const struct figure_loops series[], int count);
 
 void figure_write_curves(FILE *gnuplot, const struct figure_series series[], int count,
                          const struct figure_style *style);

@@ -126,11 +126,15 @@ keep_script() {
     hspost -q t1.csv t2.csv --band --plot two.svg 2>said
     hspost -q t?.csv --band --plot six.svg 2>>said
     hspost -q t1.csv --title 'Harmonic nickel of forty per cent, hot isostatically pressed' --band --plot one.svg -o c.csv 2>>said
+    for k in 1 2 3; do { echo "# title: Harmonic nickel of forty per cent, hot isostatically pressed $k"; cat "$records/unloading_loop.csv"; } >"l$k.csv"; done
+    hspost -q l?.csv --tidy l.csv --plot-loops loops.svg 2>>said
     run ! grep -q difficulty said
     height() { sed -n 's/.* height="\([0-9]*\)".*/\1/p' "$1" | head -1; }
     # a heading and six rows, of which two have room
     [ "$(height six.svg)" -eq $((480 + 5 * 20)) ]
     [ "$(height two.svg)" -eq $((480 + 20)) ]
+    # three curves, and the two stresses
+    [ "$(height loops.svg)" -eq $((480 + 3 * 20)) ]
 }
 
 @test "more than eight curves of which some share a title are bands" {
