@@ -240,6 +240,28 @@ static void find_periods(const struct domain *domain, struct lattice *lattice)
     }
 }
 
+/* Tells of periods that the particles do not fill: as a whole, or, where the body ends along other
+ * axes, by the gap between the last ones and the images of the first. */
+static void check_periods(const struct lattice *lattice)
+{
+    static const double rounding = 0.02, gap = 3; /* of the volume of irregular ones; spacings */
+    const double share =
+        lattice->node_volume * (double)lattice->n_nodes / lattice_whole_volume(lattice);
+    bool whole = true;
+    for (int a = 0; a < lattice->dimensions; a++) whole = whole && lattice->periodic[a];
+    if (whole && !(fabs(share - 1) <= rounding))
+        warn("the particles have %.4g %% of the volume of the domain's periods: where no pores "
+             "are meant, domain.period or the volumes are others",
+             100 * share);
+    for (int a = 0; !whole && a < lattice->dimensions; a++) {
+        const double between = (lattice->period[a] - lattice->extent[a]) / lattice->spacing;
+        if (lattice->periodic[a] && between > gap)
+            warn("along %c the particles end %.3g spacings before the images of the first ones: "
+                 "is domain.period what it should be?",
+                 'x' + a, between);
+    }
+}
+
 struct lattice lattice_scattered(const struct domain *domain, double thickness)
 {
     const int64_t n = domain->n_nodes;
@@ -270,6 +292,7 @@ struct lattice lattice_scattered(const struct domain *domain, double thickness)
         lattice.dimensions = 2;
         lattice.thickness = thickness;
     }
+    check_periods(&lattice);
     return lattice;
 }
 

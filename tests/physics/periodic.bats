@@ -506,6 +506,10 @@ END
     sed 's/domain: {/&period: [40 um, 39 um, 40 um], /' worse.yaml >loose.yaml
     run -2 --separate-stderr solve loose loose
     [[ "$stderr" == *'along x after 4e-05 m, no more than twice the horizon of 3e-05 m'* ]]
+    [[ "$stderr" == *"the particles have 102.6 % of the volume of the domain's periods"* ]]
+    sed 's/39 um/80 um/; s/x, y, z/y/' loose.yaml >far.yaml
+    run --separate-stderr solve far loose
+    [[ "$stderr" == *'along y the particles end '*' spacings before the images of the first ones'* ]]
     sed -i 's/39 um/29 um/' loose.yaml
     run -2 --separate-stderr solve loose loose
     [[ "$stderr" == *'periodic along y after 2.9e-05 m, and its particles lie 3e-05 m apart there'* ]]
