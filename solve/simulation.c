@@ -495,6 +495,16 @@ static double end_of_time(const struct simulation *s, double dt)
     return s->scene.end_steps > 0 ? (double)s->scene.end_steps * dt : s->scene.end_time;
 }
 
+/* A body that goes from equilibrium to equilibrium has lost it before the first. */
+static void refuse_velocities(const struct simulation *s)
+{
+    for (int i = 0; i < s->scene.n_initial; i++)
+        if (s->scene.initial[i].kind == SCENE_VELOCITY)
+            deck_error(s->scene.initial[i].where,
+                       "load steps have no inertia, and a velocity at the start changes nothing "
+                       "in them: take 'type: explicit', or leave it out");
+}
+
 #define COURSE_ADDRESS(name, words) &course_##name
 
 static void plan_time(struct simulation *s)
@@ -509,6 +519,7 @@ static void plan_time(struct simulation *s)
         s->course = s->course->choose(s);
     }
     const bool moving = s->course->moving;
+    if (!moving) refuse_velocities(s);
     const double first = moving ? explicit_step(s) : static_step(s, s->scene.statics.first_step);
     s->end_time = end_of_time(s, first);
     const double dt = resolve_test(s, first);

@@ -194,6 +194,10 @@ output:
     observe "where: 'x > 1e-5'"
     run -2 observe 'box: [[-20 um, -1 mm, -1 mm], [10 um, 1 mm, 1 mm]]'
     [[ $output == *'deck.yaml:8:'*'below the plane of symmetry across x'* ]]
+    run -2 check "x, velocity: 0, where: 'x > 3.5e-5'}
+initial:
+  - {direction: x, where: '1', velocity: 1 m/s"
+    [[ $output == *'deck.yaml:7:'*'load steps have no inertia, and a velocity at the start changes nothing'* ]]
 }
 
 @test "a force on a part of a body is its share of that on the whole one" {
