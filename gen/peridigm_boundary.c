@@ -32,12 +32,24 @@ static double factor_of(const struct translation *t, const struct kind *kind)
     return t->mass / (t->length * t->length * t->time * t->time);
 }
 
+/* A value may say what it assigns to: "value = 10*t". */
+static const char *assigned(const char *text)
+{
+    static const char name[] = "value";
+    const char *rest = text + strspn(text, " \t");
+    if (strncmp(rest, name, strlen(name)) != 0) return text;
+    rest += strlen(name);
+    rest += strspn(rest, " \t");
+    if (rest[0] != '=' || rest[1] == '=') return text;
+    return rest + 1 + strspn(rest + 1, " \t");
+}
+
 static void write_condition(struct translation *t, struct deck_node entry, const char *name,
                             const struct kind *kind)
 {
     const char *set = take_text(t, entry, "Node Set"), *axis = take_text(t, entry, "Coordinate"),
                *value = take_text(t, entry, "Value");
-    char *text = value ? translate_expression(t, value, factor_of(t, kind)) : NULL;
+    char *text = value ? translate_expression(t, assigned(value), factor_of(t, kind)) : NULL;
     if (!set || !axis || !text || strlen(axis) != 1 || !strchr("xyzXYZ", *axis)) {
         cannot_take(t, entry, name,
                     "expected 'Node Set', 'Coordinate' of x, y or z, and 'Value', one expression");

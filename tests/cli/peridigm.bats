@@ -35,7 +35,7 @@ Peridigm:
       Type: "Prescribed_Displacement"
       Node Set: "Right Nodes"
       Coordinate: "x"
-      Value: "1.0e-4*t*(x > 0)"
+      Value: "value = 1.0e-4*t*(x > 0)"
     Heat:
       Type: "Prescribed Temperature"
       Node Set: "Right Nodes"
