@@ -173,7 +173,7 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
 static void warn_of_images(const struct recipe *recipe)
 {
     const bool *planes = recipe->specimen.symmetry;
-    bool own = recipe->n_phases == 1 && !recipe->voxels.phase;
+    bool own = recipe->topology == &topology_homogeneous;
     if (recipe->topology->cores_apart && !recipe->cores_file && !(recipe->jitter > 0)) {
         own = true;
         for (int axis = 0; axis < 3; axis++)

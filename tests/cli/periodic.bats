@@ -152,6 +152,9 @@ DECK
     hsgen -q deck.yaml -o box.g
     # nodes of x = 5 to 45 um, y = 5 to 95 um, z = -15 to 15 um
     ncdump -h box.g | grep -q 'num_nod_ns1 = 200 '
+    printf '  grips: {length: 20 um, phase: G}\nmaterials: {G: {model: corner, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3}}\n' >>deck.yaml
+    hsgen -q --check deck.yaml 2>said
+    [ ! -s said ]
     sed 's/homogeneous/harmonic/; s/phase: .*/phases: {cg: A, ufg: B}\n  lattice: sc\n  core_distance: 0.1 mm\n  ufg_fraction: 0.6/' half.yaml >cores.yaml
     hsgen -q --check cores.yaml 2>said
     [ ! -s said ]
