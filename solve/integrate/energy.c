@@ -13,7 +13,8 @@ double energy_drift(const struct energy_balance *b)
     double held = energy_total(b);
     double given = b->initial + b->work;
     double largest = fmax(fmax(fabs(held), fabs(given)), b->reference);
-    double missing = fmax(fabs(held - given) - b->rounding, 0);
+    double missing = fabs(held - given);
+    missing = missing <= b->rounding ? 0 : missing - b->rounding; /* what is no number stays so */
     return largest > 0 ? copysign(missing, held - given) / largest : 0;
 }
 
