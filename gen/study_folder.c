@@ -6,6 +6,7 @@
 #include "output.h"
 #include "study_make.h"
 #include "study_slurm.h"
+#include "taken.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -330,13 +331,6 @@ static void say_what_varies(const struct variations *variations)
     note("%lld decks", (long long)variations->runs);
 }
 
-static bool is_same(const char *one, const char *other)
-{
-    struct stat a, b;
-    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
-           a.st_ino == b.st_ino;
-}
-
 /* What stands where a study of ours would be, and is none. */
 static void refuse_foreign(const struct contents *contents, const struct deck *deck,
                            const char *folder)
@@ -347,7 +341,7 @@ static void refuse_foreign(const struct contents *contents, const struct deck *d
     const bool own = study_make_wrote(makefile);
     for (size_t i = 0; !own && !found && i < sizeof names / sizeof *names; i++) {
         char *path = memory_print("%s/%s", folder, names[i]);
-        if (access(path, F_OK) == 0 && !is_same(path, deck_name(deck)))
+        if (access(path, F_OK) == 0 && !taken_are_one(path, deck_name(deck)))
             found = path;
         else
             free(path);
@@ -376,7 +370,7 @@ void study_folder_write(const struct deck *deck, const char *folder, bool slurm)
     write_decks(&runs, folder);
     write_table(&expansion, &runs, folder);
     char *copy = memory_print("%s/study.yaml", folder);
-    if (!is_same(copy, deck_name(deck))) write_text(copy, deck_text(deck));
+    if (!taken_are_one(copy, deck_name(deck))) write_text(copy, deck_text(deck));
     note("make -j2 -C %s   runs them and gathers", folder);
     if (slurm) write_slurm(&runs, folder);
     free(copy);

@@ -7,7 +7,6 @@
 #include <glob.h>
 #include <limits.h>
 #include <signal.h>
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,6 +41,12 @@ static bool is_same(const struct file *a, const struct file *b)
 {
     return a->device == b->device && a->number == b->number && a->seconds == b->seconds &&
            a->nanoseconds == b->nanoseconds;
+}
+
+bool taken_are_one(const char *name, const char *other)
+{
+    struct file a, b;
+    return find_file(AT_FDCWD, name, &a) && find_file(AT_FDCWD, other, &b) && is_same(&a, &b);
 }
 
 void taken_as_input(int descriptor)

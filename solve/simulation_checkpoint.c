@@ -7,13 +7,13 @@
 #include "restart.h"
 #include "simulation_parts.h"
 #include "spool.h"
+#include "taken.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* --- the walk --------------------------------------------------------------------------------- */
@@ -166,19 +166,12 @@ bool simulation_checkpoint(struct simulation *s)
     return saved;
 }
 
-/* Whether the run went on from the checkpoint of that name. */
-static bool went_on_from(const struct simulation *s, const char *name)
-{
-    struct stat one, other;
-    return s->arguments->restart && stat(s->arguments->restart, &one) == 0 &&
-           stat(name, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
-}
-
 void simulation_forget_checkpoints(const struct simulation *s)
 {
     if (asked_for(s)) return;
     char *name = simulation_checkpoint_name(s);
-    const bool own = s->saving > 0 || went_on_from(s, name);
+    const char *from = s->arguments->restart;
+    const bool own = s->saving > 0 || (from && taken_are_one(from, name));
     if (own) unlink(name);
     for (int64_t k = 1; own && k < s->scene.checkpoint.keep; k++) {
         char *older = memory_print("%s.%lld", name, (long long)k);
