@@ -86,6 +86,7 @@ static struct kernel {
     CORRESPONDENCE("3", "185 MPa", ", yielding", 5e-3, true),
     CORNER("flowing", 1, "10 GPa", ", not yielding", 1e-3, false),
     CORNER("flowing", 1, "185 MPa", ", yielding", 5e-3, true),
+    CORNER("four_points", 5, "10 GPa", ", not yielding", 1e-3, false),
     CORNER("four_points", 5, "185 MPa", ", yielding", 5e-3, true),
 };
 enum { KERNELS = sizeof kernels / sizeof *kernels };
