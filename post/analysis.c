@@ -135,7 +135,7 @@ static void find_noise(struct analysis *analysis, const struct elastic_line *lin
             sqrt(known + pow(more, 2) - pow(noise->deviation, 2)) / line->slope;
 }
 
-struct analysis analysis_make(struct curve *curve, const struct choices *choices)
+struct analysis analysis_make(struct curve *curve, const struct choices *choices, bool errors)
 {
     struct analysis analysis = {0};
     struct choices chosen = *choices;
@@ -163,7 +163,7 @@ struct analysis analysis_make(struct curve *curve, const struct choices *choices
     const struct loading loading = {envelope, analysis.noise, analysis.strain_noise,
                                     analysis.strained, analysis.record.broken};
     analysis.measures = measures_take(&loading, &chosen, line);
-    measures_bootstrap(&loading, &chosen, &analysis.measures);
+    if (errors) measures_bootstrap(&loading, &chosen, &analysis.measures);
     make_true_curve(&analysis, choices);
     copy_back(&analysis, curve);
     analysis.fit_range[0] = fmax(choices->fit_range[0], log1p(analysis.measures.hardening));

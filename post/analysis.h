@@ -23,8 +23,9 @@ struct analysis {
 
 /* Judges the record, puts the machine's compliance right where asked for, fills the true curve
  * and the columns that follow from it, and notes in the provenance by which rules.  Rows that
- * run backwards are turned.  Dies (exit 2) at a measured record of compression. */
-struct analysis analysis_make(struct curve *curve, const struct choices *choices);
+ * run backwards are turned.  Without errors those of a measured curve stay 0, which take longer
+ * than all else of a long record.  Dies (exit 2) at a measured record of compression. */
+struct analysis analysis_make(struct curve *curve, const struct choices *choices, bool errors);
 void analysis_free(struct analysis *analysis);
 
 /* Dies (exit 2) where a measured curve cannot be what it says (E outside 1 GPa to 1.2 TPa,

@@ -187,7 +187,7 @@ static double elongation(const char *directory, const struct material *m,
     struct curve run = run_deck(directory, "fracture", measured->choices);
     struct choices choices = *measured->choices;
     choices.modulus = m->youngs_modulus;
-    struct analysis analysis = analysis_make(&run, &choices);
+    struct analysis analysis = analysis_make(&run, &choices, false);
     const double found = analysis.measures.value[MEASURE_FRACTURE];
     const bool broken = analysis.record.broken;
     note("  onset %.4g: %s at %.4g %%", onset, broken ? "parts" : "holds", 100 * found);

@@ -29,10 +29,10 @@ struct choices study_choose(const struct request *request, const struct deck *de
 struct study study_read(const struct request *request, const char *maker)
 {
     size_t n = (size_t)request->n_files;
-    /* The table on standard error has no laws. */
-    const bool fits = request->properties || request->json || request->statistics ||
-                      request->tidy || request->extrapolate_properties || request->sensitivities ||
-                      request->report || request->crate;
+    /* The table on standard error has neither errors nor laws. */
+    const bool in_full = request->properties || request->json || request->statistics ||
+                         request->tidy || request->extrapolate_properties ||
+                         request->sensitivities || request->report || request->crate;
     struct study study = {.count = request->n_files, .maker = maker};
     study.curves = memory_new(n, sizeof *study.curves);
     study.choices = memory_new(n, sizeof *study.choices);
@@ -60,10 +60,10 @@ struct study study_read(const struct request *request, const char *maker)
             input.content = NULL;
         }
         input_free(&input);
-        study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i]);
+        study.analyses[i] = analysis_make(&study.curves[i], &study.choices[i], in_full);
         if (!request->accept) analysis_check_plausible(&study.curves[i], &study.analyses[i]);
         study.properties[i] =
-            analysis_report(&study.curves[i], &study.analyses[i], &study.choices[i], fits);
+            analysis_report(&study.curves[i], &study.analyses[i], &study.choices[i], in_full);
         titles[i] = study.curves[i].title;
         study.loops[i].loops = loops_find(&study.curves[i], &study.analyses[i],
                                           study.choices[i].loop_offset, &study.loops[i].count);

@@ -21,7 +21,7 @@ static void run(struct case_of *c)
     struct input input = input_read(c->path, NULL);
     c->curve = curve_make(&input, &c->choices);
     input_free(&input);
-    c->analysis = analysis_make(&c->curve, &c->choices);
+    c->analysis = analysis_make(&c->curve, &c->choices, true);
     c->properties = analysis_report(&c->curve, &c->analysis, &c->choices, true);
 }
 

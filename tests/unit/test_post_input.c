@@ -11,6 +11,7 @@
 #include "keys_options.h"
 #include "memory.h"
 #include "property.h"
+#include "random.h"
 #include "text_table.h"
 
 #include <stdio.h>
@@ -106,7 +107,7 @@ static void history_to_curve(void **state)
     assert_string_equal(curve.phases[shared.hard].name, "UFG");
     /* q = (320 - 164) MPa / (0.0048 - 0.0032) */
     assert_relative(shared.factor, 156e6 / 0.0016, 1e-12);
-    struct analysis found = analysis_make(&curve, &choices);
+    struct analysis found = analysis_make(&curve, &choices, true);
     struct properties list = analysis_report(&curve, &found, &choices, true);
     assert_near(property_value(&list, "reduction_of_area"), 4, 1e-9);
     assert_relative(property_value(&list, "partition_factor"), 156e6 / 0.0016 / 1e9, 1e-12);
@@ -184,6 +185,33 @@ static void table_there_and_back(void **state)
     free(written);
     table_free(&table);
     attributes_free(&notes);
+}
+
+/* Against a search through all numbers of digits: of numbers that have so many, of their
+ * neighbours, of all sizes, on either side of a power of ten. */
+static void fewest_digits_that_read_back(void **state)
+{
+    (void)state;
+    struct random_stream *stream = random_new(1, "digits");
+    for (int i = 0; i < 20000; i++) {
+        char given[40], expected[40];
+        const int exponent = i % 61 - 30;
+        const double mantissa = i % 3 == 0 ? 1 - pow(10, -(i % 17)) : random_gaussian(stream);
+        snprintf(given, sizeof given, "%.*e", i % 18, mantissa * pow(10, exponent));
+        const double value = i % 2 ? strtod(given, NULL) : nextafter(strtod(given, NULL), 0);
+        int digits = 14;
+        do snprintf(expected, sizeof expected, "%.*g", ++digits, value);
+        while (strtod(expected, NULL) != value);
+
+        char *written;
+        size_t size;
+        FILE *file = open_memstream(&written, &size);
+        csv_number(file, value);
+        fclose(file);
+        assert_string_equal(written, expected);
+        free(written);
+    }
+    random_free(stream);
 }
 
 /* The check value of POSIX cksum: printf 123456789 | cksum. */
@@ -291,10 +319,15 @@ static void spoilt_histories(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(history_to_curve), cmocka_unit_test(sizes_by_choice),
-        cmocka_unit_test(deck_within),      cmocka_unit_test(table_there_and_back),
-        cmocka_unit_test(checksum),         cmocka_unit_test(spoilt_histories),
-        cmocka_unit_test(options_are_keys), cmocka_unit_test(wrong_options),
+        cmocka_unit_test(history_to_curve),
+        cmocka_unit_test(sizes_by_choice),
+        cmocka_unit_test(deck_within),
+        cmocka_unit_test(table_there_and_back),
+        cmocka_unit_test(fewest_digits_that_read_back),
+        cmocka_unit_test(checksum),
+        cmocka_unit_test(spoilt_histories),
+        cmocka_unit_test(options_are_keys),
+        cmocka_unit_test(wrong_options),
     };
     return cmocka_run_group_tests(tests, choose_path, remove_path);
 }

@@ -62,7 +62,7 @@ static struct looped_curve measure(struct element elements[], int count, double 
 {
     const struct choices choices = choices_read(NULL);
     struct looped_curve m = {.curve = looped(elements, count, down)};
-    m.analysis = analysis_make(&m.curve, &choices);
+    m.analysis = analysis_make(&m.curve, &choices, true);
     m.loops = loops_find(&m.curve, &m.analysis, choices.loop_offset, &m.count);
     return m;
 }
@@ -195,7 +195,7 @@ static void errors_cover_the_loops(void **state)
                 curve.strain[i] = exact.curve.strain[i];
                 curve.stress[i] = exact.curve.stress[i] + noises[n] * random_gaussian(stream);
             }
-            struct analysis analysis = analysis_make(&curve, &choices);
+            struct analysis analysis = analysis_make(&curve, &choices, true);
             long count;
             struct loop *loops = loops_find(&curve, &analysis, choices.loop_offset, &count);
             assert_int_equal(count, LOOPS);
@@ -243,7 +243,7 @@ static void damage_is_the_fall_of_the_slope(void **state)
                                               : stress + 1e8 * step;
     }
     const struct choices choices = choices_read(NULL);
-    struct analysis analysis = analysis_make(&curve, &choices);
+    struct analysis analysis = analysis_make(&curve, &choices, true);
     long count;
     struct loop *loops = loops_find(&curve, &analysis, choices.loop_offset, &count);
     assert_int_equal(count, 2);

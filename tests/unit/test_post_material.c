@@ -35,7 +35,7 @@ static struct material material_of(struct curve *curve, const char *law)
     struct choices choices = choices_read(NULL);
     choices.modulus = young;
     choices.toe = 0;
-    struct analysis analysis = analysis_make(curve, &choices);
+    struct analysis analysis = analysis_make(curve, &choices, true);
     struct material material = material_make("M", curve, &analysis, law);
     material.density = 7800;
     material.poissons_ratio = 0.3;

@@ -72,11 +72,11 @@ static void cover(double peak, struct scatter scatter, struct coverage found[MEA
 {
     struct curve truth = made_curve(peak);
     struct choices choices = choices_read(NULL);
-    struct analysis exact = analysis_make(&truth, &choices);
+    struct analysis exact = analysis_make(&truth, &choices, true);
     struct random_stream *stream = random_new(7, "curves");
     for (int k = 0; k < CURVES; k++) {
         struct curve curve = noisy(&truth, scatter, stream);
-        struct analysis analysis = analysis_make(&curve, &choices);
+        struct analysis analysis = analysis_make(&curve, &choices, true);
         for (int j = 0; j < MEASURES; j++) {
             const double error = j == MEASURE_MODULUS ? fmax(analysis.measures.line.error,
                                                              analysis.measures.error[j])
@@ -171,7 +171,7 @@ static void errors_cover_a_strain_that_is_rounded(void **state)
             struct curve curve = curve_rows(&dense, n, rows);
             for (long i = 0; i < n; i++)
                 curve.strain[i] = step * round(curve.strain[i] / step + (double)k / OFFSETS);
-            struct analysis analysis = analysis_make(&curve, &choices);
+            struct analysis analysis = analysis_make(&curve, &choices, true);
             const struct elastic_line *line = &analysis.measures.line;
             const double error = fmax(line->error, analysis.measures.error[MEASURE_MODULUS]);
             assert_relative(analysis.strain_noise, step / sqrt(12), 0.2);
@@ -223,12 +223,12 @@ static void noise_makes_no_yield_point(void **state)
     (void)state;
     struct curve truth = made_curve(0);
     struct choices choices = choices_read(NULL);
-    struct analysis exact = analysis_make(&truth, &choices);
+    struct analysis exact = analysis_make(&truth, &choices, true);
     struct random_stream *stream = random_new(5, "curves");
     int inside = 0;
     for (int k = 0; k < 40; k++) {
         struct curve curve = noisy(&truth, (struct scatter){.stress = 3e-3 * 430e6}, stream);
-        struct analysis analysis = analysis_make(&curve, &choices);
+        struct analysis analysis = analysis_make(&curve, &choices, true);
         assert_true(isnan(analysis.measures.yield.upper));
         assert_near(analysis.considere.strain, exact.considere.strain, 0.01);
         inside += fabs(analysis.considere.strain - exact.considere.strain) <=

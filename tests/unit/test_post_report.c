@@ -88,7 +88,7 @@ static struct made report_of(double kinetic)
 {
     struct made made = {.input = history(kinetic), .choices = choices_read(NULL)};
     made.curve = curve_make(&made.input, &made.choices);
-    made.analysis = analysis_make(&made.curve, &made.choices);
+    made.analysis = analysis_make(&made.curve, &made.choices, true);
     made.list = analysis_report(&made.curve, &made.analysis, &made.choices, true);
     return made;
 }
@@ -252,7 +252,7 @@ static void parameters_below_their_errors_are_flagged(void **state)
     }
     curve.youngs_modulus = young;
     struct choices choices = choices_read(NULL);
-    struct analysis analysis = analysis_make(&curve, &choices);
+    struct analysis analysis = analysis_make(&curve, &choices, true);
     struct properties list = analysis_report(&curve, &analysis, &choices, true);
     for (int i = 0; i < list.count; i++) {
         const struct property *row = &list.items[i];
@@ -283,7 +283,7 @@ static void error_of_the_power_law(void **state)
         struct choices choices = choices_read(NULL);
         choices.modulus_rows[0] = 1;
         choices.modulus_rows[1] = 3;
-        struct analysis analysis = analysis_make(&curve, &choices);
+        struct analysis analysis = analysis_make(&curve, &choices, true);
         error[k] = analysis.measures.power_law.strength_error;
         exponent[k] = analysis.measures.power_law.error;
         analysis_free(&analysis);
