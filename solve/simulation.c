@@ -561,7 +561,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     read_inputs(s);
     open_outputs(s);
     build(s);
-    profile_enter(s->profile, PART_REST);
+    profile_enter(s->profile, PART_PLAN);
     const bool frames = arguments->fields && !arguments->check;
     /* The stable step takes room; the particles' places have no reader any more. */
     if (s->lattice.corner && !frames) domain_forget_nodes(&s->domain);
@@ -578,6 +578,7 @@ struct simulation *simulation_new(const struct arguments *arguments, struct rank
     }
     domain_forget_nodes(&s->domain);
     domain_forget_nodes(&s->corners);
+    profile_enter(s->profile, PART_REST);
     return s;
 }
 

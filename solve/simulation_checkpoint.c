@@ -190,12 +190,14 @@ static void take_frames(struct simulation *s, char *names, int64_t frames)
     char *rest = names;
     for (char *name; (name = strsep(&rest, "\n"));)
         if (*name && fields_take(s->fields, name, frames)) return;
+    s->frames_missing = true;
     warn("the frames of before t = %.4g s are not at hand: %s begins there", s->integration.time,
          s->arguments->fields);
 }
 
 void simulation_restore(struct simulation *s)
 {
+    const enum profile_part before = profile_enter(s->profile, PART_CHECKPOINT);
     struct run_texts texts = {.domain = -1};
     struct checkpoint_file *file = checkpoint_file_open(s->arguments->restart);
     int64_t frames = 0;
@@ -209,5 +211,6 @@ void simulation_restore(struct simulation *s)
     run_texts_free(&texts);
     s->saved_step = s->integration.step;
     ranks_wait();
+    profile_enter(s->profile, before);
     note("goes on from step %lld, t = %.4g s", (long long)s->integration.step, s->integration.time);
 }

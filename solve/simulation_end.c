@@ -55,11 +55,15 @@ static void describe(struct simulation *s)
 /* The run that a dying program saves what it can of; NULL before and after. */
 static struct simulation *endangered;
 
+static bool is_file(const char *name)
+{
+    return name && strncmp(name, "/dev/", strlen("/dev/")) != 0;
+}
+
 /* Beside the output; where that is a pipe or a device, here. */
 static char *failed_name(const char *name, const char *fallback)
 {
-    bool file = name && strncmp(name, "/dev/", strlen("/dev/")) != 0;
-    return memory_print("%s.failed", file ? name : fallback);
+    return memory_print("%s.failed", is_file(name) ? name : fallback);
 }
 
 static void keep_fields(void)
@@ -114,6 +118,7 @@ static char *names_of_fields(const struct simulation *s)
 void simulation_protect(struct simulation *s)
 {
     if (s->ranks.rank != 0) return;
+    const enum profile_part before = profile_enter(s->profile, PART_CHECKPOINT);
     endangered = s;
     if (s->fields) s->fields_name = names_of_fields(s);
     die_at_exit(keep_fields);
@@ -121,6 +126,7 @@ void simulation_protect(struct simulation *s)
     describe(s);
     spool_refuse_unread(&s->history_output);
     s->journal = exodus_history_open(&s->history_output, &s->recorder.history, reserved(s));
+    profile_enter(s->profile, before);
 }
 
 void simulation_save_records(struct simulation *s, bool now)
@@ -146,8 +152,22 @@ static void tell_broken(const struct simulation *s)
         note("%.0f bonds broken, which held next to nothing", bonds);
 }
 
+/* Of a run that went on here: what was kept of it is in what is whole now. */
+static void forget_kept(const struct simulation *s)
+{
+    const char *const names[] = {s->arguments->history,
+                                 s->frames_missing ? NULL : s->arguments->fields};
+    for (int k = 0; s->arguments->restart && k < 2; k++) {
+        if (!is_file(names[k])) continue;
+        char *name = failed_name(names[k], NULL);
+        unlink(name); /* there need not be one */
+        free(name);
+    }
+}
+
 void simulation_finish(struct simulation *s, const char *failure)
 {
+    profile_enter(s->profile, PART_FRAME);
     if (s->fields) fields_close(s->fields);
     s->fields = NULL;
     const double steps = (double)s->integration.step + 1;
@@ -172,6 +192,7 @@ void simulation_finish(struct simulation *s, const char *failure)
     if (!s->arguments->spooled) spool_finish(&s->history_output);
     endangered = NULL;
     simulation_forget_checkpoints(s);
+    forget_kept(s);
     tell_broken(s);
     if (s->materials.formulation->stress_of == STRESS_OF_NODES && s->body.broken &&
         s->body.broken->n_lost > 0)

@@ -46,6 +46,7 @@ struct simulation {
     bool whole;                     /* all records are, and the file is closed */
     struct fields *fields;
     double framed;                              /* time of the last frame, s */
+    bool frames_missing;                        /* those of before a restart; rank 0 */
     struct spool history_output, fields_output; /* rank 0 */
     double end_time;                            /* s */
     double strain;                              /* of the gauge */

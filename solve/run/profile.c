@@ -10,6 +10,7 @@ static const char *const parts[PARTS] = {
     [PART_READ] = "reading domain and deck",
     [PART_PARTITION] = "partition, fields",
     [PART_BONDS] = "families, bonds, state",
+    [PART_PLAN] = "plan of steps and outputs",
     [PART_STABLE_STEP] = "stable step",
     [PART_FORCE] = "force",
     [PART_FORCE_ENERGIES] = "force, with energies",

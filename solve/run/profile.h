@@ -11,6 +11,7 @@ enum profile_part {
     PART_READ,
     PART_PARTITION,
     PART_BONDS,
+    PART_PLAN,
     PART_STABLE_STEP,
     PART_FORCE,
     PART_FORCE_ENERGIES,

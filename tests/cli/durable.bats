@@ -220,11 +220,20 @@ whole.e.checkpoint.2" ]
         cmp <(numbers whole.e) <(numbers run.e)
         cmp <(numbers whole.f) <(numbers run.f)
     done
-    # its own checkpoint, which nobody asked for, goes when it is whole
-    run -143 hssolve -q -i steps.g -H own.e --time-limit '1 ms'
+    # its own checkpoint, which nobody asked for, and what was kept of it go when it is whole
+    for ranks in 1 2; do
+        run -143 hssolve -q -i steps.g -H own.e -o own.f --time-limit '1 ms'
+        [ -s own.e.failed ]
+        [ -s own.f.failed ]
+        hssolve -q --restart own.e.checkpoint -j "$ranks" -H own.e -o own.f
+        cmp <(numbers whole.e) <(numbers own.e)
+        cmp <(numbers whole.f) <(numbers own.f)
+        [ -z "$(ls own.e.* own.f.* 2>/dev/null)" ]
+    done
+    # frames that went nowhere else stay
+    run -143 hssolve -q -i steps.g -H own.e -o own.f --time-limit '1 ms'
     hssolve -q --restart own.e.checkpoint -H own.e
-    cmp <(numbers whole.e) <(numbers own.e)
-    [ ! -e own.e.checkpoint ]
+    [ "$(ls own.e.* own.f.* 2>/dev/null)" = own.f.failed ]
 }
 
 # bad TEXT OPTION...: refused with exit 2 and the text, and nothing is left
