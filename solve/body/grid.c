@@ -19,7 +19,7 @@ static void owned_box(const struct lattice *lattice, const struct partition *p, 
                 if (*owner++ != rank) continue;
                 const int cell[3] = {x, y, z};
                 for (int a = 0; a < 3; a++) {
-                    int first = cell[a] * p->edge, end = first + p->edge;
+                    int first = cell[a] * p->edge[a], end = first + p->edge[a];
                     if (first < low[a]) low[a] = first;
                     if (end > high[a]) high[a] = end;
                 }

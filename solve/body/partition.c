@@ -3,6 +3,7 @@
 #include "die.h"
 #include "memory.h"
 #include "ranks.h"
+#include "simd.h"
 
 #include <metis.h>
 #include <stdlib.h>
@@ -10,7 +11,7 @@
 
 /* Of large bodies METIS sees wider cells: its graph stays small (8 MB), and its cuts become planes.
  */
-enum { CELLS_MOST = 1 << 15 };
+enum { CELLS_MOST = 1 << 15, CELLS_OF_A_RANK = 64 };
 
 /* METIS' compressed graph of the cells that hold particles. */
 struct cell_graph {
@@ -30,18 +31,23 @@ static idx_t *particles_per_cell(const struct partition *p, const struct lattice
     int64_t site = 0;
     for (int z = 0; z < lattice->size[2]; z++)
         for (int y = 0; y < lattice->size[1]; y++) {
-            idx_t *row = count + ((int64_t)(z / p->edge) * p->cells[1] + y / p->edge) * p->cells[0];
+            idx_t *row = count + partition_cell(p, 0, y, z);
             for (int x = 0; x < lattice->size[0]; x++)
-                row[x / p->edge] += lattice_has_node(lattice, site++);
+                row[x / p->edge[0]] += lattice_has_node(lattice, site++);
         }
     return count;
+}
+
+/* Sites of a cell that see those of its neighbour there. */
+static idx_t shared_sites(const struct partition *p, int dx, int dy, int dz)
+{
+    return (dx ? 1 : p->edge[0]) * (dy ? 1 : p->edge[1]) * (dz ? 1 : p->edge[2]);
 }
 
 /* None behind the period: a part that went on there would need a field over all of the body. */
 static void add_neighbours(struct cell_graph *graph, const struct partition *p, const idx_t *vertex,
                            const int at[3])
 {
-    static const idx_t shared[4] = {0, 9, 3, 1}; /* by face, edge, corner */
     idx_t end = graph->start[graph->n];
     for (int dz = -1; dz <= 1; dz++)
         for (int dy = -1; dy <= 1; dy++)
@@ -52,7 +58,7 @@ static void add_neighbours(struct cell_graph *graph, const struct partition *p, 
                 idx_t v = vertex[((int64_t)to[2] * p->cells[1] + to[1]) * p->cells[0] + to[0]];
                 if (v < 0) continue;
                 graph->neighbour[end] = v;
-                graph->edge_weight[end++] = shared[abs(dx) + abs(dy) + abs(dz)];
+                graph->edge_weight[end++] = shared_sites(p, dx, dy, dz);
             }
     graph->start[++graph->n] = end;
 }
@@ -104,8 +110,8 @@ static void cut(struct partition *p, const struct lattice *lattice, int size)
 {
     struct cell_graph graph = graph_new(p, lattice);
     if (size > graph.n)
-        die_user("%d ranks for %d cells of %d sites: take fewer ranks", size, (int)graph.n,
-                 p->edge);
+        die_user("%d ranks for %d cells of %d x %d x %d sites: take fewer ranks", size,
+                 (int)graph.n, p->edge[0], p->edge[1], p->edge[2]);
     idx_t *part = memory_new((size_t)graph.n, sizeof *part);
     idx_t constraints = 1, parts = size, edge_cut, options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
@@ -149,7 +155,7 @@ static struct partition partition_scattered(const struct lattice *lattice, int r
     }
     bins.phase = memory_new((size_t)bins.n_sites, 1);
     memset(bins.phase, ABSENT, (size_t)bins.n_sites);
-    struct partition p = {.edge = 1, .cells = {(int)n, 1, 1}};
+    struct partition p = {.edge = {1, 1, 1}, .cells = {(int)n, 1, 1}};
     p.owner = memory_new((size_t)n, sizeof *p.owner);
     for (int64_t i = 0; i < n; i++) {
         int at[3];
@@ -172,19 +178,31 @@ static struct partition partition_scattered(const struct lattice *lattice, int r
     return p;
 }
 
-/* Cells of that edge; how many. */
+/* Cells of those edges; how many. */
 static int64_t divide(struct partition *p, const struct lattice *lattice)
 {
-    for (int a = 0; a < 3; a++) p->cells[a] = (lattice->size[a] + p->edge - 1) / p->edge;
+    for (int a = 0; a < 3; a++) p->cells[a] = (lattice->size[a] + p->edge[a] - 1) / p->edge[a];
     return cell_count(p);
+}
+
+/* As many cells as balance the ranks, of whole strips where there are enough of those. */
+static void choose_cells(struct partition *p, const struct lattice *lattice, int reach, int size)
+{
+    const int least = reach > 2 ? reach : 2;
+    const int64_t enough = CELLS_OF_A_RANK * (int64_t)size,
+                  most = enough < CELLS_MOST ? CELLS_MOST : enough;
+    p->edge[0] = LANES;
+    p->edge[1] = p->edge[2] = least;
+    while (divide(p, lattice) < enough && p->edge[0] > least)
+        p->edge[0] = p->edge[0] / 2 > least ? p->edge[0] / 2 : least;
+    while (divide(p, lattice) > most) p->edge[1] = ++p->edge[2];
 }
 
 struct partition partition_new(const struct lattice *lattice, int reach, int rank, int size)
 {
     if (lattice_is_row(lattice)) return partition_scattered(lattice, reach, rank, size);
-    struct partition p = {.edge = reach > 2 ? reach : 2};
-    const int64_t most = size < CELLS_MOST / 64 ? CELLS_MOST : 64 * (int64_t)size;
-    while (divide(&p, lattice) > most) p.edge++;
+    struct partition p = {0};
+    choose_cells(&p, lattice, reach, size);
     p.owner = memory_new((size_t)cell_count(&p), sizeof *p.owner);
     for (int64_t c = 0; c < cell_count(&p); c++) p.owner[c] = -1;
     if (rank == 0) cut(&p, lattice, size);

@@ -38,7 +38,7 @@ static void count(const struct lattice *lattice, const struct partition *partiti
             }
 }
 
-/* METIS allows 3 % of imbalance, and a cell of up to edge^3 particles goes to one rank whole. */
+/* METIS allows 3 % of imbalance, and a cell goes to one rank whole. */
 static void test_shares_are_even(void **state)
 {
     (void)state;
@@ -48,9 +48,10 @@ static void test_shares_are_even(void **state)
         for (int k = 0; k < 6; k++) {
             int64_t counts[16];
             struct partition partition = partition_new(&lattice, reach, 0, sizes[k]);
-            assert_int_equal(partition.edge, reach > 2 ? reach : 2);
+            assert_int_equal(partition.edge[2], reach > 2 ? reach : 2);
             count(&lattice, &partition, sizes[k], counts);
-            const double share = (double)lattice.n_nodes / sizes[k], cell = pow(partition.edge, 3);
+            const double share = (double)lattice.n_nodes / sizes[k],
+                         cell = partition.edge[0] * partition.edge[1] * (double)partition.edge[2];
             for (int r = 0; r < sizes[k]; r++) {
                 assert_true(counts[r] > 0);
                 assert_true((double)counts[r] <= 1.03 * share + 2 * cell);
@@ -69,6 +70,20 @@ static void test_is_the_same_each_time(void **state)
     assert_memory_equal(one.owner, two.owner, cells * sizeof *one.owner);
     partition_free(&one);
     partition_free(&two);
+    lattice_free(&lattice);
+}
+
+/* Of a body with room for them, cells are as long as strips, which then stay whole. */
+static void test_strips_stay_whole(void **state)
+{
+    (void)state;
+    struct lattice lattice = waisted(130, 40, 40);
+    struct partition partition = partition_new(&lattice, 1, 0, 4);
+    assert_int_equal(partition.edge[0], 64);
+    partition_free(&partition);
+    partition = partition_new(&lattice, 1, 0, 40);
+    assert_in_range(partition.edge[0], 16, 32);
+    partition_free(&partition);
     lattice_free(&lattice);
 }
 
@@ -109,9 +124,8 @@ static void test_most_ranks(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shares_are_even),
-        cmocka_unit_test(test_is_the_same_each_time),
-        cmocka_unit_test(test_empty_cells),
+        cmocka_unit_test(test_shares_are_even),   cmocka_unit_test(test_is_the_same_each_time),
+        cmocka_unit_test(test_strips_stay_whole), cmocka_unit_test(test_empty_cells),
         cmocka_unit_test(test_most_ranks),
     };
     return cmocka_run_group_tests_name("partition", tests, small_ranks_start, small_ranks_stop);
