@@ -13,6 +13,7 @@
 #include "spool.h"
 #include "statistics.h"
 #include "study_folder.h"
+#include "symmetry_check.h"
 #include "topology.h"
 
 #include <stdlib.h>
@@ -142,6 +143,7 @@ static void say_plan(const struct arguments *c, struct recipe *recipe)
                                  c->export};
     struct sites sites = recipe_sites(recipe);
     struct cores cores = recipe_cores(recipe);
+    symmetry_warn(recipe, &cores);
     struct domain domain = {0};
     specimen_add_sets(&recipe->specimen, &sites, recipe->sets, &domain);
     const struct cores_box box = recipe_box(recipe);
@@ -207,6 +209,7 @@ int main(int argc, char **argv)
 
     struct sites sites = recipe_sites(&recipe);
     struct cores cores = recipe_cores(&recipe);
+    symmetry_warn(&recipe, &cores);
     struct structure structure = structure_new(&recipe, &sites, &cores);
     struct findings findings = findings_of(&recipe, &structure, &cores);
     statistics_print(&recipe, &structure, &findings);

@@ -169,24 +169,6 @@ static void read_grip_phase(struct deck_node root, struct recipe *recipe)
     recipe->grip_phase = recipe->n_phases++;
 }
 
-/* A structure that is not its own image is another one with planes of symmetry than without. */
-static void warn_of_images(const struct recipe *recipe)
-{
-    const bool *planes = recipe->specimen.symmetry;
-    bool own = recipe->topology == &topology_homogeneous;
-    if (recipe->topology->cores_apart && !recipe->cores_file && !(recipe->jitter > 0)) {
-        own = true;
-        for (int axis = 0; axis < 3; axis++)
-            own = own && !(planes[axis] && recipe->offset[axis] != 0);
-    }
-    if (own || !(planes[0] || planes[1] || planes[2])) return;
-    warn("below the planes of symmetry the structure is the image of that above, not what %s has "
-         "there without them",
-         recipe->cores_file     ? recipe->cores_file
-         : recipe->voxels.phase ? recipe->measured.file
-                                : "the deck");
-}
-
 /* A deck of many decks is none of a body. */
 static void refuse_study(struct sections sections)
 {
@@ -220,7 +202,6 @@ struct recipe recipe_read(const struct deck *deck)
     recipe.require = requirements_read(recipe.require_list, recipe.topology->requires);
     if (recipe.topology->check) recipe.topology->check(domain, &recipe);
     read_grip_phase(root, &recipe);
-    warn_of_images(&recipe);
     return recipe;
 }
 

@@ -158,9 +158,44 @@ DECK
     sed 's/homogeneous/harmonic/; s/phase: .*/phases: {cg: A, ufg: B}\n  lattice: sc\n  core_distance: 0.1 mm\n  ufg_fraction: 0.6/' half.yaml >cores.yaml
     hsgen -q --check cores.yaml 2>said
     [ ! -s said ]
+    hsgen -q cores.yaml --cores own.cores -o /dev/null
+    sed -e '/lattice/d; /core_distance/d' -e '$a\  cores: own.cores' cores.yaml >file.yaml
+    hsgen -q --check file.yaml 2>said
+    [ ! -s said ]
+    # half a distance of cores: the plane lies between them
+    { cat cores.yaml; echo '  offset: [50 um, 0, 0]'; } >between.yaml
+    hsgen -q --check between.yaml 2>said
+    [ ! -s said ]
     echo '  offset: [10 um, 0, 0]' >>cores.yaml
     hsgen -q --check cores.yaml 2>said
-    grep -q 'the structure is the image of that above, not what the deck has there' said
+    grep -q 'across x the structure is the image of that above, not what the deck has there' said
+    [ "$(wc -l <said)" -eq 1 ]
+}
+
+# image 'MIRROR ROW...': what hsgen says of an image of these rows along y, with planes of symmetry across x and y, is in said
+image() {
+    local mirror=${1%% *}
+    local rows=${1#* }
+    read -ra list <<<"$rows"
+    printf '%s' "${list[@]}" | tr '01' '\000\001' >rows.raw
+    hsgen -q --check - 2>said <<DECK
+domain: {specimen: plate, topology: image, image: rows.raw, raw: {voxels: [${#list[0]}, ${#list[@]}, 1], type: uint8}, voxel: 10 um,
+         thickness: 20 um, labels: {A: 0, B: 1}, symmetry: [x, y]${mirror:+, mirror: [$mirror]}}
+DECK
+}
+
+@test "an image that is its own image makes what it shows, and one that is not is warned of" {
+    for rows in ' 0110 1001 1001 0110' 'x,y 011 100' 'x 001 110 110 001' 'y 1001 0110 0000'; do
+        image "$rows"
+        cat said
+        [ ! -s said ]
+    done
+    image ' 0110 1001 1001 0100'
+    grep -q 'plane of symmetry across x the structure .* not what rows.raw has there' said
+    grep -q 'plane of symmetry across y the structure' said
+    image 'y 1011 0110'
+    grep -q 'across x' said
+    [ "$(wc -l <said)" -eq 1 ]
 }
 
 @test "a part of a body is held and loaded as its images are" {
