@@ -2,6 +2,7 @@
 
 #include "memory.h"
 #include "refinement.h"
+#include "units.h"
 #include "value_table.h"
 
 #include <ctype.h>
@@ -286,6 +287,39 @@ static int by_row(const void *a, const void *b)
     return order != 0 ? order : first->number - second->number;
 }
 
+/* Of a word, such as "0.50 mm", the one way to write it: "0.0005". */
+static char *plain_word(const char *word)
+{
+    double value;
+    if (units_read_any(word, &value)) return memory_print("%.15g", value);
+    if (!*word || !strchr("+-.0123456789", *word)) return memory_text(word);
+    char *unit; /* spacings */
+    value = strtod(word, &unit);
+    return memory_print("%.15g%s", value, unit);
+}
+
+/* The same of each word of a text. */
+static char *plain(const char *text)
+{
+    static const char marks[] = "[]{},:", beside[] = " \t\"'";
+    char *all = memory_text("");
+    while (*text) {
+        const size_t mark = strspn(text, marks), begin = mark + strspn(text + mark, beside);
+        const size_t next = begin + strcspn(text + begin, marks);
+        size_t end = next;
+        while (end > begin && strchr(beside, text[end - 1])) end--;
+        char *word = memory_print("%.*s", (int)(end - begin), text + begin);
+        char *short_word = plain_word(word);
+        char *longer = memory_print("%s%.*s%s", all, (int)mark, text, short_word);
+        free(short_word);
+        free(word);
+        free(all);
+        all = longer;
+        text += next;
+    }
+    return all;
+}
+
 /* Two runs of one deck would be read as two of a scatter of 0. */
 static void refuse_twice(const struct variation *items, int count)
 {
@@ -294,8 +328,10 @@ static void refuse_twice(const struct variation *items, int count)
     for (int i = 0; i < n; i++) {
         rows[i] = (struct row){memory_text(""), i};
         for (int v = 0; v < count; v++)
-            for (int k = 0; k < items[v].n_keys; k++) {
-                char *longer = memory_print("%s%s\n", rows[i].text, items[v].keys[k].texts[i]);
+            for (int k = items[v].role == VARIED_SENSITIVITY; k < items[v].n_keys; k++) {
+                char *value = plain(items[v].keys[k].texts[i]);
+                char *longer = memory_print("%s%s\n", rows[i].text, value);
+                free(value);
                 free(rows[i].text);
                 rows[i].text = longer;
             }

@@ -57,9 +57,13 @@ static bool same_dimension(const ut_unit *a, const ut_unit *b)
     return same;
 }
 
+/* "/s" is "1/s". */
 static ut_unit *parse(const char *unit)
 {
-    return ut_parse(unit_system(), unit, UT_UTF8);
+    char text[LONGEST_UNIT + 2];
+    if (strlen(unit) > LONGEST_UNIT) return NULL;
+    snprintf(text, sizeof text, "%s%s", *unit == '/' ? "1" : "", unit);
+    return ut_parse(unit_system(), text, UT_UTF8);
 }
 
 static const char *dimension(const ut_unit *unit)
@@ -154,9 +158,7 @@ static const char *apply_unit(const char *name, const char *expected, double *nu
 {
     if (strlen(name) > LONGEST_UNIT || !has_no_factor(name))
         return complain("'%.40s' is not a unit, expected %s", name, wanted(expected));
-    char text[LONGEST_UNIT + 2];
-    snprintf(text, sizeof text, "%s%s", *name == '/' ? "1" : "", name);
-    ut_unit *unit = parse(text), *target = parse(expected);
+    ut_unit *unit = parse(name), *target = parse(expected);
     const char *fault;
     if (unit == NULL)
         fault = complain("unknown unit '%s', expected %s", name, wanted(expected));
@@ -181,4 +183,25 @@ const char *units_read(const char *text, const char *expected, double *value)
     const char *fault = *unit == '\0' ? NULL : apply_unit(unit, expected, &number);
     if (fault == NULL) *value = number;
     return fault;
+}
+
+/* The unit of the table that measures the same; NULL where there is none. */
+static const char *kin_of(const char *name)
+{
+    const char *kin = *name ? NULL : "1";
+    ut_unit *unit = kin ? NULL : parse(name);
+    for (int i = 0; unit && !kin && i < DIMENSIONS; i++) {
+        ut_unit *candidate = parse(dimensions[i].unit);
+        if (same_dimension(unit, candidate)) kin = dimensions[i].unit;
+        ut_free(candidate);
+    }
+    ut_free(unit);
+    return kin;
+}
+
+bool units_read_any(const char *text, double *value)
+{
+    const size_t length = number_length(text);
+    const char *expected = length ? kin_of(text + length + strspn(text + length, " \t")) : NULL;
+    return expected && !units_read(text, expected, value);
 }

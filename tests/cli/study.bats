@@ -167,6 +167,13 @@ property() { sed 's/"[^"]*"/quoted/g' "$2" | awk -F, -v name="$1" '{ for (i = 1;
 @test "a body that is there twice is refused with its place" {
     refused "study.yaml:37:34: ufg_fraction 0.40 is there twice (values 1 and 3), expected once" \
         'vary: {ufg_fraction: [0.40, 0.3, 0.40]}'
+    refused "ufg_fraction 0.50 is there twice (values 1 and 2), expected once" 'vary: {ufg_fraction: [0.5, 0.50, 0.4]}'
+    refused "ufg_fraction 50 % is there twice (values 1 and 2), expected once" 'vary: {ufg_fraction: [0.5, 50 %]}'
+    refused "core_distance 100 um is there twice" 'vary: {core_distance: [0.10 mm, 100 um]}'
+    refused "core_distance \"4.0 spacings\" is there twice" 'vary: {core_distance: [4 spacings, "4.0 spacings"]}'
+    refused "is there twice (values 1 and 2)" 'vary: {size: [[0.8 mm, 0.4 mm, 0.2 mm], [800 um,0.4 mm,  200 um]]}'
+    refused "sensitivity end_strain 2 % is there twice (values 2 and 3)" 'sensitivity: {end_strain: [0.02, 2 %]}'
+    refused "sensitivity end_strain 1 % is there twice (values 1 and 2)" 'sensitivity: {end_strain: [1 %]}'
     refused "spacing 25 um is there twice (values 2 and 3)" 'refine: [2, 2]'
     refused "is there twice (values 1 and 3)" 'vary: {set: {ufg_fraction: [0.3, 0.4, 0.3], domain.seed: [1, 1, 1]}}'
     refused "is there twice (values 1 and 3)" 'vary: {combine: zipped, ufg_fraction: [0.3, 0.4, 0.3], domain.seed: [1, 1, 1]}'

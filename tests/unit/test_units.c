@@ -39,7 +39,13 @@ static void test_units_become_si(void **state)
         if (fault != NULL) fail_msg("%s: %s", cases[i].text, fault);
         /* Two roundings: of the factor and of the product. */
         assert_relative(value, cases[i].value, 2 * DBL_EPSILON);
+        double same = 0;
+        assert_true(units_read_any(cases[i].text, &same));
+        assert_true(same == value);
     }
+    static const char *const none[] = {"", "CG", "5 foo", "2 spacings", "0x14", "nan", "20 degC"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        assert_false(units_read_any(none[i], &(double){0}));
 }
 
 /* Lattice sizes are quotients of such numbers: they must come out as if written in metres. */
