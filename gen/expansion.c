@@ -157,13 +157,11 @@ static char *words_of(const struct expansion *expansion, int64_t run)
             char *value = shown(text_of(expansion, run, k, j));
             const bool changes = variation->role == VARIED_SENSITIVITY;
             const bool unchanged = changes && strcmp(value, varied_unchanged) == 0;
-            char *longer = unchanged ? memory_text(words)
-                           : changes
-                               ? memory_print("%s, %s", words, value)
-                               : memory_print("%s, %s %s", words, variation->keys[j].name, value);
+            if (changes && !unchanged)
+                words = memory_append(words, ", %s", value);
+            else if (!changes)
+                words = memory_append(words, ", %s %s", variation->keys[j].name, value);
             free(value);
-            free(words);
-            words = longer;
         }
     }
     return words;
@@ -288,9 +286,7 @@ static char *name_of_run(const struct expansion *expansion, int64_t run)
     char *name = memory_text(deck_name(expansion->deck));
     for (int i = 0; i < varied.count; i++) {
         const struct varied_item *item = &varied.items[i];
-        char *longer = memory_print("%s%s %s %s", name, i ? "," : " with", item->name, item->value);
-        free(name);
-        name = longer;
+        name = memory_append(name, "%s %s %s", i ? "," : " with", item->name, item->value);
     }
     varied_free(&varied);
     return name;

@@ -85,9 +85,7 @@ static _Noreturn void refuse(const struct image_source *source)
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         if (!formats[i].read || strcmp(formats[i].name, last) == 0) continue;
         last = formats[i].name;
-        char *longer = memory_print("%s%s%s", known, *known ? ", " : "", last);
-        free(known);
-        known = longer;
+        known = memory_append(known, "%s%s", *known ? ", " : "", last);
     }
     die_user("%s: not an image by its first bytes; %s are read, and values without a head where "
              "'raw' of the deck describes them",

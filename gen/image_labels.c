@@ -107,11 +107,9 @@ static char *list_values(const struct image *image)
         for (end = i + 1; end < voxels && sorted[end] == sorted[i];) end++;
         if (shown >= SHOWN) continue;
         const char *name = image_name_of(image, sorted[i]);
-        char *longer =
-            memory_print("%s%s%.9g%s%s%s (%lld)", list, *list ? ", " : "", sorted[i],
-                         name ? " '" : "", name ? name : "", name ? "'" : "", (long long)(end - i));
-        free(list);
-        list = longer;
+        list = memory_append(list, "%s%.9g%s%s%s (%lld)", *list ? ", " : "", sorted[i],
+                             name ? " '" : "", name ? name : "", name ? "'" : "",
+                             (long long)(end - i));
     }
     free(sorted);
     char *whole =

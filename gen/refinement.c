@@ -40,14 +40,10 @@ static char *divided_spacing(struct deck_node spacing, int by)
     char *text = memory_text("[");
     for (int i = 0; i < deck_count(spacing); i++) {
         char *one = divided(deck_item(spacing, i), by);
-        char *longer = memory_print("%s%s%s", text, i ? ", " : "", one);
+        text = memory_append(text, "%s%s", i ? ", " : "", one);
         free(one);
-        free(text);
-        text = longer;
     }
-    char *closed = memory_print("%s]", text);
-    free(text);
-    return closed;
+    return memory_append(text, "]");
 }
 
 int refinement_count(struct deck_node refine)

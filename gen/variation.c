@@ -310,11 +310,9 @@ static char *plain(const char *text)
         while (end > begin && strchr(beside, text[end - 1])) end--;
         char *word = memory_print("%.*s", (int)(end - begin), text + begin);
         char *short_word = plain_word(word);
-        char *longer = memory_print("%s%.*s%s", all, (int)mark, text, short_word);
+        all = memory_append(all, "%.*s%s", (int)mark, text, short_word);
         free(short_word);
         free(word);
-        free(all);
-        all = longer;
         text += next;
     }
     return all;
@@ -330,10 +328,8 @@ static void refuse_twice(const struct variation *items, int count)
         for (int v = 0; v < count; v++)
             for (int k = items[v].role == VARIED_SENSITIVITY; k < items[v].n_keys; k++) {
                 char *value = plain(items[v].keys[k].texts[i]);
-                char *longer = memory_print("%s%s\n", rows[i].text, value);
+                rows[i].text = memory_append(rows[i].text, "%s\n", value);
                 free(value);
-                free(rows[i].text);
-                rows[i].text = longer;
             }
     }
     qsort(rows, (size_t)n, sizeof *rows, by_row);

@@ -103,9 +103,7 @@ const struct deck_place *deck_paths_find(const struct deck_paths *paths, struct 
             return place;
         }
         if (!ends_in(place->path, name)) continue;
-        char *longer = all ? memory_print("%s, %s", all, place->path) : memory_text(place->path);
-        free(all);
-        all = longer;
+        all = memory_append(all, "%s%s", all ? ", " : "", place->path);
         /* Through aliases one place has several paths. */
         several = several || (found && found->node.index != place->node.index);
         if (!found) found = place;

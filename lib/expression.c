@@ -251,10 +251,7 @@ static char *place(const struct expression *e)
     char *text = memory_text("");
     for (int i = 0; i < e->count; i++) {
         if (!e->used[i]) continue;
-        char *longer =
-            memory_print("%s%s%s = %g", text, *text ? ", " : " at ", e->names[i], e->values[i]);
-        free(text);
-        text = longer;
+        text = memory_append(text, "%s%s = %g", *text ? ", " : " at ", e->names[i], e->values[i]);
     }
     return text;
 }

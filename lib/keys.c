@@ -77,10 +77,9 @@ static char *owners(const struct section *section, const char *name)
     const int count = count_variants(section);
     for (int i = 0; i < count; i++) {
         if (!belongs(section, i, name)) continue;
-        char *longer = text ? memory_print("%s or %s", text, section->variant(i)->name)
-                            : memory_print("%s: %s", section->chooser, section->variant(i)->name);
-        free(text);
-        text = longer;
+        const char *owner = section->variant(i)->name;
+        text = text ? memory_append(text, " or %s", owner)
+                    : memory_print("%s: %s", section->chooser, owner);
     }
     return text;
 }

@@ -19,11 +19,7 @@ static char *option_name(const struct key *key)
 static char *words_of(const char *const *names)
 {
     char *words = memory_text(*names);
-    while (*++names) {
-        char *longer = memory_print("%s|%s", words, *names);
-        free(words);
-        words = longer;
-    }
+    while (*++names) words = memory_append(words, "|%s", *names);
     return words;
 }
 
@@ -100,9 +96,7 @@ static int read_choice(const struct key *key, const char *option, const char *te
             free(known);
             return i;
         }
-        char *longer = memory_print("%s%s%s", known, i ? ", " : "", key->names[i]);
-        free(known);
-        known = longer;
+        known = memory_append(known, "%s%s", i ? ", " : "", key->names[i]);
     }
     die_user("--%s: '%s', expected one of %s", option, text, known);
 }

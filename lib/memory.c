@@ -52,13 +52,29 @@ char *memory_folder(const char *name)
     return end ? memory_print("%.*s", (int)(end - name) + 1, name) : memory_text(".");
 }
 
-char *memory_print(const char *format, ...)
+static char *print(const char *format, va_list arguments)
 {
     char *text = NULL;
+    if (vasprintf(&text, format, arguments) < 0) die_run("out of memory while printing a text");
+    return text;
+}
+
+char *memory_print(const char *format, ...)
+{
     va_list arguments;
     va_start(arguments, format);
-    int length = vasprintf(&text, format, arguments);
+    char *text = print(format, arguments);
     va_end(arguments);
-    if (length < 0) die_run("out of memory while printing a text");
     return text;
+}
+
+char *memory_append(char *text, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char *more = print(format, arguments), *all = memory_print("%s%s", text ? text : "", more);
+    va_end(arguments);
+    free(more);
+    free(text);
+    return all;
 }

@@ -24,4 +24,8 @@ char *memory_folder(const char *name);
 /* A printed string of whatever length it needs. */
 char *memory_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* The text, NULL being an empty one, with a printed string behind it, in a new block: the old one
+ * is freed. */
+char *memory_append(char *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 #endif

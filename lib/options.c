@@ -216,10 +216,8 @@ char *options_command(int argc, char **argv)
     char *command = memory_text("");
     for (int i = 0; i < argc; i++) {
         char *word = quoted(argv[i]);
-        char *longer = memory_print("%s%s%s", command, i > 0 ? " " : "", word);
+        command = memory_append(command, "%s%s", i > 0 ? " " : "", word);
         free(word);
-        free(command);
-        command = longer;
     }
     return command;
 }

@@ -142,18 +142,10 @@ char *varied_quote(const char *text)
     return quoted;
 }
 
-/* Appends to a text that is freed. */
-static void append(char **text, const char *before, const char *more)
-{
-    char *longer = memory_print("%s%s%s", *text, before, more);
-    free(*text);
-    *text = longer;
-}
-
 static void append_quoted(char **text, const char *before, const char *words)
 {
     char *quoted = varied_quote(words);
-    append(text, before, quoted);
+    *text = memory_append(*text, "%s%s", before, quoted);
     free(quoted);
 }
 
@@ -166,7 +158,7 @@ static void append_role(char **text, const struct varied *varied, enum varied_ro
     for (int i = 0; i < varied->count; i++)
         if (varied->items[i].role == role)
             append_quoted(text, count++ ? ", " : before, varied->items[i].name);
-    if (count) append(text, "]", "");
+    if (count) *text = memory_append(*text, "]");
     free(before);
 }
 
@@ -177,12 +169,11 @@ char *varied_print(const struct varied *varied)
         append_quoted(&text, i ? ", " : "", varied->items[i].name);
         append_quoted(&text, ": ", varied->items[i].value);
     }
-    append(&text, "}", "");
+    text = memory_append(text, "}");
     append_role(&text, varied, VARIED_SCATTER, "scatter");
     append_role(&text, varied, VARIED_SENSITIVITY, "sensitivity");
     for (int i = 0; i < varied->count; i++)
         if (varied->items[i].role == VARIED_RESOLUTION)
             append_quoted(&text, ", resolution: ", varied->items[i].name);
-    append(&text, "}", "");
-    return text;
+    return memory_append(text, "}");
 }

@@ -17,12 +17,9 @@ static void note_constituent(struct curve *curve, const char *key, const struct 
     const struct hardening_law *law = fit->hardening.law;
     char *text =
         memory_print("%s: E = %.6g Pa, sigma = %s", from->title, modulus, law->variant.help);
-    for (int k = 0; k < law->n_linear + law->n_shapes; k++) {
-        char *longer = memory_print("%s, %s = %.6g%s", text, law->parameters[k].symbol,
-                                    fit->hardening.parameter[k], k < law->n_linear ? " Pa" : "");
-        free(text);
-        text = longer;
-    }
+    for (int k = 0; k < law->n_linear + law->n_shapes; k++)
+        text = memory_append(text, ", %s = %.6g%s", law->parameters[k].symbol,
+                             fit->hardening.parameter[k], k < law->n_linear ? " Pa" : "");
     char *all = memory_print("%s; fitted over plastic strain %.4g to %.4g, extrapolated beyond",
                              text, fit->first, fit->last);
     attributes_set_text(&curve->provenance, key, all);

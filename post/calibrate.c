@@ -43,15 +43,9 @@ static char *own_folder(void)
 static char *quoted(const char *text)
 {
     char *all = memory_text("'");
-    for (; *text; text++) {
-        char *longer =
-            *text == '\'' ? memory_print("%s'\\''", all) : memory_print("%s%c", all, *text);
-        free(all);
-        all = longer;
-    }
-    char *closed = memory_print("%s'", all);
-    free(all);
-    return closed;
+    for (; *text; text++)
+        all = *text == '\'' ? memory_append(all, "'\\''") : memory_append(all, "%c", *text);
+    return memory_append(all, "'");
 }
 
 /* Runs directory/name.yaml to directory/name.e, with what is said in name.log. */

@@ -57,9 +57,7 @@ static char *what_varies(const struct label labels[], const char *const decks[],
         size_t n;
         const char *words = line_of(decks[k], line, &n);
         if (!varies || strlen(text) + n > LONGEST) continue;
-        char *longer = memory_print("%s%s%.*s", text, *text ? "; " : "", (int)n, words);
-        free(text);
-        text = longer;
+        text = memory_append(text, "%s%.*s", *text ? "; " : "", (int)n, words);
     }
     return text;
 }
@@ -71,9 +69,7 @@ static char *scatter_of(const struct varied *varied)
     for (int i = 0; i < varied->count; i++) {
         const struct varied_item *item = &varied->items[i];
         if (item->role != VARIED_SCATTER) continue;
-        char *longer = memory_print("%s%s%s %s", text, *text ? "; " : "", item->name, item->value);
-        free(text);
-        text = longer;
+        text = memory_append(text, "%s%s %s", *text ? "; " : "", item->name, item->value);
     }
     return text;
 }

@@ -37,7 +37,7 @@ static const struct hardening_law *read_law(const char *name)
     if (law) return law;
     char *names = memory_text("");
     for (int i = 0; (law = hardening_law(i)); i++)
-        if (law->n_linear > 0) names = memory_print("%s %s", names, law->variant.name);
+        if (law->n_linear > 0) names = memory_append(names, " %s", law->variant.name);
     die_user("--law: no law '%s'; there are%s", name, names);
 }
 

@@ -95,11 +95,11 @@ static void write_row(FILE *file, const struct study_of *study,
 
 static bool has_value(const struct study_of *study, int group, const char *name)
 {
-    for (int k = 0; k < study->n_labels; k++)
-        if (strcmp(study->labels[k].title, study->groups[group].title) == 0 &&
-            isfinite(properties_value(&study->lists[k], name)))
-            return true;
-    return false;
+    const char *const title = study->groups[group].title;
+    struct pairing own = pairing_of(study->lists, study->labels, study->n_labels, name, &title, 1);
+    const bool has = own.each[0] > 0;
+    pairing_free(&own);
+    return has;
 }
 
 /* All properties of the body as it is, each with what the changes make of it. */

@@ -52,11 +52,8 @@ static _Noreturn void die_of_variable(const struct frames *frames, const char *f
                                       const char *name)
 {
     char *known = memory_text("");
-    for (int i = 0; i < frames->n_variables; i++) {
-        char *longer = memory_print("%s%s%s", known, i > 0 ? ", " : "", frames->variables[i]);
-        free(known);
-        known = longer;
-    }
+    for (int i = 0; i < frames->n_variables; i++)
+        known = memory_append(known, "%s%s", i > 0 ? ", " : "", frames->variables[i]);
     die_user("%s: no variable '%s'; there are %s; a vector's name without X, Y, Z stands for "
              "its magnitude",
              file, name, known);

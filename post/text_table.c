@@ -60,11 +60,7 @@ static void read_above(const struct layout *layout, struct attributes *facts)
         if (i == layout->names || i == layout->units) continue;
         if (row->kind == ROW_NOTE) read_note(row->fields[0], facts);
         char *words = memory_text("");
-        for (int k = 0; k < row->count; k++) {
-            char *longer = memory_print("%s %s", words, row->fields[k]);
-            free(words);
-            words = longer;
-        }
+        for (int k = 0; k < row->count; k++) words = memory_append(words, " %s", row->fields[k]);
         read_size(words + strspn(words, "# "), layout->rows.decimal, facts);
         free(words);
         if (row->count > 1 && heading_is_specimen(row->fields[0]) && row->fields[1][0])
@@ -224,7 +220,7 @@ _Noreturn static void refuse_names(const struct layout *layout)
                  layout->name, layout->rows.items[layout->first].line);
     char *names = memory_text("");
     for (int i = 0; i < layout->columns; i++)
-        names = memory_print("%s%s'%s'", names, i ? ", " : "", name_of(layout, i));
+        names = memory_append(names, "%s'%s'", i ? ", " : "", name_of(layout, i));
     die_user(
         "%s:%ld: no columns of strain and stress, or of force and extension, among %s; say which "
         "they are by --columns-of strain=NAME,stress=NAME:MPa",

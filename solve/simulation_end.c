@@ -104,10 +104,7 @@ static char *names_of_fields(const struct simulation *s)
     if (!getcwd(here, sizeof here)) *here = '\0';
     for (int k = 0; k < 3; k++) {
         const bool absolute = names[k][0] == '/';
-        char *longer =
-            memory_print("%s%s%s%s\n", all, absolute ? "" : here, absolute ? "" : "/", names[k]);
-        free(all);
-        all = longer;
+        all = memory_append(all, "%s%s%s\n", absolute ? "" : here, absolute ? "" : "/", names[k]);
     }
     free(kept);
     return all;

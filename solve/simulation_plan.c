@@ -44,12 +44,9 @@ static char *static_plan(const struct simulation *s, double memory, double force
 static void tell_phases(const struct simulation *s)
 {
     char *phases = memory_text("");
-    for (int p = 0; p < s->domain.n_phases; p++) {
-        char *longer = memory_print("%s%s%s %.1f %%", phases, p ? ", " : "",
-                                    s->domain.phase_names[p], 100 * simulation_fraction(s, p));
-        free(phases);
-        phases = longer;
-    }
+    for (int p = 0; p < s->domain.n_phases; p++)
+        phases = memory_append(phases, "%s%s %.1f %%", p ? ", " : "", s->domain.phase_names[p],
+                               100 * simulation_fraction(s, p));
     note("%s: %s within a horizon of %g spacings; %s%s", deck_name(s->deck),
          s->materials.formulation->name, s->scene.horizon, phases,
          s->gauge ? " between the gauge planes" : "");

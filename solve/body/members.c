@@ -11,11 +11,8 @@
 _Noreturn static void no_such_set(const struct domain *domain, const char *name)
 {
     char *known = memory_text("");
-    for (int i = 0; i < domain->n_sets; i++) {
-        char *longer = memory_print("%s%s%s", known, i ? ", " : "", domain->sets[i].name);
-        free(known);
-        known = longer;
-    }
+    for (int i = 0; i < domain->n_sets; i++)
+        known = memory_append(known, "%s%s", i ? ", " : "", domain->sets[i].name);
     die_user("no node set '%s' in the domain (it has: %s)", name, *known ? known : "none");
 }
 

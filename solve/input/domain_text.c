@@ -44,9 +44,7 @@ static char *expected(const struct particles *all)
     char *list = memory_text("");
     for (int i = 0; i < all->n_columns; i++) {
         static const char *const shown[COLUMNS + 1] = {"x", "y", "z", "block", "volume", "..."};
-        char *longer = memory_print("%s%s%s", list, i ? " " : "", shown[all->column[i]]);
-        free(list);
-        list = longer;
+        list = memory_append(list, "%s%s", i ? " " : "", shown[all->column[i]]);
     }
     return list;
 }
