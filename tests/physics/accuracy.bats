@@ -38,14 +38,15 @@ worst() {
 
 @test "the curve is as near to that of short steps as accuracy says, whatever the formulation" {
     # Between its records the reference is a polygon, off by a few parts in ten thousand at the knee.
-    for model in corner "correspondence horizon: 1, stabilisation: {law: mix}" "ordinary_plastic horizon: 2"; do
+    for model in corner "correspondence horizon: 1, stabilisation: {law: mix}" "correspondence horizon: 1, stabilisation: {law: capped}" \
+        "ordinary_plastic horizon: 2"; do
         read -r name keys <<<"$model"
         for accuracy in 1e-4 1e-3 1e-2; do
-            body "$name-$accuracy" "$name" "$pulled" "${keys:+$keys, }end_strain: 0.02, accuracy: $accuracy"
+            body "$accuracy" "$name" "$pulled" "${keys:+$keys, }end_strain: 0.02, accuracy: $accuracy"
         done
-        echo "$name: $(worst "$name-1e-4" "$name-1e-3"), coarse $(worst "$name-1e-4" "$name-1e-2")" | tee -a all
+        echo "$name: $(worst 1e-4 1e-3), coarse $(worst 1e-4 1e-2)" | tee -a all
     done
-    cat all
+    # capped: springs that carry 2 % of what they slip in a step, as they once did, are 5.9e-3 off, more the longer the step.
     # Of corner 57 records and 352 forces; 73 and 445 where a phase that begins to yield uses up the accuracy and L-BFGS begins anew each step.
     run ! awk '{ gsub(",", "") } !($2 <= 1e-3 && $6 <= 1e-2 && $4 < 800 && ($1 != "corner:" || $3 < 65 && $4 < 400)) { print "not as promised: " $0; bad = 1 } END { exit !bad }' all
 }

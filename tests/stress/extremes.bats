@@ -81,13 +81,13 @@ initial:
     for model in "correspondence|horizon: 1, stabilisation: {law: capped}" "ordinary_plastic|horizon: 2.015"; do
         contrast 0.3 "${model%|*}" "type: explicit, ${model#*|}"
         hssolve -q -i contrast.g -H moving.e
-        sed 's/type: explicit/type: quasi_static, tolerance: 1e-6, step: 0.0002/' contrast.yaml >rest.yaml
+        sed 's/type: explicit/type: quasi_static, accuracy: 1, tolerance: 1e-6, step: 0.002/' contrast.yaml >rest.yaml
         hssolve -q -d rest.yaml -i contrast.g -H rest.e
-        # Force at a strain of 2 %; steps of 0.002 would be 10 % off.
+        # Force at a strain of 2 %; springs of capped that harden by 2 % of what they slip in a step would be 5 % off.
         for run in rest moving; do
             columns $run.e extension_m force_right_N residual energy_drift |
                 awk '{ e = $1 / 0.15e-3; if (e >= 0.02 && !f) f = before + (0.02 - last) / (e - last) * ($2 - before); last = e; before = $2; bad += $3 > 1e-6 } END { print f, bad, $4 }'
-        done | awk -v what="$model" '{ f[NR] = $1; bad += $2 + ($3 * $3 > 1e-4) } END { d = f[2] / f[1] - 1; print what, d, f[1]; exit !(!bad && d * d < 0.01 ^ 2 && f[1] > 0) }'
+        done | awk -v what="$model" '{ f[NR] = $1; bad += $2 + ($3 * $3 > 1e-4) } END { d = f[2] / f[1] - 1; print what, d, f[1]; exit !(!bad && d * d < 0.005 ^ 2 && f[1] > 0) }'
     done
 }
 

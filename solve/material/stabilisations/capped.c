@@ -6,7 +6,7 @@
  *   c = G M/kappa_0, kappa_0 = K_11 of the full family, M = lambda + 4 mu, of a bond    (capped.3)
  *       between phases 2 M_i M_j/(M_i + M_j): its halves are springs in series
  *   |z| <= z_c = C (q_i + q_j)/(2 E) |xi|, q the flow stress of the ends                (capped.4)
- *   beyond it the slip takes the excess but 2 %: zeta += Fbar^-1 (excess)
+ *   beyond it the slip takes the excess but 0.1 %: zeta += Fbar^-1 (excess)
  *
  * The slip is kept in the reference configuration, so that it turns with the material.  Where nodes
  * degrade, tau and the energy are multiplied by the integrity that the ends give the bond
@@ -46,8 +46,9 @@ static const struct key keys[] = {
     {"cap", KEY_NUMBER, offsetof(struct capped, cap), "1", 1e-4, 1e3, .usual = 0.05,
      .help = "C, at which a spring slips: shares of the strain at yield"},
 };
-/* Share of the excess that stays elastic, for a positive tangent. */
-static const double hardening = 0.02;
+/* Share of the excess that stays elastic, for a positive tangent; that of each step anew, which is
+ * an error that grows with the step. */
+static const double hardening = 0.001;
 
 static int capped_bonds(const void *self, const struct family *family,
                         const struct offset **offsets)
