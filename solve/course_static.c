@@ -13,6 +13,19 @@ double static_step(const struct simulation *s, double step)
     return s->scene.end_strain > 0 ? step / boundary_full_strain_rate(&s->boundary) : step;
 }
 
+static const double LONGEST = 1e12; /* s */
+
+/* Seconds in which speeds that are given strain the body by so much from now on; LONGEST where they
+ * do not. */
+static double time_of_strain(const struct simulation *s, double strain)
+{
+    const double time = s->integration.time;
+    double dt = 1e-15;
+    while (dt < LONGEST && boundary_stretch(&s->boundary, time, 2 * dt) <= strain) dt *= 2;
+    const double whole = dt * strain / boundary_stretch(&s->boundary, time, dt);
+    return whole < 2 * dt && boundary_stretch(&s->boundary, time, whole) <= strain ? whole : dt;
+}
+
 void static_first_step(struct simulation *s)
 {
     /* Of the elastic part: with this growth three records or more lie between 0.1 and 0.4 of any
@@ -20,15 +33,17 @@ void static_first_step(struct simulation *s)
     static const double share = 1.0 / 80, of_test = 0.01;
     struct scene_static *statics = &s->scene.statics;
     const double yield = share * yield_first_strain(&s->materials);
-    const double rate = fabs(boundary_full_strain_rate(&s->boundary));
     if (isfinite(statics->first_step)) return;
     if (s->scene.end_strain > 0) {
         statics->first_step =
             fmin(fmin(yield, of_test * s->scene.end_strain), statics->largest_step);
+    } else if (time_of_strain(s, scene_strain_step) < LONGEST) {
+        s->load_steps.stretched = true;
+        statics->first_step = time_of_strain(s, fmin(yield, scene_strain_step));
+        statics->smallest_step = 1e-4 * time_of_strain(s, scene_strain_step);
+        statics->largest_step = LONGEST;
     } else {
-        if (rate > 0) statics->largest_step = scene_strain_step / rate;
-        statics->first_step =
-            rate > 0 ? fmin(yield / rate, statics->largest_step) : statics->largest_step;
+        statics->first_step = statics->largest_step;
         statics->smallest_step = 1e-4 * statics->largest_step;
     }
     statics->smallest_step = fmin(statics->smallest_step, statics->first_step);
@@ -135,6 +150,7 @@ static double time_left(const struct simulation *s)
         return whole /
                ceil(whole / s->integration.dt * (1 - 1.0 / A_LITTLE_MORE)); /* equal steps */
     }
+    if (s->load_steps.stretched) return fmin(time_of_strain(s, scene_strain_step), time_to_row(s));
     if (!(s->scene.end_strain > 0 && rate > 0)) return INFINITY;
     return fmax(left / rate * (1 + 1.0 / A_LITTLE_MORE), s->load_steps.quasi_static->smallest);
 }

@@ -14,6 +14,7 @@ struct load_steps {
     double strain_rate; /* of the gauge in the last step, 1/s */
     double lasted;      /* the last step, s */
     bool framing;       /* the step ends at a frame */
+    bool stretched;     /* steps are counted, and bounded by the strain of speeds */
     struct legs legs;   /* of a programme */
 };
 

@@ -34,9 +34,12 @@ static char *static_plan(const struct simulation *s, double memory, double force
     const struct scene_static *statics = &s->scene.statics;
     const double evaluations = static_evaluations(s);
     return memory_print(
-        "load steps from %g up to %g %s by %s, residual under %g, about %.0f; %.0f MB; about %.0f "
+        "load steps from %g %sup to %g %s by %s, residual under %g, about %.0f; %.0f MB; about "
+        "%.0f "
         "evaluations of the force of %.2g s each: %.2g s, and what breaks comes on top",
-        statics->first_step, statics->largest_step, s->scene.end_strain > 0 ? "of strain" : "s",
+        statics->first_step, s->load_steps.stretched ? "s " : "",
+        s->load_steps.stretched ? scene_strain_step : statics->largest_step,
+        s->load_steps.stretched || s->scene.end_strain > 0 ? "of strain" : "s",
         equilibrium_methods[statics->method], statics->tolerance, static_count(s), memory * 1e-6,
         evaluations, force, evaluations * force);
 }

@@ -103,12 +103,19 @@ void simulation_write_frame(struct simulation *s)
     profile_enter(s->profile, before);
 }
 
+/* Frames until so many steps ahead, of load steps that are counted. */
+static int64_t counted(const struct simulation *s, int ahead)
+{
+    return (s->integration.step + ahead) * s->scene.fields.frames / s->scene.end_steps;
+}
+
 bool simulation_frame_due(const struct simulation *s)
 {
     const struct scene_fields *wanted = &s->scene.fields;
     const struct integration *integration = &s->integration;
     if (!s->fields) return false;
     if (wanted->every > 0) return (integration->step + 1) % wanted->every == 0;
+    if (s->load_steps.stretched) return counted(s, 1) > counted(s, 0);
     const double each = s->end_time / (double)wanted->frames;
     return floor((integration->time + integration->dt) / each) > floor(integration->time / each);
 }
@@ -138,6 +145,7 @@ static double share_done(const struct simulation *s)
 {
     double by_strain = s->scene.end_strain > 0 ? s->strain / s->scene.end_strain : 0;
     if (legs_are(s)) return (double)s->load_steps.legs.leg / s->scene.programme.count;
+    if (s->load_steps.stretched) return (double)s->integration.step / (double)s->scene.end_steps;
     return by_strain > 0 ? by_strain : fmin(s->integration.time / s->end_time, 1);
 }
 

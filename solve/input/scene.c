@@ -130,8 +130,8 @@ static const struct key solver_keys[] = {
      .help = "of finding equilibria: lbfgs, which leaves to newton what it does not find; newton; "
              "adaptive dynamic relaxation, which takes ten times as many evaluations"},
     {"step", KEY_NODE, AT(statics.given.largest), .form = "NUMBER", .users = RESTING,
-     .otherwise = "0.005 of strain, also of end_steps where velocities of grips are numbers and no "
-                  "step is given; or a hundredth of end_time, or 1 s",
+     .otherwise = "0.005 of strain, also of end_steps where grips have velocities (a periodic body "
+                  "rates) and no step is given; or a hundredth of end_time, or 1 s",
      .help =
          "largest load step: strain between the grips where the run ends at a strain, 1e-12 to "
          "10, else s, 1e-15 to 1e12; steps grow where easy, and are halved where none is found"},

@@ -286,6 +286,28 @@ double boundary_full_strain_rate(const struct boundary *boundary)
     return isfinite(rate) ? rate : 0;
 }
 
+/* Of grips whose velocity is given. */
+static double stretch_rate(const struct boundary *boundary, double time)
+{
+    const struct boundary_set *left = &boundary->sets[boundary->left],
+                              *right = &boundary->sets[boundary->right];
+    const double speed = (right->kind == SCENE_VELOCITY ? given(right, 0, time) : 0) -
+                         (left->kind == SCENE_VELOCITY ? given(left, 0, time) : 0);
+    return fabs(speed) / (right->inner - left->inner);
+}
+
+double boundary_stretch(const struct boundary *boundary, double time, double dt)
+{
+    double most = 0;
+    for (int k = 0; k < 3; k++) {
+        const double at = time + 0.5 * k * dt;
+        if (boundary->macroscopic)
+            most = fmax(most, macroscopic_largest_rate(boundary->macroscopic, at));
+        if (boundary_has_grips(boundary)) most = fmax(most, stretch_rate(boundary, at));
+    }
+    return most * dt;
+}
+
 double boundary_ramp(const struct boundary *boundary)
 {
     if (is_stretched(boundary)) return macroscopic_ramp(boundary->macroscopic);

@@ -106,6 +106,10 @@ double boundary_strain_rate(const struct boundary *boundary, double time, double
  * given by numbers. */
 double boundary_full_strain_rate(const struct boundary *boundary);
 
+/* Largest strain that velocities of grips, and rates of a periodic body, may give in a step from
+ * time on, by those at its start, middle and end; 0 where they are displacements and strains. */
+double boundary_stretch(const struct boundary *boundary, double time, double dt);
+
 /* Time in which velocities that are numbers are reached [s]. */
 double boundary_ramp(const struct boundary *boundary);
 

@@ -211,6 +211,14 @@ double macroscopic_full_rate(const struct macroscopic *m)
     return value->kind == VALUE_CONSTANT || value->kind == VALUE_RAMP ? value->number : 0;
 }
 
+double macroscopic_largest_rate(const struct macroscopic *m, double time)
+{
+    double most = 0;
+    for (int k = 0; k < COMPONENTS; k++)
+        if (m->component[k].kind == MACROSCOPIC_RATE) most = fmax(most, fabs(value_of(m, k, time)));
+    return most;
+}
+
 double macroscopic_ramp(const struct macroscopic *m)
 {
     return m->component[0].value ? m->component[0].value->ramp : 0;

@@ -99,6 +99,8 @@ void macroscopic_rest(struct macroscopic *macroscopic, struct body *body);
 double macroscopic_full_rate(const struct macroscopic *macroscopic);
 /* Time in which it is reached [s]. */
 double macroscopic_ramp(const struct macroscopic *macroscopic);
+/* The largest of the rates that are given, at a time [1/s]; 0 without. */
+double macroscopic_largest_rate(const struct macroscopic *macroscopic, double time);
 
 void macroscopic_visit(struct macroscopic *macroscopic, struct body *body,
                        struct checkpoint *checkpoint);
