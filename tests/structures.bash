@@ -14,3 +14,20 @@ refused() {
     shift
     for text in "$@"; do [[ $output == *"$text"* ]] || { echo "$output"; return 1; }; done
 }
+
+# cell LENGTH SPACING DISTANCE: the deck of a periodic harmonic cell, of cores on fcc
+cell() {
+    cat <<DECK
+title: Cell of the tests
+domain:
+  specimen: plate
+  size: [$1, $1, $1]
+  spacing: $2
+  periodic: [x, y, z]
+  topology: harmonic
+  phases: {cg: CG, ufg: UFG}
+  lattice: fcc
+  core_distance: $3
+  ufg_fraction: 0.40
+DECK
+}

@@ -87,18 +87,7 @@ DECK
 }
 
 @test "a cell made by hsgen, written and read again as an image, is the same to the node" {
-    cat >cell.yaml <<'DECK'
-domain:
-  specimen: plate
-  size: [32 um, 32 um, 32 um]
-  spacing: 1 um
-  periodic: [x, y, z]
-  topology: harmonic
-  phases: {cg: CG, ufg: UFG}
-  lattice: fcc
-  core_distance: 22.627 um
-  ufg_fraction: 0.4
-DECK
+    cell '32 um' '1 um' '22.627 um' >cell.yaml
     hsgen -q cell.yaml -o cell.g -s cell.csv --export cell.vti
     cat >again.yaml <<'DECK'
 domain:

@@ -7,19 +7,7 @@ load ../structures
 
 setup() {
     cd "$BATS_TEST_TMPDIR"
-    cat >cell.yaml <<'DECK'
-title: Cell of the tests
-domain:
-  specimen: plate
-  size: [0.16 mm, 0.16 mm, 0.16 mm]
-  spacing: 5 um
-  periodic: [x, y, z]
-  topology: harmonic
-  phases: {cg: CG, ufg: UFG}
-  lattice: fcc
-  core_distance: 0.1131 mm
-  ufg_fraction: 0.40
-DECK
+    cell '0.16 mm' '5 um' '0.1131 mm' >cell.yaml
     sed '/lattice/d; s/harmonic/random/; s/core_distance: .*/core_distance: 60 um/' cell.yaml >random.yaml
 }
 
