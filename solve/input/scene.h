@@ -190,8 +190,8 @@ void scene_resolve(struct scene *scene, const struct domain *domain, const struc
  * scene_resolve. */
 void scene_check_images(const struct scene *scene, const struct domain *domain,
                         const struct domain *nodes, const struct lattice *lattice);
-/* Dies where a value acts across a plane of symmetry on nodes in it.  After scene_resolve; end_time
- * [s]. */
+/* Dies where a value acts across a plane of symmetry on nodes in it, or on both sides otherwise
+ * than on images of each other.  After scene_resolve; end_time [s]. */
 void scene_check_planes(const struct scene *scene, const struct domain *nodes,
                         const struct lattice *lattice, double end_time);
 

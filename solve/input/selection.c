@@ -197,6 +197,14 @@ bool selection_is_beyond(const struct selection *selection, const struct domain 
     return beyond;
 }
 
+bool selection_holds(const struct selection *selection, double spacing, const double x[3])
+{
+    double corner[2][3];
+    if (selection->kind == SELECT_BOX) find_corners(selection->where, spacing, corner);
+    return (selection->kind == SELECT_BOX || selection->kind == SELECT_WHERE) &&
+           holds_at(selection, corner, x);
+}
+
 int64_t selection_nearest(struct deck_node place, const struct domain *domain, double spacing)
 {
     static const struct key row = {"nearest", KEY_LENGTH, .low = -FARTHEST, .high = FARTHEST,

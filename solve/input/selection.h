@@ -62,6 +62,9 @@ int64_t *selection_nodes(const struct selection *selection, const struct domain 
 bool selection_is_beyond(const struct selection *selection, const struct domain *domain,
                          double spacing, int axis, double plane);
 
+/* Whether a box or an expression holds at a place [m]; a set or a block at none that is no node. */
+bool selection_holds(const struct selection *selection, double spacing, const double x[3]);
+
 /* The node nearest to a place [x, y, z] of the deck (lengths as in a box), of several equally near
  * within 1e-6 spacings the first.  Dies where it is farther than 2 spacings: such a place is a
  * mistake. */

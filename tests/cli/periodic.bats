@@ -188,7 +188,8 @@ DECK
 
 @test "a part of a body is held and loaded as its images are" {
     hsgen -q -o half.g <<'DECK'
-domain: {specimen: plate, size: [80 um, 40 um, 20 um], spacing: 10 um, symmetry: [x, y], topology: homogeneous, phase: Ni}
+domain: {specimen: plate, size: [80 um, 40 um, 20 um], spacing: 10 um, symmetry: [x, y], topology: homogeneous, phase: Ni,
+         sets: [{name: end, box: [[30 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]]}]}
 DECK
     check() { # boundary entry
         cat >deck.yaml <<DECK
@@ -210,6 +211,22 @@ DECK
     run -2 check 'y, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: 1e-5 m/s'
     [[ $output == *'deck.yaml:5:'*'acts along y on nodes in the plane of symmetry across y'* ]]
     check 'y, box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]], velocity: "1e-5*y"'
+    # What is meant on both sides is the image of itself: odd across the plane, else even.
+    check 'z, where: "1", body_force: "1e9*t*cos(1e5*x)*y*y"'
+    check 'x, where: "abs(x) > 3.5e-5", displacement: "1e-7*sign(x)*cos(1e5*y)"'
+    check 'x, set: end, displacement: "1e-2*t*(y*y + 1e-5)"'
+    run -2 check 'y, where: "abs(y) > 1.5e-5", velocity: 1e-5 m/s'
+    [[ $output == *'deck.yaml:5:'*'acts along y on both sides of the plane of symmetry across y, by 1e-05 at ('*'and by 1e-05 at its image, where the image of the body has -1e-05: let the value be odd in y'* ]]
+    run -2 check 'z, where: "1", body_force: "1e9*y"'
+    [[ $output == *'deck.yaml:5:'*'acts along z on both sides of the plane of symmetry across y'*'let the value be even in y'* ]]
+    run -2 check 'x, block: Ni, body_force: "1e9 + 1e12*x"'
+    [[ $output == *'acts along x on nodes in the plane of symmetry across x'* ]]
+    run -2 check 'x, block: Ni, body_force: "1e14*x*x"'
+    [[ $output == *'acts along x on both sides of the plane of symmetry across x'* ]]
+    for ends in 'set: end' 'box: [[35 um, -1 mm, -1 mm], [1 mm, 1 mm, 1 mm]]'; do
+        run -2 check "x, $ends, displacement: '1e-2*t*(y + 1e-5)'"
+        [[ $output == *'acts along x on both sides of the plane of symmetry across y'* ]]
+    done
     # Quantities are of particles, whose places have gone when the run begins.
     observe() { # place of a quantity
         check "x, velocity: 0, where: 'x > 3.5e-5'}
