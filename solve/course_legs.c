@@ -3,6 +3,7 @@
 #include "checkpoint.h"
 #include "memory.h"
 #include "simulation_parts.h"
+#include "yield.h"
 
 #include <math.h>
 
@@ -81,6 +82,39 @@ static void begin_leg(struct simulation *s)
     if (s->integration.step > 0) quasi_static_turn(s->load_steps.quasi_static);
 }
 
+/* Whether nothing holds or loads the body but its ends along the test. */
+static bool has_free_sides(const struct simulation *s)
+{
+    const struct macroscopic *m = s->boundary.macroscopic;
+    bool sides = s->boundary.loads.count == 0;
+    for (int b = 0; b < s->boundary.count; b++)
+        sides &= s->boundary.sets[b].direction == s->lattice.axis;
+    for (int a = 1; m && a < 3; a++)
+        sides &= !m->component[4 * a].given && !m->component[4 * a].value;
+    return sides;
+}
+
+/* Flow that is the same everywhere and keeps the volume is a way for a body with free sides to
+ * yield: what its phases flow at bounds its stress from above. */
+static void refuse_unreachable(const struct simulation *s)
+{
+    static const double sure = 2; /* for what a formulation is too strong by */
+    const double strain = MOST_WAYS * programme_way(&s->scene.programme);
+    int phase = 0;
+    const double flow = yield_strongest(&s->materials, strain, &phase);
+    if (!has_free_sides(s)) return;
+    for (int i = 0; i < s->scene.programme.count; i++) {
+        const struct leg *leg = &s->scene.programme.legs[i];
+        if (leg->kind == LEG_TO_STRESS && fabs(leg->target) > sure * flow * exp(strain))
+            deck_error(
+                deck_get(leg->where, "unload_to"),
+                "%g MPa is out of reach: '%s', the strongest phase, flows at %.4g MPa even "
+                "at a plastic strain of %.3g, farther than this programme may go, and a body "
+                "with free sides bears no more; unload_to less, or go to_strain",
+                1e-6 * leg->target, s->materials.items[phase].name, 1e-6 * flow, strain);
+    }
+}
+
 void legs_begin(struct simulation *s)
 {
     struct legs *legs = &s->load_steps.legs;
@@ -93,6 +127,7 @@ void legs_begin(struct simulation *s)
         if (s->scene.programme.legs[i].kind == LEG_TO_STRESS && !(section > 0))
             deck_error(deck_get(s->scene.solver, "programme"),
                        "the domain does not say its section, which unload_to needs for a stress");
+    refuse_unreachable(s);
     begin_leg(s);
 }
 

@@ -17,6 +17,9 @@
 #include "scene.h"
 #include "stop.h"
 
+/* A run to a strain, or through a programme, is given up after so many times the way expected. */
+enum { MOST_WAYS = 4 };
+
 struct simulation {
     const struct arguments *arguments;
     struct ranks ranks;

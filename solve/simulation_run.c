@@ -125,7 +125,7 @@ bool simulation_is_end(const struct simulation *s, int64_t step, double time)
 {
     if (s->scene.end_steps > 0) return step >= s->scene.end_steps;
     if (s->scene.end_time > 0) return time >= s->end_time - 1e-6 * s->integration.dt;
-    return time >= 4 * s->end_time;
+    return time >= MOST_WAYS * s->end_time;
 }
 
 bool simulation_at_end(const struct simulation *s)

@@ -19,7 +19,8 @@ static const struct key rows[] = {
     {"to_strain", KEY_NUMBER, AT(strain), "1", -0.9, 10, .usual = NAN, .otherwise = "none",
      .help = "of the gauge, from wherever it is"},
     {"unload_to", KEY_NUMBER, AT(stress), "Pa", -1e12, 1e12, .usual = NAN, .otherwise = "none",
-     .help = "engineering stress, at which the grips turn; negative: into compression"},
+     .help = "engineering stress, at which the grips turn; negative: into compression; more than "
+             "twice what any phase bears is refused"},
     {"reload", KEY_NODE, AT(reload), .form = "nothing, or true",
      .help = "to the strain from which it was unloaded"},
     {"loops_at", KEY_NODE, AT(loops), .form = "[e1, e2, ...]",
@@ -42,13 +43,15 @@ const struct section section_programme = {
         "is followed by at least 30 steps of the elastic strain that it undoes.",
     .keys = KEYS(rows)};
 
-static void add(struct programme *programme, enum leg_kind kind, double target)
+static void add(struct programme *programme, enum leg_kind kind, double target,
+                struct deck_node where)
 {
     programme->legs = memory_grow(programme->legs, programme->count, sizeof *programme->legs);
-    programme->legs[programme->count++] = (struct leg){kind, target};
+    programme->legs[programme->count++] = (struct leg){kind, target, where};
 }
 
-static void add_loops(struct programme *programme, const struct entry *entry)
+static void add_loops(struct programme *programme, const struct entry *entry,
+                      struct deck_node where)
 {
     const double stress = isnan(entry->stress) ? 0 : entry->stress;
     double before = -1;
@@ -59,9 +62,9 @@ static void add_loops(struct programme *programme, const struct entry *entry)
             deck_error(item, "%g is not above the strain before it: loops are given as they rise",
                        strain);
         before = strain;
-        add(programme, LEG_TO_STRAIN, strain);
-        add(programme, LEG_TO_STRESS, stress);
-        add(programme, LEG_RELOAD, NAN);
+        add(programme, LEG_TO_STRAIN, strain, where);
+        add(programme, LEG_TO_STRESS, stress, where);
+        add(programme, LEG_RELOAD, NAN, where);
     }
 }
 
@@ -70,8 +73,8 @@ static void add_cycles(struct programme *programme, const struct entry *entry,
 {
     if (isnan(entry->between[0])) deck_get(where, "between"); /* dies */
     for (int64_t i = 0; i < entry->cycles; i++) {
-        add(programme, LEG_TO_STRAIN, entry->between[1]);
-        add(programme, LEG_TO_STRAIN, entry->between[0]);
+        add(programme, LEG_TO_STRAIN, entry->between[1], where);
+        add(programme, LEG_TO_STRAIN, entry->between[0], where);
     }
 }
 
@@ -96,15 +99,15 @@ static void add_entry(struct programme *programme, struct deck_node where)
     if (reload && !is_unloaded(programme))
         deck_error(where, "reload follows nothing that unloads: unload_to stands before it");
     if (loops)
-        add_loops(programme, &entry);
+        add_loops(programme, &entry, where);
     else if (entry.cycles > 0)
         add_cycles(programme, &entry, where);
     else if (reload)
-        add(programme, LEG_RELOAD, NAN);
+        add(programme, LEG_RELOAD, NAN, where);
     else if (!isnan(entry.stress))
-        add(programme, LEG_TO_STRESS, entry.stress);
+        add(programme, LEG_TO_STRESS, entry.stress, where);
     else
-        add(programme, LEG_TO_STRAIN, entry.strain);
+        add(programme, LEG_TO_STRAIN, entry.strain, where);
 }
 
 struct programme programme_read(struct deck_node list)

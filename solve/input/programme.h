@@ -15,7 +15,8 @@ enum leg_kind {
 
 struct leg {
     enum leg_kind kind;
-    double target; /* engineering strain of the gauge, or engineering stress [Pa] */
+    double target;          /* engineering strain of the gauge, or engineering stress [Pa] */
+    struct deck_node where; /* its entry */
 };
 
 struct programme {

@@ -127,6 +127,18 @@ double yield_first_strain(const struct materials *materials)
     return least;
 }
 
+double yield_strongest(const struct materials *materials, double p, int *phase)
+{
+    double most = 0;
+    for (int k = 0; k < materials->count; k++) {
+        const struct yield *yield = yield_of_phase(materials, k);
+        const double stress = yield ? hardening_stress(&yield->hardening, p) : INFINITY;
+        if (stress > most) *phase = k;
+        most = fmax(most, stress);
+    }
+    return most;
+}
+
 void yield_start(struct body *body, const struct materials *materials)
 {
     bool varies = false;

@@ -36,6 +36,10 @@ const struct yield *yield_of(const void *yield);
  * none does. */
 double yield_first_strain(const struct materials *materials);
 
+/* Flow stress [Pa] of the strongest of the phases at a plastic strain, flaws and scatter aside, and
+ * which it is; INFINITY where one of them never yields. */
+double yield_strongest(const struct materials *materials, double p, int *phase);
+
 /* For struct law: flow curves by pair, the table of flow_curve.h; of a pair without parameters one
  * that nothing reaches. */
 void *yield_pairs(int count, const void *const first[], const void *const second[]);
