@@ -191,6 +191,28 @@ END
     diff -r 85 170
 }
 
+@test "a language with decimal commas changes no byte" {
+    localedef -i de_DE -f UTF-8 "$PWD/de_DE.UTF-8"
+    export LOCPATH=$PWD
+    for language in C de_DE.UTF-8; do
+        mkdir "of_$language"
+        cp s.yaml "of_$language"
+        (
+            cd "of_$language"
+            export LC_ALL=$language
+            locale decimal_point >>../points
+            hsgen -q s.yaml -o s.g -s s.csv -p p.svg --export s.inp --peridigm p
+            hssolve -q -i s.g -H s.e -o f.e
+            hspost -q s.e -o c.csv -p p.csv -j p.json --plot c.svg --report r.html
+            hspost -q c.csv --plot again.svg >again.csv
+            hspost -q --frames f.e --csv -o f.csv
+        )
+    done
+    [ "$(tr -d '\n' <points)" = '.,' ]
+    [ "$(find of_C -type f | wc -l)" -ge 15 ]
+    diff -r of_C of_de_DE.UTF-8
+}
+
 @test "too little memory is told, whatever there is of it" {
     # The sanitizers' own maps take terabytes of addresses.
     if grep -q __asan_init "$(command -v hssolve)"; then skip "of a build with sanitizers no limit can be set"; fi
