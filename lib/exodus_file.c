@@ -246,15 +246,24 @@ void exodus_finish(struct exodus_file *file)
     forget(file);
 }
 
+/* The form of netCDF that these tools write; a copy in another one has another length. */
+static bool is_own_form(const struct exodus_file *file)
+{
+    int form = 0;
+    exodus_read(file, nc_inq_format(file->id, &form), "its form");
+    return form == NC_FORMAT_64BIT_OFFSET;
+}
+
 static void check_length(const struct exodus_file *file, bool foreign)
 {
     nc_type type;
     size_t length;
     double bytes = 0;
-    if (file->packed && foreign) return;
-    if (file->packed)
-        die_user("%s: netCDF-4, which these tools do not write; if it is a copy of one of theirs: "
-                 "nccopy -k 64-bit-offset IN OUT",
+    const bool own = is_own_form(file);
+    if (!own && foreign) return;
+    if (!own)
+        die_user("%s: netCDF of a form (ncdump -k) that these tools do not write; if it is a copy "
+                 "of one of theirs: nccopy -k 64-bit-offset IN OUT",
                  file->shown);
     if (nc_inq_att(file->id, NC_GLOBAL, LENGTH_ATTRIBUTE, &type, &length) != NC_NOERR) {
         if (foreign) return;
@@ -420,8 +429,10 @@ int64_t exodus_repair(const char *name, double *time)
     nc_type type;
     size_t length;
     double bytes = 0;
-    if (file.packed)
-        die_user("%s: netCDF-4, which these tools do not write: copy the original again", name);
+    if (!is_own_form(&file))
+        die_user("%s: netCDF of a form (ncdump -k) that these tools do not write: copy the "
+                 "original again",
+                 name);
     if (nc_inq_att(file.id, NC_GLOBAL, LENGTH_ATTRIBUTE, &type, &length) != NC_NOERR ||
         type != NC_DOUBLE || length != 1)
         die_user("%s: not written by these tools: no attribute " LENGTH_ATTRIBUTE, name);

@@ -74,6 +74,31 @@ refused() {
     refused "cut.g: cannot read it as Exodus" -d study.yaml -i cut.g
 }
 
+@test "a domain of hsgen is read from a copy in any form of netCDF, and a copied history is told how to copy back" {
+    cat >lattice.yaml <<'DECK'
+domain: {specimen: plate, size: [80 um, 20 um, 20 um], spacing: 10 um, topology: homogeneous, phase: A, grips: {length: 10 um, phase: A}}
+materials: {A: {model: corner, law: elastic, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3}}
+boundary:
+  - {set: grip_left, direction: x, velocity: 0}
+  - {set: grip_right, direction: x, velocity: 1e-7 m/s}
+solver: {end_time: 1, step: 1}
+DECK
+    hsgen -q lattice.yaml -o own.g
+    hssolve -q -i own.g -H own.e
+    for form in classic cdf5 nc4; do
+        nccopy -k $form own.g $form.g
+        hssolve -q -i $form.g -H same.e
+        cmp <(columns own.e force_left_N) <(columns same.e force_left_N)
+        nccopy -k $form own.e copy.e
+        run -2 hspost -q copy.e
+        [[ $output == *'copy.e: netCDF of a form (ncdump -k) that these tools do not write'*'nccopy -k 64-bit-offset IN OUT'* ]]
+        run -2 hssolve --repair copy.e
+        [[ $output == *'copy.e: netCDF of a form'*'copy the original again'* ]]
+        nccopy -k 64-bit-offset copy.e back.e
+        cmp <(columns own.e force_left_N) <(columns back.e force_left_N)
+    done
+}
+
 @test "unnamed node sets answer to set_N and to Peridigm's nodelist_N" {
     sed 's/^ns_names = .*/ns_names = "", "", "", "" ;/; s/^ns_prop1 = .*/ns_prop1 = 10, 20, 3, 4 ;/' bar.cdl >unnamed.cdl
     ncgen -k 64-bit-offset -o unnamed.g unnamed.cdl
