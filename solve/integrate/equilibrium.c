@@ -2,6 +2,7 @@
 
 #include "checkpoint.h"
 #include "die.h"
+#include "direction.h"
 #include "memory.h"
 #include "mesh.h"
 #include "profile.h"
@@ -246,12 +247,13 @@ static void take_mean_unbalanced(const struct equilibrium *e, double *g)
     }
 }
 
-/* g, and the sum of its squares. */
-static struct exact_sum take_unbalanced(const struct equilibrium *e, double bound, double *g)
+/* g, and what the sums of its squares and of its products with d get from this rank; d: NULL where
+ * there are none. */
+static void take_unbalanced(const struct equilibrium *e, double *g, struct exact_sum *square,
+                            const float *d, struct exact_sum *along)
 {
     const struct body *body = e->body;
     const int64_t n = e->unknowns.n_nodes;
-    struct exact_sum square = exact_sum_new(bound);
     double none[LANES] = {0}, whole[LANES];
     int64_t at = 0;
     for (int i = 0; i < LANES; i++) whole[i] = 1;
@@ -262,31 +264,36 @@ static struct exact_sum take_unbalanced(const struct equilibrium *e, double boun
             take_strip(count, body->f[a] + site, body->b[a] ? body->b[a] + site : none,
                        e->weights ? e->weights + at : whole, e->unknowns.free + a * n + at,
                        g + a * n + at);
-        add_squares(count, n, g + at, &square);
+        add_squares(count, n, g + at, square);
+        if (d) direction_add_nodes(&e->unknowns, count, d + at, g + at, along);
     }
     take_mean_unbalanced(e, g);
-    for (int64_t i = 3 * n; i < e->unknowns.length; i++) exact_sum_add(&square, g[i] * g[i]);
-    return square;
+    for (int64_t i = 3 * n; i < e->unknowns.length; i++) exact_sum_add(square, g[i] * g[i]);
+    if (d) direction_add_mean(&e->unknowns, d, g, along);
 }
 
-/* g, its norm and that of the reactions.  The sum of squares is bounded by a guess from the last
- * norm, which saves a pass and a message, and found in two passes where that was too small, or
+/* g, its norm and that of the reactions, and its product with a direction d, of which no number is
+ * beyond far; d: NULL where it is not asked for.  The sum of squares is bounded by a guess from the
+ * last norm, which saves passes and messages, and found in two passes where that was too small, or
  * leaves less than 40 bits: up to twice the guess it is exact, so that all ranks see the same. */
-static void measure(struct equilibrium *e, double *g)
+static double measure(struct equilibrium *e, double *g, const float *d, double far)
 {
     const double guess = 0x1p20 * e->norm * e->norm;
-    double largest = -largest_reaction(e), squares[2];
+    double largest = -largest_reaction(e), values[3] = {0};
     ranks_minimum(&largest, 1);
-    const struct exact_sum sums[2] = {
-        take_unbalanced(e, guess, g),
+    struct exact_sum sums[3] = {
+        exact_sum_new(guess),
         square_reactions(e, 3.000001 * (double)e->body->n_nodes * largest * largest)};
-    exact_sum_finish(sums, 2, squares);
-    const bool good = squares[0] <= guess && squares[0] >= 0x1p-34 * guess;
-    e->norm = good ? sqrt(squares[0]) : vector_norm(&e->unknowns, g);
-    e->reference = hypot(largest < 0 ? sqrt(squares[1]) : 0, e->loads);
+    if (d) sums[2] = direction_sum_new(&e->unknowns, far, sqrt(guess));
+    take_unbalanced(e, g, &sums[0], d, &sums[2]);
+    exact_sum_finish(sums, d ? 3 : 2, values);
+    const bool good = values[0] <= guess && values[0] >= 0x1p-34 * guess;
+    e->norm = good ? sqrt(values[0]) : vector_norm(&e->unknowns, g);
+    e->reference = hypot(largest < 0 ? sqrt(values[1]) : 0, e->loads);
     if (e->boundary->macroscopic)
         e->reference =
             hypot(e->reference, macroscopic_reactions(e->boundary->macroscopic, e->body));
+    return good || !d || !isfinite(e->norm) ? values[2] : direction_product(&e->unknowns, d, g);
 }
 
 /* Whether any rank is asked to stop: from then on no method goes on. */
@@ -299,17 +306,38 @@ static void look_for_stop(struct equilibrium *e)
     if (e->cut) e->last = 0;
 }
 
+/* g where the body is, and its product with d. */
+static double evaluate(struct equilibrium *e, double *g, const float *d, double far)
+{
+    look_for_stop(e);
+    integration_force(e->integration, e->model, e->body, (struct force_mode){0}, NULL);
+    e->evaluations++;
+    const double slope = measure(e, g, d, far);
+    if (e->watch) e->watch(e->watcher, e);
+    return slope;
+}
+
 double equilibrium_evaluate(struct equilibrium *e, const double *x, double *g)
 {
-    struct body *body = e->body;
-    look_for_stop(e);
-    vector_put(&e->unknowns, x, body->u);
-    vector_put_mean(&e->unknowns, x, body->mean_gradient);
-    integration_force(e->integration, e->model, body, (struct force_mode){0}, NULL);
-    e->evaluations++;
-    measure(e, g);
-    if (e->watch) e->watch(e->watcher, e);
+    vector_put(&e->unknowns, x, e->body->u);
+    vector_put_mean(&e->unknowns, x, e->body->mean_gradient);
+    evaluate(e, g, NULL, 0);
     return e->norm;
+}
+
+double equilibrium_go(struct equilibrium *e, double a, const float *d, double far)
+{
+    const struct unknowns *unknowns = &e->unknowns;
+    direction_add_to_fields(unknowns, a, d, e->body->u);
+    for (int64_t i = 3 * unknowns->n_nodes; i < unknowns->length; i++) e->x[i] += a * (double)d[i];
+    vector_put_mean(unknowns, e->x, e->body->mean_gradient);
+    return evaluate(e, e->g, d, far);
+}
+
+void equilibrium_find_x(struct equilibrium *e)
+{
+    vector_take(&e->unknowns, e->body->u, 1, e->x);
+    vector_take_mean(&e->unknowns, e->body->mean_gradient, e->x);
 }
 
 double equilibrium_residual(const struct equilibrium *e)

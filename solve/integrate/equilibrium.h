@@ -87,10 +87,14 @@ void equilibrium_visit(struct equilibrium *equilibrium, struct checkpoint *check
 
 double equilibrium_residual(const struct equilibrium *equilibrium);
 
-/* For methods: g at x, and its norm; sets the reference.  Collective, both. */
+/* For methods: g at x, and its norm; sets the reference.  Collective, all. */
 double equilibrium_evaluate(struct equilibrium *equilibrium, const double *x, double *g);
+/* equilibrium->g where the body is when it has gone a d further, a direction (direction.h) of which
+ * no number is beyond far; d.g is returned, and x found when it is asked for. */
+double equilibrium_go(struct equilibrium *equilibrium, double a, const float *d, double far);
+void equilibrium_find_x(struct equilibrium *equilibrium);
 /* z = M^-1 g (transform.h), a direction (direction.h), and what (equilibrium.3) gives where
- * particles share a site. */
+ * particles share a site; held components are left as they are, 0. */
 void equilibrium_precondition(struct equilibrium *equilibrium, const double *g, float *z);
 bool equilibrium_reached(const struct equilibrium *equilibrium);
 

@@ -107,8 +107,8 @@ static void lbfgs_visit(void *object, struct checkpoint *checkpoint)
     checkpoint_numbers(checkpoint, "lbfgs: z.y", self->zy[0], (int64_t)MEMORY * MEMORY);
 }
 
-/* d = -H g; the slope d.g. */
-static double find_direction(struct lbfgs *self)
+/* d = -H g, and the bits of its largest number; the slope d.g. */
+static double find_direction(struct lbfgs *self, uint32_t *most)
 {
     const int n = self->count;
     double alpha[MEMORY], gain[MEMORY], factors[2 * MEMORY], slope = -self->scale * self->wg;
@@ -132,7 +132,7 @@ static double find_direction(struct lbfgs *self)
         factors[2 * i + 1] = -gain[i];
         slope += factors[2 * i] * self->zg[i] + factors[2 * i + 1] * self->sg[i];
     }
-    narrow_combine(self->unknowns, -self->scale, self->w, 2 * n, factors, vectors, self->d);
+    *most = narrow_combine(self->unknowns, -self->scale, self->w, 2 * n, factors, vectors, self->d);
     return slope;
 }
 
@@ -171,8 +171,7 @@ static void multiply(struct lbfgs *self, const struct equilibrium *e, int n, dou
         vectors[2 * i] = &self->s[i];
         vectors[2 * i + 1] = &self->z[i];
     }
-    const struct exact_sum wg = direction_sum(&e->unknowns, self->w, self->w_most, e->g, e->norm);
-    narrow_products(&e->unknowns, 2 * n, vectors, e->g, e->norm, &wg, products);
+    narrow_products(&e->unknowns, 2 * n, vectors, self->w, self->w_most, e->g, e->norm, products);
 }
 
 /* The pair of this number has s: finds z and all products.  slope and end: s.g before and behind
@@ -184,8 +183,7 @@ static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slop
     const int k = self->count;
     double products[2 * MEMORY + 1], of_nodes;
     precondition(self, e);
-    direction_subtract_from(unknowns, self->w, self->next);
-    self->w_most += direction_largest(unknowns, self->next, &of_nodes);
+    self->w_most += direction_subtract_from(unknowns, self->w, self->next, &of_nodes);
     narrow_take(unknowns, self->next, of_nodes, &self->z[k]);
     multiply(self, e, k + 1, products);
     for (int i = 0; i < k; i++) {
@@ -206,20 +204,16 @@ static void complete_pair(struct lbfgs *self, struct equilibrium *e, double slop
  * largest number; slope: at the start, and behind it.  What of d has been gone is returned. */
 static double go(struct lbfgs *self, struct equilibrium *e, double far, double *slope)
 {
-    const struct unknowns *unknowns = &e->unknowns;
     const double farthest = 0.5 * e->body->lattice->spacing, start = *slope, before = e->norm;
     double t = far > farthest ? farthest / far : 1, taken = 0;
     for (int trial = 0;; trial++) {
-        direction_add(unknowns, t - taken, self->d, e->x);
+        *slope = equilibrium_go(e, t - taken, self->d, far);
         taken = t;
-        equilibrium_evaluate(e, e->x, e->g);
         if (!isfinite(e->norm)) {
             if (trial >= 4) return 0;
             t *= 0.25;
             continue;
         }
-        const struct exact_sum sum = direction_sum(unknowns, self->d, far, e->g, e->norm);
-        exact_sum_finish(&sum, 1, slope);
         if (fabs(*slope) <= 0.9 * -start || e->norm <= 0.5 * before || trial >= 4) return taken;
         const double secant = t * start / (start - *slope);
         t = *slope > start && isfinite(secant) ? fmin(fmax(secant, 0.1 * t), 4 * t) : 2 * t;
@@ -240,22 +234,22 @@ static void begin(struct lbfgs *self, struct equilibrium *e)
     self->wg = products[2 * self->count];
 }
 
-static bool lbfgs_solve(void *object, struct equilibrium *e)
+static bool iterate(struct lbfgs *self, struct equilibrium *e)
 {
-    struct lbfgs *self = object;
     if (isfinite(e->norm)) begin(self, e);
     while (!equilibrium_reached(e)) {
         if (e->evaluations >= e->last || !isfinite(e->norm)) return false;
         if (self->count == MEMORY) drop_oldest(self);
         const int k = self->count;
-        const double slope = find_direction(self);
+        uint32_t most;
+        const double slope = find_direction(self, &most);
         if (!(slope < 0)) {
             if (k == 0) return false;
             self->count = 0;
             continue;
         }
         double end = slope, of_nodes;
-        const double far = direction_largest(&e->unknowns, self->d, &of_nodes),
+        const double far = direction_largest_of(&e->unknowns, self->d, most, &of_nodes),
                      taken = go(self, e, far, &end);
         if (!(taken > 0)) return false;
         narrow_take(&e->unknowns, self->d, of_nodes, &self->s[k]);
@@ -267,6 +261,13 @@ static bool lbfgs_solve(void *object, struct equilibrium *e)
         self->count++;
     }
     return true;
+}
+
+static bool lbfgs_solve(void *object, struct equilibrium *e)
+{
+    const bool reached = iterate(object, e);
+    equilibrium_find_x(e);
+    return reached;
 }
 
 const struct equilibrium_method equilibrium_lbfgs = {

@@ -1,5 +1,6 @@
 #include "narrow.h"
 
+#include "direction.h"
 #include "memory.h"
 #include "simd.h"
 
@@ -53,21 +54,25 @@ HS_SIMD static void add_two(int64_t count, float a, const int16_t *restrict x, f
     for (int64_t i = 0; i < count; i++) d[i] += a * (float)x[i] + b * (float)y[i];
 }
 
-void narrow_combine(const struct unknowns *unknowns, double b, const float *w, int count,
-                    const double a[], const struct narrow *const x[], float *d)
+uint32_t narrow_combine(const struct unknowns *unknowns, double b, const float *w, int count,
+                        const double a[], const struct narrow *const x[], float *d)
 {
     const int64_t n = 3 * unknowns->n_nodes;
+    uint32_t most = 0;
     for (int64_t from = 0; from < n; from += 3 * (int64_t)BLOCK) {
         const int64_t numbers = n - from < 3 * BLOCK ? n - from : 3 * BLOCK;
         start(numbers, (float)b, w + from, d + from);
         for (int k = 0; k < count; k += 2)
             add_two(numbers, (float)(a[k] * x[k]->unit), x[k]->numbers + from,
                     (float)(a[k + 1] * x[k + 1]->unit), x[k + 1]->numbers + from, d + from);
+        const uint32_t bits = direction_bits(numbers, d + from);
+        most = bits > most ? bits : most;
     }
     for (int64_t i = n; i < unknowns->length; i++) {
         d[i] = (float)b * w[i];
         for (int k = 0; k < count; k++) d[i] += (float)a[k] * x[k]->mean[i - n];
     }
+    return most;
 }
 
 /* The numbers of a vector as integers, in two parts. */
@@ -106,7 +111,8 @@ HS_SIMD static double multiply(int nodes, int64_t stride, const int16_t *restric
 }
 
 void narrow_products(const struct unknowns *unknowns, int count, const struct narrow *const d[],
-                     const double *y, double norm, const struct exact_sum *also, double products[])
+                     const float *w, double largest, const double *y, double norm,
+                     double products[])
 {
     const int64_t n = unknowns->n_nodes;
     struct exact_sum *sums = memory_new((size_t)count + 1, sizeof *sums);
@@ -114,20 +120,22 @@ void narrow_products(const struct unknowns *unknowns, int count, const struct na
     frexp(norm > 0 ? norm : 1, &exponent);
     const double unit = ldexp(1, exponent - HIGH - LOW);
     struct block block;
+    sums[count] = direction_sum_new(unknowns, largest, norm);
     for (int64_t from = 0; from < n; from += BLOCK) {
         const int nodes = n - from < BLOCK ? (int)(n - from) : BLOCK;
         for (int a = 0; a < 3; a++)
             split(nodes, y + a * n + from, 1 / unit, block.high[a], block.low[a]);
+        direction_add_nodes(unknowns, nodes, w + from, y + from, &sums[count]);
         for (int k = 0; k < count; k++) {
             for (int a = 0; a < 3 && k + 1 < count; a++)
                 prefetch(d[k + 1]->numbers + a * n + from, (size_t)nodes * sizeof(int16_t));
             sums[k].top += multiply(nodes, n, d[k]->numbers + from, &block);
         }
     }
+    direction_add_mean(unknowns, w, y, &sums[count]);
     for (int64_t i = 3 * n; i < unknowns->length; i++)
         for (int k = 0; k < count; k++)
             sums[k].bottom += (double)d[k]->mean[i - 3 * n] * y[i] / (unit * d[k]->unit);
-    sums[count] = *also;
     exact_sum_finish(sums, count + 1, products);
     for (int k = 0; k < count; k++) products[k] *= unit * d[k]->unit;
     free(sums);

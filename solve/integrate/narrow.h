@@ -25,13 +25,14 @@ void narrow_take(const struct unknowns *unknowns, const float *d, double largest
 
 /* d *= a */
 void narrow_scale(double a, struct narrow *d);
-/* d = b w + sum of a[k] x[k], k < count, which is even. */
-void narrow_combine(const struct unknowns *unknowns, double b, const float *w, int count,
-                    const double a[], const struct narrow *const x[], float *d);
+/* d = b w + sum of a[k] x[k], k < count, which is even; bits of the largest (direction.h). */
+uint32_t narrow_combine(const struct unknowns *unknowns, double b, const float *w, int count,
+                        const double a[], const struct narrow *const x[], float *d);
 
-/* products[k] = d[k] . y, whose norm is not beyond this; products[count] that of a sum which other
- * ranks have parts of, too, in the same message.  Collective. */
+/* products[k] = d[k] . y, whose norm is not beyond this; products[count] = w . y, of which no
+ * number is beyond largest.  Collective. */
 void narrow_products(const struct unknowns *unknowns, int count, const struct narrow *const d[],
-                     const double *y, double norm, const struct exact_sum *also, double products[]);
+                     const float *w, double largest, const double *y, double norm,
+                     double products[]);
 
 #endif

@@ -35,10 +35,9 @@ struct placement {
     float *values;
     int64_t n_values, length; /* of the slabs on this rank, of the vector */
     bool sums;                /* nodes have several places, or share them */
-    bool fills;               /* each place has a node */
-    bool places;              /* each number of the vector has a place */
     struct runs owned;        /* from the vector to what is given; on one rank, to the values */
     struct runs taken;        /* from what is taken to the values; none on one rank */
+    struct runs gaps;         /* of the values: places without a node */
     struct shares out, in;
     float *given, *got; /* [out.all], [in.all] */
 };
@@ -152,11 +151,17 @@ static void make_messages(struct placement *placement, struct pieces *owned)
     free(next);
 }
 
-static int64_t runs_length(const struct runs *runs)
+/* To what the runs leave out of so many numbers. */
+static struct runs find_gaps(const struct runs *runs, int64_t n)
 {
-    int64_t length = 0;
-    for (int64_t i = 0; i < runs->count; i++) length += runs->items[i].count;
-    return length;
+    bool *filled = memory_new((size_t)n, sizeof *filled);
+    struct pieces gaps = {0};
+    for (int64_t r = 0; r < runs->count; r++)
+        memset(filled + runs->items[r].to, true, (size_t)runs->items[r].count);
+    for (int64_t i = 0; i < n; i++)
+        if (!filled[i]) append(&gaps, (struct piece){{i, i, 1, 0}, 0, 0}, true);
+    free(filled);
+    return runs_of(&gaps);
 }
 
 struct placement *placement_new(const struct unknowns *unknowns, const struct box box[3],
@@ -173,10 +178,10 @@ struct placement *placement_new(const struct unknowns *unknowns, const struct bo
         find_pieces(unknowns, &box[a], slabs, a, !placement->sums, held, &owned);
     if (slabs->ranks.size > 1) make_messages(placement, &owned);
     placement->owned = runs_of(&owned);
-    placement->places = !placement->sums && runs_length(&placement->owned) == placement->length;
-    placement->fills =
-        !placement->sums &&
-        runs_length(placement->given ? &placement->taken : &placement->owned) == slabs->n_values;
+    placement->gaps =
+        placement->sums
+            ? (struct runs){0}
+            : find_gaps(placement->given ? &placement->taken : &placement->owned, slabs->n_values);
     return placement;
 }
 
@@ -184,6 +189,7 @@ void placement_free(struct placement *placement)
 {
     free(placement->owned.items);
     free(placement->taken.items);
+    free(placement->gaps.items);
     shares_free(&placement->out);
     shares_free(&placement->in);
     free(placement->given);
@@ -246,7 +252,10 @@ static void sort_in_sums(struct runs runs, const float *from, float *to)
 
 void placement_put(struct placement *p, const double *vector)
 {
-    if (!p->fills) memset(p->values, 0, (size_t)p->n_values * sizeof *p->values);
+    if (p->sums) memset(p->values, 0, (size_t)p->n_values * sizeof *p->values);
+    for (int64_t g = 0; g < p->gaps.count; g++)
+        memset(p->values + p->gaps.items[g].to, 0,
+               (size_t)p->gaps.items[g].count * sizeof *p->values);
     if (p->given) {
         put(p->owned, vector, p->given);
         shares_send(p->given, &p->out, p->got, &p->in);
@@ -263,6 +272,6 @@ void placement_take(struct placement *p, float *direction)
         shares_send(p->got, &p->in, p->given, &p->out);
         values = p->given;
     }
-    if (!p->places) memset(direction, 0, (size_t)p->length * sizeof *direction);
+    if (p->sums) memset(direction, 0, (size_t)p->length * sizeof *direction);
     (p->sums ? take_sums : take)(p->owned, values, direction);
 }

@@ -18,7 +18,8 @@ bool placement_is_crowded(const struct placement *placement);
 /* Into the slabs' values: nodes that share a place are summed, in the order of their sites, those
  * between places are shared out; where no node is there is 0.  Collective. */
 void placement_put(struct placement *placement, const double *vector);
-/* And back, to a direction (direction.h); components without a place become 0.  Collective. */
+/* And back, to a direction (direction.h); components without a place are left as they are.
+ * Collective. */
 void placement_take(struct placement *placement, float *direction);
 
 #endif

@@ -240,8 +240,7 @@ double quasi_static_settle(struct quasi_static *q)
 {
     struct equilibrium *e = q->equilibrium;
     const double before = energy_internal(&e->integration->balance) - e->integration->balance.work;
-    vector_take(&e->unknowns, e->body->u, 1, e->x);
-    vector_take_mean(&e->unknowns, e->body->mean_gradient, e->x);
+    equilibrium_find_x(e);
     /* There is no smaller step to take: more evaluations are all that helps, as long as they do. */
     for (double residual = INFINITY; !equilibrium_solve(e); residual = equilibrium_residual(e))
         if (e->cut || !(equilibrium_residual(e) < 0.9 * residual)) return INFINITY;

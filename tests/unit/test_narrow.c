@@ -26,19 +26,17 @@ static struct vectors vectors_new(void)
     return v;
 }
 
-/* d.y by narrow_products, beside a sum that is 3. */
+/* d.y by narrow_products, beside that of the direction itself. */
 static double product_of(struct vectors *v)
 {
     double of_nodes, products[2];
     v->unknowns.body = &v->body;
     struct narrow narrow = narrow_new(&v->unknowns);
-    direction_largest(&v->unknowns, v->d, &of_nodes);
+    const double largest = direction_largest(&v->unknowns, v->d, &of_nodes);
     narrow_take(&v->unknowns, v->d, of_nodes, &narrow);
-    struct exact_sum also = exact_sum_new(3);
-    exact_sum_add(&also, 3);
-    narrow_products(&v->unknowns, 1, (const struct narrow *[]){&narrow}, v->y,
-                    vector_norm(&v->unknowns, v->y), &also, products);
-    assert_true(products[1] == 3);
+    narrow_products(&v->unknowns, 1, (const struct narrow *[]){&narrow}, v->d, largest, v->y,
+                    vector_norm(&v->unknowns, v->y), products);
+    assert_true(products[1] == direction_product(&v->unknowns, v->d, v->y));
     narrow_free(&narrow);
     return products[0];
 }
@@ -121,7 +119,9 @@ static void test_combination(void **state)
     narrow_take(&v.unknowns, v.d, of_nodes, &x);
     narrow_take(&v.unknowns, v.d, of_nodes, &y);
     narrow_scale(3, &y);
-    narrow_combine(&v.unknowns, 4, v.d, 2, factors, (const struct narrow *[]){&x, &y}, d);
+    const uint32_t bits =
+        narrow_combine(&v.unknowns, 4, v.d, 2, factors, (const struct narrow *[]){&x, &y}, d);
+    assert_int_equal(bits, direction_bits(3 * NODES, d));
     for (int i = 0; i < LENGTH; i++)
         assert_near(d[i], (4 - 0.5 + 2 * 3) * v.d[i],
                     (i < 3 * NODES ? 6.5 * 0x1p-16 * of_nodes : 0) + 1e-6 * fabsf(v.d[i]));
