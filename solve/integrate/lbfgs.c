@@ -24,7 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MEMORY = 8 }; /* pairs, with the one that an iteration makes */
+enum { MEMORY = NARROW_MOST / 2 }; /* pairs, with the one that an iteration makes */
 
 struct lbfgs {
     const struct unknowns *unknowns;

@@ -115,7 +115,7 @@ void narrow_products(const struct unknowns *unknowns, int count, const struct na
                      double products[])
 {
     const int64_t n = unknowns->n_nodes;
-    struct exact_sum *sums = memory_new((size_t)count + 1, sizeof *sums);
+    struct exact_sum sums[NARROW_MOST + 1] = {0};
     int exponent;
     frexp(norm > 0 ? norm : 1, &exponent);
     const double unit = ldexp(1, exponent - HIGH - LOW);
@@ -138,5 +138,4 @@ void narrow_products(const struct unknowns *unknowns, int count, const struct na
             sums[k].bottom += (double)d[k]->mean[i - 3 * n] * y[i] / (unit * d[k]->unit);
     exact_sum_finish(sums, count + 1, products);
     for (int k = 0; k < count; k++) products[k] *= unit * d[k]->unit;
-    free(sums);
 }

@@ -10,6 +10,8 @@
 #include "exact_sum.h"
 #include "unknowns.h"
 
+enum { NARROW_MOST = 16 }; /* directions at once */
+
 struct narrow {
     double unit;
     int16_t *numbers;       /* [3 n_nodes] */
@@ -29,8 +31,8 @@ void narrow_scale(double a, struct narrow *d);
 uint32_t narrow_combine(const struct unknowns *unknowns, double b, const float *w, int count,
                         const double a[], const struct narrow *const x[], float *d);
 
-/* products[k] = d[k] . y, whose norm is not beyond this; products[count] = w . y, of which no
- * number is beyond largest.  Collective. */
+/* products[k] = d[k] . y, k < count <= NARROW_MOST, whose norm is not beyond this; products[count]
+ * = w . y, of which no number is beyond largest.  Collective. */
 void narrow_products(const struct unknowns *unknowns, int count, const struct narrow *const d[],
                      const float *w, double largest, const double *y, double norm,
                      double products[]);

@@ -41,12 +41,14 @@ void exact_sum_add_strip(struct exact_sum *sum, int count, const double *terms, 
 
 void exact_sum_finish(const struct exact_sum *sums, int count, double *values)
 {
-    double *parts = memory_new(2 * (size_t)count, sizeof *parts);
+    enum { FEW = 32 }; /* of what is asked for at each force */
+    double room[2 * FEW],
+        *parts = count <= FEW ? room : memory_new(2 * (size_t)count, sizeof *parts);
     for (int i = 0; i < count; i++) {
         parts[2 * i] = sums[i].top;
         parts[2 * i + 1] = sums[i].bottom;
     }
     ranks_sum(parts, 2 * count);
     for (int i = 0; i < count; i++) values[i] = parts[2 * i] + parts[2 * i + 1];
-    free(parts);
+    if (parts != room) free(parts);
 }
