@@ -105,13 +105,12 @@ static double share(const void *self)
 
 /* What lies between e and the forces. */
 struct work {
-    double G[TENSOR][LANES];     /* F^-1 */
-    double g[COMPONENTS][LANES]; /* [m] */
-    double e[COMPONENTS][LANES];
-    double t[COMPONENTS][LANES];                                 /* conjugate to e, then to g */
-    double square[LANES];                                        /* |e - e'|^2 */
-    double scale[LANES];                                         /* a mu V d, times the integrity */
-    double factor[LANES], increment[LANES];                      /* d, |de'| */
+    double G[TENSOR][LANES];                /* F^-1 */
+    double g[COMPONENTS][LANES];            /* [m] */
+    double d[COMPONENTS][LANES];            /* e - e' */
+    double square[LANES];                   /* |e - e'|^2 */
+    double scale[LANES];                    /* a mu V phi'/r, times the integrity */
+    double factor[LANES], increment[LANES]; /* phi'/r, |de'| */
     double stored[LANES], dissipated[LANES], dissipating[LANES]; /* [J/m^3] */
 };
 
@@ -126,58 +125,69 @@ HS_SIMD static void find_inverse(int count, const struct points *restrict s,
     }
 }
 
-/* g and w_m g; all modes of a point at once, for which F^-1 is read once. */
-HS_INLINE void strain_of(int count, int modes, const double *restrict weight,
-                         double (*restrict h)[3][LANES], struct work *restrict w)
+struct vector {
+    double x, y, z;
+};
+
+HS_INLINE struct vector times_vector(double factor, struct vector v)
 {
-    for (int i = 0; i < count; i++)
-        for (int m = 0; m < modes; m++) {
-            const double x = h[m][0][i], y = h[m][1][i], z = h[m][2][i];
-            const double gx = w->G[0][i] * x + w->G[1][i] * y + w->G[2][i] * z,
-                         gy = w->G[3][i] * x + w->G[4][i] * y + w->G[5][i] * z,
-                         gz = w->G[6][i] * x + w->G[7][i] * y + w->G[8][i] * z;
-            w->g[3 * m][i] = gx;
-            w->g[3 * m + 1][i] = gy;
-            w->g[3 * m + 2][i] = gz;
-            w->e[3 * m][i] = weight[m] * gx;
-            w->e[3 * m + 1][i] = weight[m] * gy;
-            w->e[3 * m + 2][i] = weight[m] * gz;
-        }
+    return (struct vector){factor * v.x, factor * v.y, factor * v.z};
 }
 
-HS_SIMD static void find_strain(int count, const double *restrict weight,
-                                double (*restrict h)[3][LANES], struct work *restrict w)
+/* g of a mode of point i, which is kept, and w_m g. */
+HS_INLINE struct vector gradient_of(int i, int mode, double weight, double (*restrict h)[3][LANES],
+                                    struct work *restrict w)
 {
-    strain_of(count, MODES, weight, h, w);
-}
-HS_SIMD static void find_strain_in_plane(int count, const double *restrict weight,
-                                         double (*restrict h)[3][LANES], struct work *restrict w)
-{
-    strain_of(count, 1, weight, h, w);
+    const double x = h[mode][0][i], y = h[mode][1][i], z = h[mode][2][i];
+    const struct vector g = {w->G[0][i] * x + w->G[1][i] * y + w->G[2][i] * z,
+                             w->G[3][i] * x + w->G[4][i] * y + w->G[5][i] * z,
+                             w->G[6][i] * x + w->G[7][i] * y + w->G[8][i] * z};
+    w->g[3 * mode][i] = g.x;
+    w->g[3 * mode + 1][i] = g.y;
+    w->g[3 * mode + 2][i] = g.z;
+    return times_vector(weight, g);
 }
 
-/* The shear strains of (flowing.1) in the places of what they are made of. */
-HS_SIMD static void find_shears(int count, double *restrict z, double *restrict x,
-                                double *restrict y)
+/* e - e' of a mode of point i, which is kept; its square on top of those of other modes. */
+HS_INLINE double deviate(int i, int mode, struct vector e, const double *restrict plastic,
+                         int64_t stride, struct work *restrict w, double square)
+{
+    const double *from = plastic + 3 * mode * stride + i;
+    const struct vector d = {e.x - from[0], e.y - from[stride], e.z - from[2 * stride]};
+    w->d[3 * mode][i] = d.x;
+    w->d[3 * mode + 1][i] = d.y;
+    w->d[3 * mode + 2][i] = d.z;
+    return square + d.x * d.x + d.y * d.y + d.z * d.z;
+}
+
+HS_SIMD static void find_deviation(int count, const double *restrict weight,
+                                   double (*restrict h)[3][LANES], const double *restrict plastic,
+                                   int64_t stride, struct work *restrict w)
 {
     const double share = 1 / sqrt(3.);
     for (int i = 0; i < count; i++) {
-        const double yz = share * (z[i] + y[i]), zx = share * (x[i] + z[i]),
-                     xy = share * (y[i] + x[i]);
-        z[i] = yz, x[i] = zx, y[i] = xy;
+        struct vector xy = gradient_of(i, 0, weight[0], h, w),
+                      yz = gradient_of(i, 1, weight[1], h, w),
+                      zx = gradient_of(i, 2, weight[2], h, w);
+        const struct vector xyz = gradient_of(i, MODE_XYZ, weight[MODE_XYZ], h, w),
+                            across = {yz.x, zx.y, xy.z};
+        xy.z = share * (across.z + across.y);
+        yz.x = share * (across.x + across.z);
+        zx.y = share * (across.y + across.x);
+        double square = deviate(i, 0, xy, plastic, stride, w, 0);
+        square = deviate(i, 1, yz, plastic, stride, w, square);
+        square = deviate(i, 2, zx, plastic, stride, w, square);
+        w->square[i] = deviate(i, MODE_XYZ, xyz, plastic, stride, w, square);
     }
 }
-
-/* The transpose and w_m: from what is conjugate to them to what is to g. */
-HS_SIMD static void return_shears(int count, const double *restrict weight, double *restrict yz,
-                                  double *restrict zx, double *restrict xy)
+HS_SIMD static void find_deviation_in_plane(int count, const double *restrict weight,
+                                            double (*restrict h)[3][LANES],
+                                            const double *restrict plastic, int64_t stride,
+                                            struct work *restrict w)
 {
-    const double share = 1 / sqrt(3.);
     for (int i = 0; i < count; i++) {
-        const double z = share * weight[0] * (yz[i] + zx[i]),
-                     x = share * weight[1] * (zx[i] + xy[i]),
-                     y = share * weight[2] * (xy[i] + yz[i]);
-        yz[i] = z, zx[i] = x, xy[i] = y;
+        const struct vector xy = gradient_of(i, 0, weight[0], h, w);
+        w->square[i] = deviate(i, 0, xy, plastic, stride, w, 0);
     }
 }
 
@@ -197,14 +207,7 @@ HS_SIMD static void turn(int count, bool back, const double *restrict axes, int6
     }
 }
 
-/* |e - e'|^2 */
-HS_SIMD static void add_square(int count, const double *restrict e, const double *restrict plastic,
-                               double *restrict square)
-{
-    for (int i = 0; i < count; i++) square[i] += (e[i] - plastic[i]) * (e[i] - plastic[i]);
-}
-
-/* d, and what a commit would dissipate. */
+/* phi'/r, and what a commit would dissipate. */
 HS_SIMD static void flow(int count, const struct flowing *restrict f, const double *restrict mu,
                          const double *restrict stress, const double *restrict alpha,
                          struct work *restrict w)
@@ -230,10 +233,10 @@ HS_SIMD static void move_on(int count, const struct work *restrict w, double *re
         work[i] += w->dissipating[i];
     }
 }
-HS_SIMD static void move_mode_on(int count, const double *restrict factor, const double *restrict e,
+HS_SIMD static void move_mode_on(int count, const double *restrict factor, const double *restrict d,
                                  double *restrict plastic)
 {
-    for (int i = 0; i < count; i++) plastic[i] += (1 - factor[i]) * (e[i] - plastic[i]);
+    for (int i = 0; i < count; i++) plastic[i] += (1 - factor[i]) * d[i];
 }
 
 /* The work that has been booked so far, and none in this step where it is not committed. */
@@ -251,22 +254,23 @@ HS_SIMD static void find_scale(int count, double modulus, const double *restrict
     for (int i = 0; i < count; i++) w->scale[i] = modulus * mu[i] * volume[i] * w->factor[i];
 }
 
-HS_SIMD static void find_stress(int count, double weight, const double *restrict scale,
-                                const double *restrict e, const double *restrict plastic,
-                                double *restrict t)
+/* What is conjugate to the strains of a mode of point i. */
+HS_INLINE struct vector stress_of(int i, int mode, double weight, const struct work *restrict w)
 {
-    for (int i = 0; i < count; i++) t[i] = weight * scale[i] * (e[i] - plastic[i]);
+    const double scale = weight * w->scale[i];
+    return (struct vector){scale * w->d[3 * mode][i], scale * w->d[3 * mode + 1][i],
+                           scale * w->d[3 * mode + 2][i]};
 }
 
-/* F^-T t of one mode of point i: taken off from A, and what it gives to the mode. */
-HS_INLINE struct tensor force_of(int i, int mode, const struct work *restrict w,
+/* F^-T t of one mode of point i, t conjugate to g: taken off from A, and what it gives to the mode.
+ */
+HS_INLINE struct tensor force_of(int i, int mode, struct vector t, const struct work *restrict w,
                                  double (*restrict m)[3][PADDED], struct tensor A)
 {
     const double gx = w->g[3 * mode][i], gy = w->g[3 * mode + 1][i], gz = w->g[3 * mode + 2][i];
-    const double x = w->t[3 * mode][i], y = w->t[3 * mode + 1][i], z = w->t[3 * mode + 2][i];
-    const double tx = w->G[0][i] * x + w->G[3][i] * y + w->G[6][i] * z,
-                 ty = w->G[1][i] * x + w->G[4][i] * y + w->G[7][i] * z,
-                 tz = w->G[2][i] * x + w->G[5][i] * y + w->G[8][i] * z;
+    const double tx = w->G[0][i] * t.x + w->G[3][i] * t.y + w->G[6][i] * t.z,
+                 ty = w->G[1][i] * t.x + w->G[4][i] * t.y + w->G[7][i] * t.z,
+                 tz = w->G[2][i] * t.x + w->G[5][i] * t.y + w->G[8][i] * t.z;
     m[mode][0][PAD + i] = tx;
     m[mode][1][PAD + i] = ty;
     m[mode][2][PAD + i] = tz;
@@ -287,60 +291,59 @@ HS_INLINE void write_tensor(double (*restrict A)[PADDED], int i, struct tensor T
     A[6][i] = T.zx, A[7][i] = T.zy, A[8][i] = T.zz;
 }
 
-HS_SIMD static void add_forces(int count, const struct work *restrict w,
-                               double (*restrict A)[PADDED], double (*restrict m)[3][PADDED])
+/* The shear strains' stresses go to what they are made of: the transpose of (flowing.1). */
+HS_SIMD static void add_forces(int count, const double *restrict weight,
+                               const struct work *restrict w, double (*restrict A)[PADDED],
+                               double (*restrict m)[3][PADDED])
 {
+    const double share = 1 / sqrt(3.);
     for (int i = 0; i < count; i++) {
+        struct vector xy = stress_of(i, 0, weight[0], w), yz = stress_of(i, 1, weight[1], w),
+                      zx = stress_of(i, 2, weight[2], w);
+        const double on_yz = w->scale[i] * w->d[XY_Z][i], on_zx = w->scale[i] * w->d[YZ_X][i],
+                     on_xy = w->scale[i] * w->d[ZX_Y][i];
+        xy.z = share * weight[0] * (on_yz + on_zx);
+        yz.x = share * weight[1] * (on_zx + on_xy);
+        zx.y = share * weight[2] * (on_xy + on_yz);
         struct tensor sum = read_tensor(A, PAD + i);
-        sum = force_of(i, 0, w, m, sum);
-        sum = force_of(i, 1, w, m, sum);
-        sum = force_of(i, 2, w, m, sum);
-        sum = force_of(i, 3, w, m, sum);
+        sum = force_of(i, 0, xy, w, m, sum);
+        sum = force_of(i, 1, yz, w, m, sum);
+        sum = force_of(i, 2, zx, w, m, sum);
+        sum = force_of(i, MODE_XYZ, stress_of(i, MODE_XYZ, weight[MODE_XYZ], w), w, m, sum);
         write_tensor(A, PAD + i, sum);
     }
 }
-HS_SIMD static void add_forces_in_plane(int count, const struct work *restrict w,
-                                        double (*restrict A)[PADDED],
+HS_SIMD static void add_forces_in_plane(int count, const double *restrict weight,
+                                        const struct work *restrict w, double (*restrict A)[PADDED],
                                         double (*restrict m)[3][PADDED])
 {
     for (int i = 0; i < count; i++)
-        write_tensor(A, PAD + i, force_of(i, 0, w, m, read_tensor(A, PAD + i)));
+        write_tensor(A, PAD + i,
+                     force_of(i, 0, stress_of(i, 0, weight[0], w), w, m, read_tensor(A, PAD + i)));
 }
 
-/* e and |e - e'|^2 */
-static void find_deviation(const struct flowing *f, bool plane, struct cells *cells,
-                           const double *plastic, int64_t stride, struct work *w)
+/* e - e' and its square */
+static void deviation(const struct flowing *f, bool plane, struct cells *cells,
+                      const double *plastic, int64_t stride, struct work *w)
 {
     const struct strip *strip = cells->strip;
-    const int n = strip->count;
-    find_inverse(n, cells->points, w);
+    find_inverse(strip->count, cells->points, w);
     if (f->axes)
         for (int b = 0; b < 3; b++)
-            turn(n, false, f->axes + TENSOR * strip->store, strip->stride, w->G[b], w->G[3 + b],
-                 w->G[6 + b]);
-    (plane ? find_strain_in_plane : find_strain)(n, f->weight, cells->h, w);
-    if (!plane) find_shears(n, w->e[XY_Z], w->e[YZ_X], w->e[ZX_Y]);
-    memset(w->square, 0, (size_t)n * sizeof *w->square);
-    for (int k = 0; k < (plane ? 3 : COMPONENTS); k++)
-        add_square(n, w->e[k], plastic + k * stride, w->square);
+            turn(strip->count, false, f->axes + TENSOR * strip->store, strip->stride, w->G[b],
+                 w->G[3 + b], w->G[6 + b]);
+    (plane ? find_deviation_in_plane : find_deviation)(strip->count, f->weight, cells->h, plastic,
+                                                       stride, w);
 }
 
-static void push(const struct flowing *f, bool plane, const double *plastic, int64_t stride,
-                 struct work *w, struct cells *cells)
+static void push(const struct flowing *f, bool plane, struct work *w, struct cells *cells)
 {
     const struct strip *strip = cells->strip;
-    const int n = strip->count;
-    for (int k = 0; k < (plane ? 3 : COMPONENTS); k++) {
-        const bool across = !plane && (k == XY_Z || k == YZ_X || k == ZX_Y);
-        find_stress(n, across ? 1 : f->weight[k / 3], w->scale, w->e[k], plastic + k * stride,
-                    w->t[k]);
-    }
-    if (!plane) return_shears(n, f->weight, w->t[XY_Z], w->t[YZ_X], w->t[ZX_Y]);
     if (f->axes)
         for (int m = 0; m < MODES; m++)
-            turn(n, true, f->axes + TENSOR * strip->store, strip->stride, w->g[3 * m],
+            turn(strip->count, true, f->axes + TENSOR * strip->store, strip->stride, w->g[3 * m],
                  w->g[3 * m + 1], w->g[3 * m + 2]);
-    (plane ? add_forces_in_plane : add_forces)(n, w, cells->A, cells->m);
+    (plane ? add_forces_in_plane : add_forces)(strip->count, f->weight, w, cells->A, cells->m);
 }
 
 HS_SIMD static void find_energies(int count, double modulus, const double *restrict mu,
@@ -394,7 +397,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
                  (size_t)(STATE * stride) * sizeof *state); /* of the next strip */
     } else
         memset(none, 0, sizeof none);
-    find_deviation(flowing, plane, cells, state, stride, &w);
+    deviation(flowing, plane, cells, state, stride, &w);
     if (flows)
         flow(n, flowing, mu, stress, state + ALPHA * stride, &w);
     else
@@ -405,9 +408,9 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
     if (mode.energy || cells->integrity) find_energies(n, flowing->modulus, mu, &w);
     if (cells->integrity) degrade(flowing, cells, mode.commit, &w);
-    push(flowing, plane, state, stride, &w, cells);
+    push(flowing, plane, &w, cells);
     for (int k = 0; k < (plane ? 3 : COMPONENTS) && flows && mode.commit; k++)
-        move_mode_on(n, w.factor, w.e[k], state + k * stride);
+        move_mode_on(n, w.factor, w.d[k], state + k * stride);
     if (!mode.energy) return;
     cells_sum(body, cells, w.stored, 1, &energy->stabilisation);
     cells_sum(body, cells, w.dissipated, 1, &energy->plastic);
