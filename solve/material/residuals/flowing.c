@@ -20,7 +20,9 @@
  * hardens linearly.  It hardens by a share of the flow stress, too: a share of the shear modulus is
  * nothing in a hard phase and several times the flow stress in a soft one.  Within a step r_c and H
  * stand still, so that the force is the gradient of Pi.  The work a mu r_c d(alpha) is booked as
- * plastic. */
+ * plastic.
+ *
+ * Beyond the caches the state sets the pace, so it is in single precision. */
 #include "checkpoint.h"
 #include "degradation.h"
 #include "hexahedra.h"
@@ -28,20 +30,22 @@
 #include "memory.h"
 #include "residual.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { COMPONENTS = 3 * MODES, ALPHA = COMPONENTS, WORK, STATE };
+enum { COMPONENTS = 3 * MODES, ALPHA = COMPONENTS, STATE };
 /* Across the planes of their modes: xy along z, yz along x, zx along y. */
 enum { XY_Z = 2, YZ_X = 3, ZX_Y = 7 };
 
 struct flowing {
     double modulus, limit, hardening; /* a, f, h */
     double weight[MODES];             /* w_m [1/m] */
-    double *state;   /* strip by strip: e', alpha, work over V a mu; NULL: nothing ever flows */
-    double *records; /* of degradation, strip by strip; NULL: none degrades */
-    double *axes;    /* of a mesh's elements, unit vectors, strip by strip; NULL: x, y, z */
+    float *state;                     /* strip by strip: e', alpha; NULL: nothing ever flows */
+    double *work;                     /* strip by strip, over V a mu */
+    double *records;                  /* of degradation, strip by strip; NULL: none degrades */
+    double *axes; /* of a mesh's elements, unit vectors, strip by strip; NULL: x, y, z */
 };
 #define AT(member) offsetof(struct flowing, member)
 
@@ -77,14 +81,42 @@ static void start(void *self, const struct body *body, const struct materials *m
         hexahedra_axes(hexahedra, flowing->axes);
     }
     for (int k = 0; k < materials->n_laws; k++) flows |= materials->laws[k].law->flow_stress >= 0;
-    if (flows) flowing->state = memory_new((size_t)strips->points * STATE, sizeof(double));
+    if (flows) {
+        flowing->state = memory_new((size_t)strips->points * STATE, sizeof *flowing->state);
+        flowing->work = memory_new((size_t)strips->points, sizeof *flowing->work);
+    }
     if (body->integrity) flowing->records = degradation_new(strips);
+}
+
+/* A checkpoint's numbers are wider: some components at a time, of which it has a copy. */
+static void visit_state(struct flowing *flowing, const struct strips *strips,
+                        struct checkpoint *checkpoint, int first, int count)
+{
+    double *wide = memory_new((size_t)(strips->points * count), sizeof *wide);
+    char *name = memory_print("flowing: flow from component %d on", first);
+    for (int back = 0; back < 2; back++) {
+        for (int64_t s = 0; s < strips->count; s++) {
+            const int64_t stride = strips->items[s].stride, store = strips->items[s].store;
+            float *state = flowing->state + STATE * store + first * stride;
+            double *copy = wide + count * store;
+            for (int64_t k = 0; k < count * stride; k++)
+                if (back)
+                    state[k] = (float)copy[k];
+                else
+                    copy[k] = state[k];
+        }
+        if (!back) checkpoint_strips(checkpoint, name, strips, count, wide);
+    }
+    free(name);
+    free(wide);
 }
 
 static void visit(void *self, const struct strips *strips, struct checkpoint *checkpoint)
 {
     struct flowing *flowing = self;
-    checkpoint_strips(checkpoint, "flowing: flow of the modes", strips, STATE, flowing->state);
+    for (int k = 0; flowing->state && k < STATE; k += 3)
+        visit_state(flowing, strips, checkpoint, k, k < COMPONENTS ? 3 : STATE - k);
+    checkpoint_strips(checkpoint, "flowing: work", strips, 1, flowing->work);
     checkpoint_strips(checkpoint, "flowing: degradation", strips, DEGRADATION, flowing->records);
 }
 
@@ -92,6 +124,7 @@ static void release(void *self)
 {
     struct flowing *flowing = self;
     free(flowing->state);
+    free(flowing->work);
     free(flowing->records);
     free(flowing->axes);
     free(flowing);
@@ -111,6 +144,7 @@ struct work {
     double square[LANES];                   /* |e - e'|^2 */
     double scale[LANES];                    /* a mu V phi'/r, times the integrity */
     double factor[LANES], increment[LANES]; /* phi'/r, |de'| */
+    double lost[LANES], waiting[LANES]; /* shares of d that go to e'; work that is not booked yet */
     double stored[LANES], dissipated[LANES], dissipating[LANES]; /* [J/m^3] */
 };
 
@@ -149,10 +183,10 @@ HS_INLINE struct vector gradient_of(int i, int mode, double weight, double (*res
 }
 
 /* e - e' of a mode of point i, which is kept; its square on top of those of other modes. */
-HS_INLINE double deviate(int i, int mode, struct vector e, const double *restrict plastic,
+HS_INLINE double deviate(int i, int mode, struct vector e, const float *restrict plastic,
                          int64_t stride, struct work *restrict w, double square)
 {
-    const double *from = plastic + 3 * mode * stride + i;
+    const float *from = plastic + 3 * mode * stride + i;
     const struct vector d = {e.x - from[0], e.y - from[stride], e.z - from[2 * stride]};
     w->d[3 * mode][i] = d.x;
     w->d[3 * mode + 1][i] = d.y;
@@ -161,7 +195,7 @@ HS_INLINE double deviate(int i, int mode, struct vector e, const double *restric
 }
 
 HS_SIMD static void find_deviation(int count, const double *restrict weight,
-                                   double (*restrict h)[3][LANES], const double *restrict plastic,
+                                   double (*restrict h)[3][LANES], const float *restrict plastic,
                                    int64_t stride, struct work *restrict w)
 {
     const double share = 1 / sqrt(3.);
@@ -182,7 +216,7 @@ HS_SIMD static void find_deviation(int count, const double *restrict weight,
 }
 HS_SIMD static void find_deviation_in_plane(int count, const double *restrict weight,
                                             double (*restrict h)[3][LANES],
-                                            const double *restrict plastic, int64_t stride,
+                                            const float *restrict plastic, int64_t stride,
                                             struct work *restrict w)
 {
     for (int i = 0; i < count; i++) {
@@ -209,7 +243,7 @@ HS_SIMD static void turn(int count, bool back, const double *restrict axes, int6
 
 /* phi'/r, and what a commit would dissipate. */
 HS_SIMD static void flow(int count, const struct flowing *restrict f, const double *restrict mu,
-                         const double *restrict stress, const double *restrict alpha,
+                         const double *restrict stress, const float *restrict alpha,
                          struct work *restrict w)
 {
     const double to_shear = 1 / sqrt(3.);
@@ -224,19 +258,27 @@ HS_SIMD static void flow(int count, const struct flowing *restrict f, const doub
     }
 }
 
-/* The state moves on: alpha and work, and e' of the modes. */
-HS_SIMD static void move_on(int count, const struct work *restrict w, double *restrict alpha,
+/* The state moves on: alpha and work, and e' of the modes.  Increments that its precision would
+ * swallow, of short steps, wait for those to come: Pi is what it is without a commit, and their
+ * share of it counts as stored. */
+HS_SIMD static void move_on(int count, struct work *restrict w, float *restrict alpha,
                             double *restrict work)
 {
+    const double least = 4 * (double)FLT_EPSILON;
     for (int i = 0; i < count; i++) {
-        alpha[i] += w->increment[i];
-        work[i] += w->dissipating[i];
+        const bool moves = w->increment[i] > least;
+        const double booked = moves ? w->dissipating[i] : 0;
+        w->lost[i] = moves ? 1 - w->factor[i] : 0;
+        w->waiting[i] = w->dissipating[i] - booked;
+        w->dissipating[i] = booked;
+        alpha[i] = (float)(alpha[i] + (moves ? w->increment[i] : 0));
+        work[i] += booked;
     }
 }
-HS_SIMD static void move_mode_on(int count, const double *restrict factor, const double *restrict d,
-                                 double *restrict plastic)
+HS_SIMD static void move_mode_on(int count, const double *restrict lost, const double *restrict d,
+                                 float *restrict plastic)
 {
-    for (int i = 0; i < count; i++) plastic[i] += (1 - factor[i]) * d[i];
+    for (int i = 0; i < count; i++) plastic[i] = (float)(plastic[i] + lost[i] * d[i]);
 }
 
 /* The work that has been booked so far, and none in this step where it is not committed. */
@@ -244,7 +286,7 @@ static void read_work(int count, const double *work, bool commit, struct work *w
 {
     for (int i = 0; i < count; i++) {
         w->dissipated[i] = work[i];
-        if (!commit) w->dissipating[i] = 0;
+        if (!commit) w->dissipating[i] = w->waiting[i] = 0;
     }
 }
 
@@ -324,7 +366,7 @@ HS_SIMD static void add_forces_in_plane(int count, const double *restrict weight
 
 /* e - e' and its square */
 static void deviation(const struct flowing *f, bool plane, struct cells *cells,
-                      const double *plastic, int64_t stride, struct work *w)
+                      const float *plastic, int64_t stride, struct work *w)
 {
     const struct strip *strip = cells->strip;
     find_inverse(strip->count, cells->points, w);
@@ -351,7 +393,7 @@ HS_SIMD static void find_energies(int count, double modulus, const double *restr
 {
     for (int i = 0; i < count; i++) {
         const double density = modulus * mu[i];
-        w->stored[i] = 0.5 * density * w->factor[i] * w->factor[i] * w->square[i];
+        w->stored[i] = density * (0.5 * w->factor[i] * w->factor[i] * w->square[i] + w->waiting[i]);
         w->dissipated[i] *= density;
         w->dissipating[i] *= density;
     }
@@ -376,7 +418,7 @@ static void no_flow(int count, struct work *w)
 {
     for (int i = 0; i < count; i++) {
         w->factor[i] = 1;
-        w->dissipated[i] = w->dissipating[i] = 0;
+        w->dissipated[i] = w->dissipating[i] = w->waiting[i] = 0;
     }
 }
 
@@ -387,12 +429,14 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     const int n = cells->strip->count;
     const bool plane = body->lattice->dimensions == 2;
     const int64_t stride = flowing->state ? cells->strip->stride : LANES;
-    double none[3 * MODES][LANES], *state = none[0];
+    float none[COMPONENTS][LANES], *state = none[0];
+    double *work = NULL;
     const double *mu = cells->points->mu;
     const bool flows = flowing->state && !mode.frozen;
     struct work w;
     if (flowing->state) {
         state = flowing->state + STATE * cells->strip->store;
+        work = flowing->work + cells->strip->store;
         prefetch(state + STATE * stride,
                  (size_t)(STATE * stride) * sizeof *state); /* of the next strip */
     } else
@@ -402,15 +446,14 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
         flow(n, flowing, mu, stress, state + ALPHA * stride, &w);
     else
         no_flow(n, &w);
-    if (flows && mode.commit) move_on(n, &w, state + ALPHA * stride, state + WORK * stride);
-    if (flows && (mode.energy || cells->integrity))
-        read_work(n, state + WORK * stride, mode.commit, &w);
+    if (flows && mode.commit) move_on(n, &w, state + ALPHA * stride, work);
+    if (flows && (mode.energy || cells->integrity)) read_work(n, work, mode.commit, &w);
     find_scale(n, flowing->modulus, mu, cells->volume, &w);
     if (mode.energy || cells->integrity) find_energies(n, flowing->modulus, mu, &w);
     if (cells->integrity) degrade(flowing, cells, mode.commit, &w);
     push(flowing, plane, &w, cells);
     for (int k = 0; k < (plane ? 3 : COMPONENTS) && flows && mode.commit; k++)
-        move_mode_on(n, w.factor, w.d[k], state + k * stride);
+        move_mode_on(n, w.lost, w.d[k], state + k * stride);
     if (!mode.energy) return;
     cells_sum(body, cells, w.stored, 1, &energy->stabilisation);
     cells_sum(body, cells, w.dissipated, 1, &energy->plastic);
