@@ -18,14 +18,14 @@ void *memory_new(size_t count, size_t size)
     if (__builtin_mul_overflow(count, size, &bytes) || bytes > PTRDIFF_MAX - LARGE_PAGE)
         die_run("cannot allocate %zu elements of %zu bytes", count, size);
     /* Fields of large bodies, of which many are read at once, lie in large pages where the system
-     * has them. aligned_alloc wants a multiple of the alignment. */
-    const bool large = bytes >= 8 * (size_t)LARGE_PAGE;
-    const size_t alignment = large ? LARGE_PAGE : ALIGNMENT;
-    bytes = (bytes / alignment + 1) * alignment;
-    void *block = aligned_alloc(alignment, bytes);
-    if (block == NULL) die_run("out of memory: %.3g MB wanted", (double)bytes / 1e6);
-    if (large) madvise(block, bytes, MADV_HUGEPAGE);
-    return memset(block, 0, bytes);
+     * has them, but for what does not fill one. */
+    const size_t large = bytes / LARGE_PAGE * LARGE_PAGE;
+    void *block = NULL;
+    if (posix_memalign(&block, large ? LARGE_PAGE : ALIGNMENT, bytes ? bytes : 1) != 0)
+        die_run("out of memory: %.3g MB wanted", (double)bytes / 1e6);
+    if (large) madvise(block, large, MADV_HUGEPAGE);
+    memset(block, 0, bytes);
+    return block;
 }
 
 void *memory_grow(void *items, int64_t count, size_t size)
