@@ -22,11 +22,11 @@
 #endif
 #define HS_INLINE static inline __attribute__((always_inline))
 
-/* Asks for numbers that will soon be read, beyond the nearest cache: rows of short arrays, one
- * behind the other, are more than a processor sees coming. */
+/* Asks for numbers that will soon be read: rows of short arrays, one behind the other, are more
+ * than a processor sees coming. */
 HS_INLINE void prefetch(const void *from, size_t bytes)
 {
-    for (size_t i = 0; i < bytes; i += 64) __builtin_prefetch((const char *)from + i, 0, 2);
+    for (size_t i = 0; i < bytes; i += 64) __builtin_prefetch((const char *)from + i, 0, 3);
 }
 
 /* Strips of the lattice are cut at multiples of this many sites in x, whatever part a rank holds.

@@ -286,14 +286,26 @@ HS_SIMD static void divide(int count, const double *restrict volume, double *res
     for (int i = 0; i < count; i++) f[i] = volume[i] > 0 ? f[i] / volume[i] : 0;
 }
 
+/* Of the displacements that a strip reads the row that those before it have not. */
+static void fetch_row(const struct corner *model, const struct body *body,
+                      const struct strip *strip)
+{
+    for (int a = 0; a < 3; a++)
+        prefetch(body->u[a] + strip->site + model->row[3],
+                 (size_t)strip->count * sizeof *body->u[a]);
+}
+
 static void corner_force(void *self, struct body *body, struct force_mode mode,
                          struct force_energy *energy)
 {
     struct corner *model = self;
     halo_exchange(body->displacement_halo, body->u, 3);
     body_clear(body, body->f, 3);
-    for (int64_t s = 0; s < body->near.count; s++)
+    for (int64_t s = 0; s < body->near.count; s++) {
+        if (s + 1 < body->near.count && !model->hexahedra)
+            fetch_row(model, body, &body->near.items[s + 1]);
         strip_force(model, body, &body->near.items[s], mode, energy);
+    }
     for (int64_t s = 0; s < body->owned.count; s++) {
         const struct strip *strip = &body->owned.items[s];
         for (int a = 0; a < body->lattice->dimensions; a++)
