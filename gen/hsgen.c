@@ -96,11 +96,13 @@ static char *check_topology(const struct recipe *recipe, const struct findings *
 /* What cannot work is said before the work is done. */
 static void check_side_files(const struct arguments *c, const struct recipe *recipe)
 {
-    const bool *periodic = recipe->specimen.periodic;
+    const bool *periodic = recipe->specimen.periodic, *planes = recipe->specimen.symmetry;
     if (c->picture) picture_check_name(c->picture);
     if (c->export) export_check_name(c->export);
     if (c->peridigm && (periodic[0] || periodic[1] || periodic[2]))
         die_user("--peridigm %s: that format has no place for a periodic body", c->peridigm);
+    if (c->peridigm && (planes[0] || planes[1] || planes[2]))
+        die_user("--peridigm %s: that format has no place for planes of symmetry", c->peridigm);
     if (c->cores && recipe->topology->no_cores)
         die_user("--cores %s: a structure of the topology %s has no cores", c->cores,
                  recipe->topology->deck.name);

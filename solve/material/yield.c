@@ -1,6 +1,7 @@
 #include "yield.h"
 
 #include "body.h"
+#include "die.h"
 #include "flow_curve.h"
 #include "law.h"
 #include "material.h"
@@ -57,7 +58,7 @@ const struct key yield_keys[YIELD_KEYS] = {
 void yield_read(struct deck_node material, void *self)
 {
     struct yield *yield = self;
-    (void)material;
+    yield->material = material;
     yield->hardening = hardening_read(yield->node);
 }
 
@@ -98,13 +99,22 @@ static double normal(const struct yield *yield, const char *phase, uint64_t node
                                   (1 - 2 * least) * uniform(random_hash(yield->seed, phase, node)));
 }
 
-static double factor(const struct yield *yield, const char *phase, const double x[3], uint64_t node)
+/* Of an image the bits of the original. */
+static double factor(const struct yield *yield, const char *phase, const struct lattice *lattice,
+                     int64_t node)
 {
-    double k = 1, square = 0;
-    for (int a = 0; a < 3; a++) square += (x[a] - yield->centre[a]) * (x[a] - yield->centre[a]);
+    double k = 1, square = 0, x[3];
+    int at[3];
+    lattice_position(lattice, node, at);
+    lattice_particle(lattice, at, x);
+    for (int a = 0; a < 3; a++) {
+        const double period = lattice->periodic[a] ? lattice_period(lattice, a) : 0,
+                     apart = lattice_shortest(x[a] - yield->centre[a], period);
+        square += apart * apart;
+    }
     if (yield->radius > 0)
         k *= 1 - yield->reduction * exp(-square / (yield->radius * yield->radius));
-    if (yield->deviation > 0) k *= 1 + yield->deviation * normal(yield, phase, node);
+    if (yield->deviation > 0) k *= 1 + yield->deviation * normal(yield, phase, (uint64_t)node);
     return k;
 }
 
@@ -139,11 +149,31 @@ double yield_strongest(const struct materials *materials, double p, int *phase)
     return most;
 }
 
+static void check_planes(const struct yield *yield, const struct body *body)
+{
+    const struct lattice *lattice = body->lattice;
+    const double rounding = 1e-6;
+    for (int a = 0; a < 3; a++) {
+        if (!lattice->mirror[a]) continue;
+        const double plane = lattice->origin[a];
+        if (yield->radius > 0 && fabs(yield->centre[a] - plane) > rounding * lattice->spacing)
+            deck_error(deck_get(deck_get(yield->material, "flaw"), "centre"),
+                       "the flaw's %c, %g m, is not in the plane of symmetry across %c, at %g m, "
+                       "which would make other flaws of it: put it there, or solve the whole body",
+                       'x' + a, yield->centre[a], 'x' + a, plane);
+        if (yield->deviation > 0 && body->ranks.rank == 0)
+            warn("below the plane of symmetry across %c the yield scatters as above, not on its "
+                 "own",
+                 'x' + a);
+    }
+}
+
 void yield_start(struct body *body, const struct materials *materials)
 {
     bool varies = false;
     for (int p = 0; p < materials->count; p++) {
         const struct yield *yield = yield_of_phase(materials, p);
+        if (yield) check_planes(yield, body);
         varies |= yield && (yield->radius > 0 || yield->deviation > 0);
     }
     if (!varies) return;
@@ -152,11 +182,8 @@ void yield_start(struct body *body, const struct materials *materials)
         const int phase = body->grid.phase[site];
         const struct yield *yield = phase == ABSENT ? NULL : yield_of_phase(materials, phase);
         if (!yield) continue;
-        double x[3];
-        body_particle_position(body, site, x);
-        body->yield_shift[site] =
-            (factor(yield, materials->items[phase].name, x, (uint64_t)body_number(body, site)) -
-             1) *
-            hardening_stress(&yield->hardening, 0);
+        const double k =
+            factor(yield, materials->items[phase].name, body->lattice, body_number(body, site));
+        body->yield_shift[site] = (k - 1) * hardening_stress(&yield->hardening, 0);
     }
 }

@@ -5,7 +5,8 @@
  *
  * The hardening beyond yield stays the law's.  r, c, R: the flaw's reduction, centre and radius; d:
  * the scatter's deviation, g a number of the normal distribution, cut at three, that follows from
- * the seed, the phase's name and the node alone. */
+ * the seed, the phase's name and the node alone.  In a periodic body x - c is that of the flaw's
+ * nearest image. */
 #ifndef HS_YIELD_H
 #define HS_YIELD_H
 
@@ -17,7 +18,7 @@ struct materials;
 
 /* Parameters of a law that yields. */
 struct yield {
-    struct deck_node node; /* what the deck says of hardening */
+    struct deck_node material, node; /* where the deck has it; what it says of hardening */
     struct hardening hardening;
     double centre[3], radius, reduction; /* of the flaw [m]; radius 0: none */
     double deviation;                    /* of the scatter; 0: none */
@@ -45,7 +46,8 @@ double yield_strongest(const struct materials *materials, double p, int *phase);
 void *yield_pairs(int count, const void *const first[], const void *const second[]);
 
 /* Fills body->yield_shift, (k - 1) law(0) [Pa], at all sites of the box; leaves it NULL where no
- * material varies. */
+ * material varies.  Dies at a flaw that a plane of symmetry would make several of, and warns of a
+ * scatter that is one's own image. */
 void yield_start(struct body *body, const struct materials *materials);
 
 #endif

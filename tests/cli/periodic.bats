@@ -243,6 +243,31 @@ initial:
     [[ $output == *'deck.yaml:7:'*'load steps have no inertia, and a velocity at the start changes nothing'* ]]
 }
 
+@test "a flaw off a plane of symmetry is refused, a scatter of yields told" {
+    body() { # CENTRE, or what stands for the flaw
+        cat >part.yaml <<DECK
+domain: {specimen: plate, size: [80 um, 40 um, 40 um], spacing: 10 um, symmetry: [x, y], topology: homogeneous, phase: Ni}
+materials:
+  Ni: {model: corner, density: 8900, youngs_modulus: 200 GPa, poissons_ratio: 0.3, hardening: {law: linear, yield: 250 MPa, modulus: 1 GPa},
+       $1}
+boundary:
+  - {where: "abs(x) > 35e-6", direction: x, displacement: "1e-2*t*x"}
+solver: {end_time: 0.1, step: 0.1}
+DECK
+        hsgen -q part.yaml -o part.g
+        hssolve -q --check -i part.g 2>said
+    }
+    body 'flaw: {centre: [0, 0, 3 um], radius: 10 um, reduction: 0.1}'
+    [ ! -s said ]
+    run -2 body 'flaw: {centre: [0, -5 um, 0], radius: 10 um, reduction: 0.1}'
+    cat said
+    grep -q "part.yaml:4:23: the flaw's y, -5e-06 m, is not in the plane of symmetry across y" said
+    body 'yield_scatter: {deviation: 0.1, seed: 1}'
+    grep -q 'below the plane of symmetry across x the yield scatters as above' said
+    run -2 hsgen part.yaml --peridigm text -o never.g
+    [[ $output == *'no place for planes of symmetry'* ]]
+}
+
 @test "a force on a part of a body is its share of that on the whole one" {
     for symmetry in '' 'symmetry: [y, z]' 'symmetry: [x, z]'; do
         cat >deck.yaml <<DECK

@@ -60,6 +60,25 @@ tension='{component: xx, rate: 1 1/s}'
     done
 }
 
+# Bonds and families across a face see the flaw's nearest image.
+@test "a flaw at the corner of a periodic cell is that in its middle, to 1e-8, on 1 rank or 2" {
+    body cube 6 6 6 1
+    for kind in mix capped plastic corner; do
+        take "$kind"
+        [ "$kind" != corner ] || model=corner keys='accuracy: 1e-3'
+        for place in 30:1 0:1 60:2; do
+            centre="${place%:*} um"
+            deck cube 'x, y, z' "$linear_1, flaw: {centre: [$centre, $centre, $centre], radius: 15 um, reduction: 0.6}" '' "$tension" \
+                "end_steps: 3, step: 0.0005, tolerance: 1e-10, most_evaluations: 20000, $keys"
+            sed -i /block_2/d cube.yaml
+            solve cube cube -j "${place#*:}"
+            echo "$kind $place $(last cube.e mean_stress_xx_Pa mean_gradient_yy plastic_energy_J)"
+        done >found
+        cat found
+        awk '{ for (k = 3; k <= 5; k++) if (NR == 1) first[k] = $k; else if (($k / first[k] - 1) ^ 2 > 1e-16) bad = 1 } END { exit bad || !(NR == 3) }' found
+    done
+}
+
 # Between two phases lattice and cloud differ: a bond on a lattice knows how much of it lies in either cell.
 @test "particles a little off a lattice, around a hole: the stresses of the lattice to 2e-5, of a shift that falls with it" {
     body cube 8 8 8 1
