@@ -87,48 +87,37 @@ static void corner_free(void *self)
     free(model);
 }
 
-/* Over the four rows of corners, a node of each: the sum, and the products with their signs along
- * y, z and both. */
-struct rows {
-    double sum[LANES + 1], y[LANES + 1], z[LANES + 1], yz[LANES + 1];
+/* Of the four corners with the same x: the sum, and the products with their signs along y, z and
+ * both. */
+struct face {
+    double sum, y, z, yz;
 };
 
-/* In a plane the rows of z are those without: z and yz come out zero. */
-HS_SIMD static void combine_rows(int count, const double *restrict a, const double *restrict b,
-                                 const double *restrict c, const double *restrict d,
-                                 struct rows *restrict out)
+/* Of numbers a to d in the rows of corner.row; in a plane, where the rows of z are those without, z
+ * and yz are zero. */
+HS_INLINE struct face combine_face(double a, double b, double c, double d)
 {
-    for (int i = 0; i < count; i++) {
-        const double lower = a[i] + b[i], upper = c[i] + d[i], below = b[i] - a[i],
-                     above = d[i] - c[i];
-        out->sum[i] = lower + upper;
-        out->y[i] = below + above;
-        out->z[i] = upper - lower;
-        out->yz[i] = above - below;
-    }
+    const double lower = a + b, upper = c + d, below = b - a, above = d - c;
+    return (struct face){lower + upper, below + above, upper - lower, above - below};
 }
 
-/* (corner.1): a row of H */
-HS_SIMD static void gradient_row(int count, const struct rows *restrict r, double x, double y,
-                                 double z, double *restrict hx, double *restrict hy,
-                                 double *restrict hz)
+/* (corner.1), a row of H, and (corner.2), one component of each mode. */
+HS_SIMD static void load_component(int count, const double *restrict a, const double *restrict b,
+                                   const double *restrict c, const double *restrict d,
+                                   const double *restrict slope, double (*restrict H)[LANES],
+                                   double *restrict xy, double *restrict yz, double *restrict zx,
+                                   double *restrict xyz)
 {
     for (int i = 0; i < count; i++) {
-        hx[i] = x * (r->sum[i + 1] - r->sum[i]);
-        hy[i] = y * (r->y[i] + r->y[i + 1]);
-        hz[i] = z * (r->z[i] + r->z[i + 1]);
-    }
-}
-
-/* (corner.2): one component of each mode */
-HS_SIMD static void amplitudes(int count, const struct rows *restrict r, double *restrict xy,
-                               double *restrict yz, double *restrict zx, double *restrict xyz)
-{
-    for (int i = 0; i < count; i++) {
-        xy[i] = 0.125 * (r->y[i + 1] - r->y[i]);
-        yz[i] = 0.125 * (r->yz[i] + r->yz[i + 1]);
-        zx[i] = 0.125 * (r->z[i + 1] - r->z[i]);
-        xyz[i] = 0.125 * (r->yz[i + 1] - r->yz[i]);
+        const struct face left = combine_face(a[i], b[i], c[i], d[i]),
+                          right = combine_face(a[i + 1], b[i + 1], c[i + 1], d[i + 1]);
+        H[0][i] = slope[0] * (right.sum - left.sum);
+        H[1][i] = slope[1] * (left.y + right.y);
+        H[2][i] = slope[2] * (left.z + right.z);
+        xy[i] = 0.125 * (right.y - left.y);
+        yz[i] = 0.125 * (left.yz + right.yz);
+        zx[i] = 0.125 * (right.z - left.z);
+        xyz[i] = 0.125 * (right.yz - left.yz);
     }
 }
 
@@ -136,15 +125,10 @@ static void load_rows(const struct corner *model, const struct body *body,
                       const struct strip *strip, struct points *points, struct cells *cells)
 {
     for (int a = 0; a < 3; a++) {
-        struct rows rows;
         const double *u = body->u[a] + strip->site;
-        combine_rows(strip->count + 1, u + model->row[0], u + model->row[1], u + model->row[2],
-                     u + model->row[3], &rows);
-        gradient_row(strip->count, &rows, model->slope[0], model->slope[1], model->slope[2],
-                     points->H[3 * a], points->H[3 * a + 1], points->H[3 * a + 2]);
-        if (cells)
-            amplitudes(strip->count, &rows, cells->h[0][a], cells->h[1][a], cells->h[2][a],
-                       cells->h[MODE_XYZ][a]);
+        load_component(strip->count, u + model->row[0], u + model->row[1], u + model->row[2],
+                       u + model->row[3], model->slope, points->H + 3 * a, cells->h[0][a],
+                       cells->h[1][a], cells->h[2][a], cells->h[MODE_XYZ][a]);
     }
 }
 
@@ -153,8 +137,8 @@ HS_SIMD static void add_mean(int count, double mean, double *restrict H)
     for (int i = 0; i < count; i++) H[i] += mean;
 }
 
-/* Gradient, and amplitudes where cells is not NULL, of the particles of a strip; those that carry
- * nothing are switched off. */
+/* Gradient and amplitudes of the particles of a strip; those that carry nothing are switched off.
+ */
 static void load(const struct corner *model, const struct body *body, const struct strip *strip,
                  struct points *points, struct cells *cells)
 {
@@ -173,31 +157,30 @@ static void load(const struct corner *model, const struct body *body, const stru
 }
 
 HS_SIMD static void weigh_stress(int count, double share, const double *restrict volume,
-                                 const double *restrict P, double *restrict A)
+                                 double (*restrict P)[LANES], double (*restrict A)[PADDED])
 {
-    for (int i = 0; i < count; i++) A[PAD + i] = share * volume[i] * P[i];
+    for (int k = 0; k < TENSOR; k++)
+        for (int i = 0; i < count; i++) A[k][PAD + i] = share * volume[i] * P[k][i];
 }
 
-/* (corner.3), one component: what the corners' rows get, combined as in struct rows. */
-HS_SIMD static void combine_forces(int count, double x, double y, double z,
-                                   double (*restrict A)[PADDED], const double *restrict xy,
-                                   const double *restrict yz, const double *restrict zx,
-                                   const double *restrict xyz, struct rows *restrict out)
+/* (corner.3), one component: what the corners' rows get, particles to their left and right. */
+HS_SIMD static void scatter_component(int count, const double *restrict slope,
+                                      double (*restrict A)[PADDED], const double *restrict xy,
+                                      const double *restrict yz, const double *restrict zx,
+                                      const double *restrict xyz, double *restrict a,
+                                      double *restrict b, double *restrict c, double *restrict d)
 {
     for (int i = 0; i <= count; i++) {
         const int p = PAD + i, q = p - 1;
-        out->sum[i] = x * (A[0][q] - A[0][p]);
-        out->y[i] = y * (A[1][q] + A[1][p]) + 0.125 * (xy[q] - xy[p]);
-        out->z[i] = z * (A[2][q] + A[2][p]) + 0.125 * (zx[q] - zx[p]);
-        out->yz[i] = 0.125 * ((yz[q] + yz[p]) + (xyz[q] - xyz[p]));
+        const double sum = slope[0] * (A[0][q] - A[0][p]),
+                     y = slope[1] * (A[1][q] + A[1][p]) + 0.125 * (xy[q] - xy[p]),
+                     z = slope[2] * (A[2][q] + A[2][p]) + 0.125 * (zx[q] - zx[p]),
+                     both = 0.125 * ((yz[q] + yz[p]) + (xyz[q] - xyz[p]));
+        a[i] -= (sum - y) + (both - z);
+        b[i] -= (sum + y) - (z + both);
+        c[i] -= (sum - y) + (z - both);
+        d[i] -= (sum + y) + (z + both);
     }
-}
-
-HS_SIMD static void scatter_row(int count, const struct rows *restrict r, double sign_y,
-                                double sign_z, double sign_yz, double *restrict f)
-{
-    for (int i = 0; i < count; i++)
-        f[i] -= (r->sum[i] + sign_y * r->y[i]) + (sign_z * r->z[i] + sign_yz * r->yz[i]);
 }
 
 static void close_row(int count, double row[PADDED])
@@ -205,21 +188,29 @@ static void close_row(int count, double row[PADDED])
     row[PAD - 1] = row[PAD + count] = 0;
 }
 
+HS_SIMD static void add_row(int count, const double *restrict from, double *restrict to)
+{
+    for (int i = 0; i < count; i++) to[i] += from[i];
+}
+
 static void scatter(const struct corner *model, struct body *body, struct cells *cells)
 {
     const int n = cells->strip->count;
-    const double *slope = model->slope;
+    const bool plane = body->lattice->dimensions == 2;
     for (int k = 0; k < TENSOR; k++) close_row(n, cells->A[k]);
     for (int k = 0; k < 3 * MODES; k++) close_row(n, cells->m[k / 3][k % 3]);
     for (int a = 0; a < 3; a++) {
         double *f = body->f[a] + cells->strip->site;
-        struct rows rows;
-        combine_forces(n, slope[0], slope[1], slope[2], cells->A + 3 * a, cells->m[0][a],
-                       cells->m[1][a], cells->m[2][a], cells->m[MODE_XYZ][a], &rows);
-        scatter_row(n + 1, &rows, -1, -1, 1, f + model->row[0]);
-        scatter_row(n + 1, &rows, 1, -1, -1, f + model->row[1]);
-        scatter_row(n + 1, &rows, -1, 1, -1, f + model->row[2]);
-        scatter_row(n + 1, &rows, 1, 1, 1, f + model->row[3]);
+        /* In a plane the rows of z are those without, which get their shares one by one. */
+        double c[LANES + 1], d[LANES + 1];
+        for (int i = 0; plane && i <= n; i++) c[i] = d[i] = 0;
+        scatter_component(n, model->slope, cells->A + 3 * a, cells->m[0][a], cells->m[1][a],
+                          cells->m[2][a], cells->m[MODE_XYZ][a], f + model->row[0],
+                          f + model->row[1], plane ? c : f + model->row[2],
+                          plane ? d : f + model->row[3]);
+        if (!plane) continue;
+        add_row(n + 1, c, f + model->row[0]);
+        add_row(n + 1, d, f + model->row[1]);
     }
 }
 
@@ -265,8 +256,7 @@ static void strip_force(struct corner *model, struct body *body, const struct st
     memcpy(flow, points_flow_stress(model->points, strip, flow),
            (size_t)strip->count * sizeof *flow);
     points_update(model->points, strip, &points, mode, cells.integrity);
-    for (int k = 0; k < TENSOR; k++)
-        weigh_stress(strip->count, share, cells.volume, points.P[k], cells.A[k]);
+    weigh_stress(strip->count, share, cells.volume, points.P, cells.A);
     if (body->lattice->dimensions == 2) memset(cells.m, 0, sizeof cells.m);
     if (mode.energy) {
         cells_sum(body, &cells, points.stored, share, &energy->stored);
@@ -321,7 +311,8 @@ static void corner_observe(void *self, const struct body *body, const struct str
 {
     struct corner *model = self;
     struct points points;
-    load(model, body, strip, &points, NULL);
+    struct cells cells;
+    load(model, body, strip, &points, &cells);
     points_observe(model->points, body, strip, &points, model->nominal, node);
 }
 

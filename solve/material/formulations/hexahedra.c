@@ -129,7 +129,7 @@ void hexahedra_load(const struct hexahedra *hexahedra, const struct strip *strip
                  *amplitude = hexahedra->amplitude + AMPLITUDE * strip->store;
     const size_t bytes = (size_t)strip->count * sizeof(double);
     for (int k = 0; k < TENSOR; k++) memset(points->H[k], 0, bytes);
-    for (int m = 0; cells && m < 3 * MODES; m++) memset(cells->h[m / 3][m % 3], 0, bytes);
+    for (int m = 0; m < 3 * MODES; m++) memset(cells->h[m / 3][m % 3], 0, bytes);
     for (int k = 0; k < CORNERS; k++)
         for (int a = 0; a < 3; a++) {
             double u[LANES];
@@ -137,7 +137,7 @@ void hexahedra_load(const struct hexahedra *hexahedra, const struct strip *strip
             for (int b = 0; b < 3; b++)
                 add_products(strip->count, u, gradient + (3 * k + b) * strip->stride,
                              points->H[3 * a + b]);
-            for (int m = 0; cells && m < MODES; m++)
+            for (int m = 0; m < MODES; m++)
                 add_products(strip->count, u, amplitude + (CORNERS * m + k) * strip->stride,
                              cells->h[m][a]);
         }

@@ -21,8 +21,7 @@ void hexahedra_normalise(struct hexahedra *hexahedra);
  * from face to face along the first, across it in the plane of the first two, across both. */
 void hexahedra_axes(const struct hexahedra *hexahedra, double *axes);
 
-/* Gradient (corner.1), and amplitudes (corner.2) where cells is not NULL, of the particles of a
- * strip. */
+/* Gradient (corner.1) and amplitudes (corner.2) of the particles of a strip. */
 void hexahedra_load(const struct hexahedra *hexahedra, const struct strip *strip,
                     struct points *points, struct cells *cells);
 
