@@ -54,7 +54,8 @@ static const struct key rows[] = {
      .otherwise = "of a lattice that of its cells, of a mesh that of its nodes; else required",
      .help = "after which it does; along other axes of no meaning"},
     {"symmetry", KEY_NODE, AT(symmetry), .form = "[AXIS, ...]", .otherwise = "none",
-     .help = "axes across which a lattice is the half of a body"},
+     .help =
+         "axes across which a lattice is the upper half of a body, whose grips and gauge are said"},
     {"grips", KEY_NODE, AT(grips), .section = &section_domain_grips, .otherwise = "none",
      .help = "where the file has no sets of these names"},
     {"gauge", KEY_NODE, AT(gauge), .section = &section_domain_gauge, .otherwise = "none",

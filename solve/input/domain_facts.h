@@ -34,7 +34,8 @@ void domain_facts_node_sets(const struct domain_facts *facts, struct domain *dom
 /* Grips and gauge planes where the deck has them and the file has not: grip_left, grip_right,
  * gauge_left, gauge_right, of a mesh's nodes, too; and the attribute section_m2.  lattice: what
  * domain_sort said.  On a lattice a gauge plane is a layer of nodes, else the nodes within half a
- * spacing of it. */
+ * spacing of it.  Of a part of a symmetric body grips and gauge are those of the whole, and what is
+ * left is in the image. */
 void domain_facts_planes(const struct domain_facts *facts, bool lattice, struct domain *domain);
 
 #endif

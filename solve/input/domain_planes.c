@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A section that is said and that of the body may be apart by this factor: a notch between the
  * gauge planes has less. */
@@ -20,10 +21,12 @@ struct layer {
                           outside */
 };
 
-/* Body along the axis of the test, from the faces of its outermost nodes. */
+/* Body along the axis of the test, from the faces of its outermost nodes; mirrored: with its image
+ * below the plane of symmetry, which is the middle then. */
 struct extent {
     int axis;
     double low, high, middle, spacing; /* m */
+    bool mirrored;
 };
 
 static const double *along(const struct domain *domain, int axis)
@@ -92,6 +95,11 @@ static struct extent extent_of(const struct domain *domain, int axis)
     e.middle = 0.5 * (e.low + e.high);
     e.low -= 0.5 * e.spacing;
     e.high += 0.5 * e.spacing;
+    const char *planes = attributes_text(&domain->attributes, "symmetry");
+    e.mirrored = planes && strchr(planes, 'x' + axis);
+    if (!e.mirrored) return e;
+    e.middle = e.low;
+    e.low = e.middle - (e.high - e.middle);
     return e;
 }
 
@@ -141,6 +149,9 @@ static bool two_planes(struct deck_node map, const struct extent *e, double plan
         deck_error(length, "'length' beside 'planes', expected one of them");
     if (!given.index) return false;
     keys_list(&row, given, e->spacing, planes);
+    if (e->mirrored && fabs(planes[0] + planes[1] - 2 * e->middle) > SLACK * e->spacing)
+        deck_error(given, "the two planes are not images of each other across the plane of "
+                          "symmetry: say their 'length'");
     return true;
 }
 
@@ -162,7 +173,8 @@ static void add_grips(struct domain *domain, struct deck_node grips, const struc
                    "m long along %c%s",
                    planes[0], planes[1], e->high - e->low, 'x' + e->axis,
                    other_axis(domain, e->axis));
-    add_layer(domain, grips, e->axis, (struct layer){"grip_left", -INFINITY, planes[0], 0});
+    if (!e->mirrored)
+        add_layer(domain, grips, e->axis, (struct layer){"grip_left", -INFINITY, planes[0], 0});
     add_layer(domain, grips, e->axis, (struct layer){"grip_right", planes[1], INFINITY, 0});
 }
 
@@ -233,16 +245,20 @@ static void add_gauge(const struct domain_facts *facts, bool lattice, const stru
         planes[1] = e->middle + 0.5 * length;
     }
     check_gauge(domain, facts->gauge, e, planes, slack);
-    for (int k = 0; k < 2 && lattice; k++)
+    if (e->mirrored) planes[0] = e->middle;
+    for (int k = e->mirrored; k < 2 && lattice; k++)
         planes[k] = snapped(domain, facts->gauge, e, planes[k], slack);
     check_free(domain, facts->gauge, e, planes, 1e-3 * e->spacing);
     const double more = (lattice ? 0.5 : 1e-3) * e->spacing;
     const struct layer left = {"gauge_left", planes[0] - slack, planes[0] + slack, more},
                        right = {"gauge_right", planes[1] - slack, planes[1] + slack, more};
-    add_layer(domain, facts->gauge, e->axis, left);
+    if (!e->mirrored) add_layer(domain, facts->gauge, e->axis, left);
     add_layer(domain, facts->gauge, e->axis, right);
     for (int64_t i = 0; lattice && i < domain->n_nodes; i++)
-        if (x[i] >= planes[0] && x[i] < planes[1] - slack) volume += domain->volume[i];
+        if (x[i] >= planes[0] && x[i] < planes[1] - slack)
+            volume += domain->volume[i];
+        else if (e->mirrored && x[i] < planes[1] + slack) /* to the middle of the layer */
+            volume += 0.5 * domain->volume[i];
     if (planes[1] > planes[0])
         attributes_set_number(&domain->attributes, "section_m2",
                               lattice ? volume / (planes[1] - planes[0])

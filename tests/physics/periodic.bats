@@ -445,6 +445,22 @@ END
     columns whole.e force_right_N | tail -n +2 >whole
     columns eighth.e force_right_N | tail -n +2 >eighth
     paste whole eighth | while read -r a b; do near_share "$(awk "BEGIN { printf \"%.12g\", 4 * $b }")" "$a" 1e-9 || exit 1; done
+    # grips and gauge, which are the whole body's
+    for part in eighth whole; do
+        sed -i -e 's/spacing: 10 um/&, grips: {length: 10 um}, gauge: {length: 100 um}/' -e 's/box: ..79.*1 mm.., dir/set: grip_right, dir/' \
+            -e 's/box: ..-81.*1 mm.., dir/set: grip_left, dir/' $part.yaml
+        solve $part $part
+        hspost -q $part.e | awk -F, '!/^#/ && NR > 1 && $1 + 0 > 0 { printf "%.12g %.12g\n", $5, $6 }' >$part
+    done
+    grep -q 'set: grip_left' whole.yaml
+    [ "$(wc -l <whole)" -ge 10 ]
+    paste whole eighth | while read -r strain stress other_strain other_stress; do
+        near_share "$other_strain" "$strain" 1e-8 || exit 1
+        near_share "$other_stress" "$stress" 1e-8 || exit 1
+    done
+    sed 's/gauge: {length: 100 um}/gauge: {planes: [-40 um, 50 um]}/' eighth.yaml >off.yaml
+    run -2 hssolve --check -d off.yaml -i eighth.txt
+    [[ $output == *'off.yaml:1:'*'not images of each other across the plane of symmetry'* ]]
 }
 
 @test "an eighth of a dog-bone of hsgen, with cut volumes, gives the whole one's stress and strain to 1e-8" {
