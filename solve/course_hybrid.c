@@ -83,6 +83,7 @@ static void begin_static(struct simulation *s)
 {
     struct integration *integration = &s->integration;
     integration->moving = false;
+    s->load_steps.quasi_static->lasted = 0;
     body_clear(&s->body, s->body.v, 3);
     boundary_stop(&s->boundary);
     if (s->boundary.macroscopic) macroscopic_rest(s->boundary.macroscopic, &s->body);

@@ -332,7 +332,7 @@ static double degrade(struct damage *damage, int64_t site, const struct node_rul
     const double now = fmax(1 - rule->law->degradation(rule->own, state), 0),
                  change = now - *integrity;
     *integrity = now;
-    return change;
+    return -fabs(change);
 }
 
 double damage_grow(struct damage *damage)

@@ -2,6 +2,7 @@
 
 #include "balance.h"
 #include "checkpoint.h"
+#include "integrity.h"
 #include "memory.h"
 
 #include <math.h>
@@ -33,6 +34,11 @@ struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double la
     q->rate = vector_new(&equilibrium->unknowns);
     q->before = vector_new(&equilibrium->unknowns);
     q->held_before = memory_new(3 * (size_t)equilibrium->held.count, sizeof(double));
+    for (int k = 0; k < 2 && body->integrity; k++) {
+        const size_t bytes = (size_t)body->grid.n_sites * sizeof(double);
+        q->sound[k] = memory_new(1, bytes);
+        memcpy(q->sound[k], body->integrity->node, bytes);
+    }
     for (int a = 0; a < 3 && work_depends_on_place(equilibrium->boundary); a++) {
         q->force_before[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
         q->load_before[a] = memory_new((size_t)body->grid.n_sites, sizeof(double));
@@ -50,6 +56,8 @@ void quasi_static_free(struct quasi_static *q)
     free(q->rate);
     free(q->before);
     free(q->held_before);
+    free(q->sound[0]);
+    free(q->sound[1]);
     for (int a = 0; a < 3; a++) {
         free(q->force_before[a]);
         free(q->load_before[a]);
@@ -81,6 +89,27 @@ static void keep_forces(const struct quasi_static *q)
         memcpy(q->force_before[a], body->f[a], bytes);
         if (body->b[a]) memcpy(q->load_before[a], body->b[a], bytes);
     }
+}
+
+static void keep_integrity(struct quasi_static *q)
+{
+    const struct body *body = q->equilibrium->body;
+    double *oldest = q->sound[1];
+    if (!oldest) return;
+    q->sound[1] = q->sound[0];
+    q->sound[0] =
+        memcpy(oldest, body->integrity->node, (size_t)body->grid.n_sites * sizeof(double));
+}
+
+/* (quasi_static.1); times: dt'/dt. */
+static void predict_integrity(const struct quasi_static *q, double times)
+{
+    static const double share = 0.8, least = 0.1;
+    const struct body *body = q->equilibrium->body;
+    const double *c = q->sound[0], *before = q->sound[1];
+    for (int64_t i = 0; c && i < body->grid.n_sites; i++)
+        body->integrity->node[i] =
+            fmax(c[i] + share * times * fmin(c[i] - before[i], 0), least * c[i]);
 }
 
 static void exchange(double *fields[3], double *other[3])
@@ -116,6 +145,7 @@ static bool try_step(struct quasi_static *q, double dt)
     const double time = e->integration->time;
     e->integration->force_time = time + dt;
     loads_set(&e->boundary->loads, body, time + dt);
+    predict_integrity(q, q->lasted > 0 ? dt / q->lasted : 0);
     boundary_set_ways(e->boundary, body, time, dt);
     if (e->boundary->macroscopic) macroscopic_move(e->boundary->macroscopic, body);
     for (int64_t i = 0; i < e->held.count; i++)
@@ -184,6 +214,12 @@ static double solve_step(struct quasi_static *q, double dt)
     return fmax(fmin(fmax(room, shortest), halved), least_measured(q) / dt);
 }
 
+/* Of the largest step, where the load falls: 0.3 at the usual accuracy. */
+static double falling_share(const struct quasi_static *q)
+{
+    return fmin(10 * sqrt(q->error.accuracy), 1);
+}
+
 static double next_length(struct quasi_static *q, double dt)
 {
     static const double shortest = 0.5, careful = 0.9;
@@ -192,7 +228,8 @@ static double next_length(struct quasi_static *q, double dt)
                  easy = (double)e->evaluations <= EASY * (double)e->most_evaluations
                             ? QUASI_STATIC_GROWTH
                             : 1;
-    return fmin(fmax(fmin(easy, fmax(room, shortest)) * dt, q->smallest), q->largest);
+    const double largest = (q->error.falls ? falling_share(q) : 1) * q->largest;
+    return fmin(fmax(fmin(easy, fmax(room, shortest)) * dt, q->smallest), largest);
 }
 
 bool quasi_static_step(struct quasi_static *q)
@@ -205,6 +242,7 @@ bool quasi_static_step(struct quasi_static *q)
     vector_take_mean(&e->unknowns, e->body->mean_gradient, q->before);
     keep_held(q, false);
     keep_forces(q);
+    keep_integrity(q);
     while ((share = solve_step(q, dt)) < 1) {
         if (e->cut) return false;
         q->refused++;
@@ -216,11 +254,13 @@ bool quasi_static_step(struct quasi_static *q)
             body_clear(e->body, e->body->v, 3);
             e->integration->force_time = e->integration->time;
             loads_set(&e->boundary->loads, e->body, e->integration->time);
+            predict_integrity(q, 0);
             integration_force(e->integration, e->model, e->body, (struct force_mode){0}, NULL);
             return false;
         }
     }
     accept(q, dt);
+    q->lasted = dt;
     e->integration->dt = next_length(q, dt);
     return true;
 }
@@ -228,6 +268,7 @@ bool quasi_static_step(struct quasi_static *q)
 void quasi_static_turn(struct quasi_static *q)
 {
     for (int64_t i = 0; i < q->equilibrium->unknowns.length; i++) q->rate[i] = -q->rate[i];
+    q->lasted = 0;
 }
 
 void quasi_static_velocities(const struct quasi_static *q)
@@ -274,6 +315,10 @@ bool quasi_static_break(struct quasi_static *q, struct quasi_static_damage *reco
 void quasi_static_visit(struct quasi_static *q, struct checkpoint *checkpoint)
 {
     vector_visit(&q->equilibrium->unknowns, checkpoint, "rate of the last load step", q->rate);
+    if (q->sound[0]) {
+        checkpoint_fields(checkpoint, "integrity before the last load step", q->sound, 1);
+        checkpoint_numbers(checkpoint, "length of the last load step", &q->lasted, 1);
+    }
     checkpoint_integer(checkpoint, "load steps tried in vain", &q->refused);
     step_error_visit(&q->error, checkpoint);
     equilibrium_visit(q->equilibrium, checkpoint);

@@ -2,7 +2,16 @@
  *
  * Time is what the prescribed motions and loads depend on; nothing has inertia.  A step that is
  * hard to solve is halved and tried again, an easy one makes the next longer; none is accepted
- * above the tolerance.  Their lengths follow from the error that they leave, too (step_error.h). */
+ * above the tolerance.  Their lengths follow from the error that they leave, too (step_error.h).
+ *
+ * While an equilibrium is sought, nodes carry what they would if their integrity went on falling as
+ * in the step before:
+ *
+ *   c' = max(c + 0.8 (dt'/dt) min(c - c_before, 0), c/10)                          (quasi_static.1)
+ *
+ * and get their own with the state that is found (quasi_static_break).  With none of it, what
+ * softens flows too little and the rest too much, with all of it the other way round; the errors of
+ * the first order cancel at 0.7 to 0.9 (docs/errors.md, load steps). */
 #ifndef HS_QUASI_STATIC_H
 #define HS_QUASI_STATIC_H
 
@@ -20,7 +29,10 @@ struct quasi_static {
     double *held_before;            /* u of equilibrium->held, three a node */
     double mean_before[COMPONENTS]; /* mean gradient */
     double *force_before[3], *load_before[3]; /* box fields, where work depends on place */
-    int64_t refused;                          /* steps tried in vain */
+    double *sound[2]; /* integrities (box fields) at the start of this step and of the one before;
+                         NULL: no node degrades */
+    double lasted;    /* the last step, s; 0: it says nothing of the next */
+    int64_t refused;  /* steps tried in vain */
 };
 
 /* integration->dt is the first step; accuracy: of the curve, 0 where steps need not care

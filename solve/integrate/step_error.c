@@ -110,6 +110,7 @@ double step_error_take(struct step_error *e, const struct boundary *boundary)
     memcpy(e->force, e->now, bytes);
     const double way = norm(e->count, e->way), force = norm(e->count, e->force);
     e->largest = fmax(e->largest, force);
+    e->falls = product(e->count, e->change, e->way) < 0;
     e->predicts = way > 0;
     if (!(way > 0)) return INFINITY;
     const double slope = norm(e->count, e->change) / way;

@@ -12,8 +12,8 @@
  * the sets in the last step, or, where the motion turns back, in the stiffest one.  Flow forgets
  * where it came from in some elastic strains, L.  A step that is so short that it is not
  * refused counts as the most that it was allowed: a yield within it is a kink that D takes for an
- * error.  The 24, the 9 and the 5 are measured, not derived
- * (docs/errors.md, load steps). */
+ * error.  Where the forces fall along the way, strain gathers, and errors grow that e knows nothing
+ * of.  The 24, the 9 and the 5 are measured, not derived (docs/errors.md, load steps). */
 #ifndef HS_STEP_ERROR_H
 #define HS_STEP_ERROR_H
 
@@ -27,6 +27,7 @@ struct step_error {
     double *force, *now, *change, *way; /* [count] N at start and end; N and m in the last step */
     double *stiffest, *stiffest_way;    /* [count] change and way of the stiffest step, N, m */
     bool started, predicts;             /* force is known; change and way are */
+    bool falls;                         /* the work of the change by the way is negative */
     double largest, steepest;           /* |F| [N], |dF|/|w| [N/m] so far */
     double error, local;                /* e, and the part of this step [N] */
 };
