@@ -57,15 +57,15 @@ struct step {
 
 /* A strip of points. */
 struct points {
-    int count;               /* at most LANES */
-    double H[TENSOR][LANES]; /* in: displacement gradient F - 1 */
-    double mu[LANES];        /* in: shear modulus [Pa] */
-    double bulk[LANES];      /* in: bulk modulus [Pa] */
+    int count;                          /* at most LANES */
+    HS_ALIGNED double H[TENSOR][LANES]; /* in: displacement gradient F - 1 */
+    double mu[LANES];                   /* in: shear modulus [Pa] */
+    double bulk[LANES];                 /* in: bulk modulus [Pa] */
     int64_t pair[LANES]; /* in: of which phases, first * phases + second, whose means it obeys */
     double shift[LANES]; /* in: what the yield stress has over the law's own (yield.h) [Pa] */
     bool flows;          /* out: some point flows */
-    double P[TENSOR][LANES];   /* out: first Piola-Kirchhoff stress [Pa] */
-    double stored[LANES];      /* out: energy density that comes back [J/m^3] */
+    HS_ALIGNED double P[TENSOR][LANES]; /* out: first Piola-Kirchhoff stress [Pa] */
+    double stored[LANES];               /* out: energy density that comes back [J/m^3] */
     double dissipated[LANES];  /* out: work density that does not, of all steps up to now [J/m^3] */
     double dissipating[LANES]; /* out, at a commit: what this step adds to dissipated [J/m^3] */
 };

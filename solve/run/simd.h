@@ -22,6 +22,9 @@
 #endif
 #define HS_INLINE static inline __attribute__((always_inline))
 
+/* Before rows of LANES numbers: a vector that lies across two lines of the cache costs twice. */
+#define HS_ALIGNED _Alignas(64)
+
 /* Asks for numbers that will soon be read: rows of short arrays, one behind the other, are more
  * than a processor sees coming. */
 HS_INLINE void prefetch(const void *from, size_t bytes)

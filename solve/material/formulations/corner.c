@@ -245,7 +245,7 @@ static void strip_force(struct corner *model, struct body *body, const struct st
 {
     struct points points;
     struct cells cells;
-    double flow[LANES];
+    HS_ALIGNED double flow[LANES];
     const double share = model->residual->share(model->self);
     cells.strip = strip;
     cells.points = &points;

@@ -31,7 +31,7 @@ static const struct state states[] = {
 
 /* What lies between the trial state and the stress. */
 struct trial {
-    double e[SYMMETRIC][LANES]; /* deviator of the elastic strain */
+    HS_ALIGNED double e[SYMMETRIC][LANES]; /* deviator of the elastic strain */
     double trace[LANES], q[LANES];
     double increment[LANES], scale[LANES], open[LANES]; /* as in radial_return.h */
 };
@@ -141,7 +141,7 @@ static void update(const void *table, struct points *s, double *state, int64_t s
     for (int k = 0; k < SYMMETRIC; k++) c[k] = state + k * stride;
 
     struct trial t;
-    double before[LANES];
+    HS_ALIGNED double before[LANES];
     int64_t beyond = trial_strain(s->count, s, &t, c[0], c[1], c[2], c[3], c[4], c[5], flow);
     beyond = beyond && !step.frozen;
     s->flows = beyond;

@@ -138,7 +138,7 @@ static double share(const void *self)
 
 /* What lies between e and the forces. */
 struct work {
-    double G[TENSOR][LANES];                /* F^-1 */
+    HS_ALIGNED double G[TENSOR][LANES];     /* F^-1 */
     double g[COMPONENTS][LANES];            /* [m] */
     double d[COMPONENTS][LANES];            /* e - e' */
     double square[LANES];                   /* |e - e'|^2 */
@@ -429,7 +429,7 @@ static void add(void *self, const struct body *body, struct cells *cells, const 
     const int n = cells->strip->count;
     const bool plane = body->lattice->dimensions == 2;
     const int64_t stride = flowing->state ? cells->strip->stride : LANES;
-    float none[COMPONENTS][LANES], *state = none[0];
+    HS_ALIGNED float none[COMPONENTS][LANES], *state = none[0];
     double *work = NULL;
     const double *mu = cells->points->mu;
     const bool flows = flowing->state && !mode.frozen;

@@ -23,12 +23,12 @@ enum { PAD = 8, PADDED = PAD + LANES + 8 };
 /* A strip of particles between their corners. */
 struct cells {
     const struct strip *strip;
-    struct points *points;      /* in: H, moduli; of particles that carry nothing zero */
-    double volume[LANES];       /* in [m^3] */
-    const double *integrity;    /* in: integrities; NULL: all are sound */
-    double h[MODES][3][LANES];  /* in: amplitudes [m] */
-    double A[TENSOR][PADDED];   /* in and out: conjugate to H [J] */
-    double m[MODES][3][PADDED]; /* out: conjugate to h [N] */
+    struct points *points;                /* in: H, moduli; of particles that carry nothing zero */
+    HS_ALIGNED double volume[LANES];      /* in [m^3] */
+    const double *integrity;              /* in: integrities; NULL: all are sound */
+    HS_ALIGNED double h[MODES][3][LANES]; /* in: amplitudes [m] */
+    double A[TENSOR][PADDED];             /* in and out: conjugate to H [J] */
+    double m[MODES][3][PADDED];           /* out: conjugate to h [N] */
 };
 
 /* Adds share times the energies of a strip's particles to the sum, from their densities [J/m^3],
