@@ -243,17 +243,17 @@ struct curve curve_make(struct input *input, const struct choices *choices)
         copy_column(&curve, input, recorded[i]);
     balance_forces(&curve);
     find_phases(&curve, input);
-    curve.measured = isnan(curve_force_imbalance(&curve)) && !input->is_history &&
+    curve.measured = isnan(curve_force_imbalance(&curve, curve.n - 1)) && !input->is_history &&
                      !attributes_text(&input->attributes, "mixture");
     keep_facts(&curve, input);
     return curve;
 }
 
-double curve_force_imbalance(const struct curve *curve)
+double curve_force_imbalance(const struct curve *curve, long last)
 {
     const double *balance = table_find(&curve->table, "force_balance");
     double largest = NAN;
-    for (long i = 0; i < curve->n; i++) largest = fmax(largest, balance[i]);
+    for (long i = 0; i <= last; i++) largest = fmax(largest, balance[i]);
     return largest;
 }
 

@@ -54,7 +54,7 @@ void curve_free(struct curve *curve);
 /* Provenance and columns. */
 void curve_write(FILE *file, const struct curve *curve);
 
-/* max |F_right + F_left| / max |F|; NAN without forces. */
-double curve_force_imbalance(const struct curve *curve);
+/* max |F_right + F_left| up to a row, over max |F|; NAN without forces. */
+double curve_force_imbalance(const struct curve *curve, long last);
 
 #endif

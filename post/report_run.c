@@ -66,13 +66,14 @@ void report_quality(struct properties *list, const struct curve *whole,
     if (curve->measured) return;
     long first = 0;
     while (curve->stress[first] < analysis->measures.maximum.stress / 2) first++;
-    double imbalance = curve_force_imbalance(whole);
+    double imbalance = curve_force_imbalance(whole, analysis->rows[analysis->measures.fracture]);
     const double *unsteady = table_find(&curve->table, "unsteady_to_internal");
     double kinetic = largest(table_find(&curve->table, "kinetic_to_internal"), first,
                              analysis->measures.fracture);
     double drift = largest(table_find(&whole->table, "energy_drift"), 0, whole->n - 1);
     properties_add(list, "force_imbalance", "r_F", imbalance, "1", NAN,
-                   "largest |F_right + F_left| over the largest |F|; above 0.01 the grips disagree")
+                   "largest |F_right + F_left| up to the fracture over the largest |F|; above 0.01 "
+                   "the grips disagree")
         ->flag = imbalance > balance_limit ? "not_balanced" : NULL;
     properties_add(
         list, "kinetic_to_internal", "KE/IE", kinetic, "1", NAN,

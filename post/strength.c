@@ -18,6 +18,8 @@ static const double proof_offset = 0.002;    /* of Rp0.2 */
 static const double bend_share = 2;          /* of the squares that are left by a cubic */
 static const double straight_share = 0.01;   /* of the stress, off the line */
 static const double first_guess_share = 0.5; /* of Rm, for Rp0.2 */
+static const double knee = 1.1;              /* of the slope behind: much steeper */
+static const double still_share = 0.01;      /* kinetic energy over the internal one */
 static const double default_shares[2] = {0.1, 0.4};
 
 /* Least squares of s on e; where the strain is the noisier of the two, of e on s: what is noisy
@@ -141,6 +143,50 @@ static struct elastic_line straight_start(const struct curve *curve)
     return usable(&line) ? line : given_line(NAN, NAN, NULL);
 }
 
+/* Where a phase yields long before the others the shares of Rp0.2 lie behind that.  Of what is
+ * found to lie before it the end is left out, where the kink may be. */
+static struct elastic_line but_for_its_end(const struct curve *curve, struct elastic_line line)
+{
+    const double share = 0.8; /* of its stress */
+    const double low = curve->stress[line.first], high = curve->stress[line.last];
+    long first, last;
+    rows_between(curve, low, low + share * (high - low), &first, &last);
+    if (last - first + 1 >= FEWEST_POINTS) line = fit_rows(curve, first, last);
+    line.flag = "straight_start";
+    return line;
+}
+
+/* Of a curve without noise, and without waves, the straight start, where that is much steeper. */
+static struct elastic_line straight_before(const struct curve *curve, struct elastic_line line)
+{
+    const double *kinetic = table_find(&curve->table, "kinetic_to_internal");
+    const struct elastic_line start = straight_start(curve);
+    if (start.count < FEWEST_OF_BEND / 2 || start.slope - 3 * start.error < knee * line.slope)
+        return line;
+    for (long i = 1; kinetic && i <= start.last; i++)
+        if (kinetic[i] > still_share) return line;
+    return but_for_its_end(curve, start);
+}
+
+/* Of a measured one the lower half, as often as that is surely much steeper than the upper one. */
+static struct elastic_line steeper_half(const struct curve *curve, struct elastic_line line)
+{
+    bool found = false;
+    for (;; found = true) {
+        const double low = curve->stress[line.first], high = curve->stress[line.last];
+        long first, last;
+        rows_between(curve, low, (low + high) / 2, &first, &last);
+        if (last - first + 1 < FEWEST_OF_BEND / 2 || line.last - last < FEWEST_OF_BEND / 2) break;
+        const struct elastic_line lower = fit_rows(curve, first, last),
+                                  upper = fit_rows(curve, last + 1, line.last);
+        if (!usable(&lower) ||
+            !(lower.slope - 3 * lower.error > knee * (upper.slope + 3 * upper.error)))
+            break;
+        line = lower;
+    }
+    return found ? but_for_its_end(curve, line) : line;
+}
+
 /* By shares of Rp0.2; where records are too far apart for that, the modulus that is known, and
  * where none is, the points from the first one on. */
 static struct elastic_line find_by_shares(const struct curve *curve, const struct choices *choices)
@@ -150,8 +196,10 @@ static struct elastic_line find_by_shares(const struct curve *curve, const struc
     double known = isnan(choices->modulus) ? curve->youngs_modulus : choices->modulus;
     struct elastic_line line = iterate(curve, shares);
     const bool chosen = !isnan(choices->modulus_range[0]);
-    if (usable(&line) && curve->measured && !chosen && is_bent(curve, &line))
-        return behind_toe(curve, line);
+    if (usable(&line) && !chosen) {
+        line = curve->measured ? steeper_half(curve, line) : straight_before(curve, line);
+        if (curve->measured && is_bent(curve, &line)) return behind_toe(curve, line);
+    }
     if (usable(&line)) return line;
     if (known > 0) return given_line(known, 0, "slope_not_measured");
     return straight_start(curve);

@@ -21,9 +21,9 @@ struct elastic_line {
  * else the line that a curve file of hspost carries, where no range is given; else over the part
  * between two shares of Rp0.2, found by iteration.  Fewer than three points there: the modulus
  * that is chosen or that the history knows, without a fit; without one, a fit from the first
- * point on as far as the points lie on a line within 1 %.  Where the part between the shares is
- * bent, as a toe is, the steepest straight part of the rise.  slope = NAN where none of these
- * will do. */
+ * point on as far as the points lie on a line within 1 %.  Where a soft phase yields below or
+ * within that part, what lies before (docs/tensile.md).  Where the part between the shares is bent,
+ * as a toe is, the steepest straight part of the rise.  slope = NAN where none of these will do. */
 struct elastic_line strength_line(const struct curve *curve, const struct choices *choices);
 
 /* R2 of a slope below which it is none. */
