@@ -94,7 +94,8 @@ void static_start(struct simulation *s)
         s->load_steps.equilibrium->most_evaluations = statics->most_evaluations;
     s->load_steps.quasi_static =
         quasi_static_new(s->load_steps.equilibrium, static_step(s, statics->largest_step),
-                         static_step(s, statics->smallest_step), accuracy_of_steps(s));
+                         static_step(s, statics->smallest_step), accuracy_of_steps(s),
+                         s->scene.end_steps > 0 ? 0 : statics->accuracy);
 }
 
 void static_free(struct load_steps *steps)

@@ -33,10 +33,10 @@ BEGIN {
         printf "  - {where: \"%s %s %.7f\", direction: %s, displacement: \"%.9g*%s\"}\n", across, k % 2 ? "<" : ">", (k % 2 ? -1 : 1) * (H * 0.5e-3 + 1e-7),
                k < 2 ? "y" : "x", (k % 2 ? -u : u) * (k < 2 ? c : -s), ramp
     printf "\nsolver:\n  type: %s\n  plane: stress\n  horizon: %s\n  influence: %s\n", how == "running" ? "hybrid" : "quasi_static", horizon, influence
-    if (how == "slow") printf "  end_time: 120 s\n  step: 1 s\n  first_step: 1 s\n  tolerance: 1e-5\n"
+    if (how == "slow") printf "  end_time: 120 s\n  step: 1 s\n  first_step: 1 s\n  tolerance: 1e-5\n  accuracy: 1 # steps as they are\n"
     if (how == "whole") printf "  end_time: 20 us\n  step: 20 us\n  first_step: 20 us\n  tolerance: 1e-6\n"
     if (how == "running")
-        printf "  end_time: %d us\n  step: 2 us\n  first_step: 2 us\n  tolerance: 1e-5\n  most_evaluations: 4000\n  explicit_when: [damage]\n  energy_tolerance: 0.05\n", 20 + 3 * H
+        printf "  end_time: %d us\n  step: 2 us\n  first_step: 2 us\n  tolerance: 1e-5\n  accuracy: 1 # steps as they are\n  most_evaluations: 4000\n  explicit_when: [damage]\n  energy_tolerance: 0.05\n", 20 + 3 * H
     printf "\noutput:\n  history: 300\n  quantities:\n"
     for (k = 1; k <= 3; k++) {
         name = substr("xxxyyy", 2 * k - 1, 2)

@@ -144,8 +144,10 @@ static const struct key solver_keys[] = {
     {"smallest_step", KEY_NODE, AT(statics.given.smallest), .form = "NUMBER", .users = RESTING,
      .otherwise = "1e-4 of the largest", .help = "in the same unit; below it the run stops"},
     {"accuracy", KEY_NUMBER, AT(statics.accuracy), "1", 1e-6, 1, .usual = 1e-3, .users = RESTING,
-     .help = "of the forces on what is moved, relative to the largest so far: steps are as short "
-             "as that takes, and residuals as small; of steps that are counted residuals alone"},
+     .help =
+         "of the forces on what is moved, relative to the largest so far: steps are as short "
+         "as that takes, of those at whose end bonds break five times as long, and residuals as "
+         "small; of steps that are counted residuals alone"},
     {"tolerance", KEY_NUMBER, AT(statics.tolerance), "1", 1e-10, 1e-2, .usual = NAN,
      .users = RESTING, .otherwise = "1000 times the square of the accuracy, from 1e-8 to 1e-3",
      .help = "of the residual: norm of the unbalanced forces over that of reactions and loads"},

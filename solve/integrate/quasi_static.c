@@ -23,14 +23,14 @@ static bool work_depends_on_place(const struct boundary *boundary)
 }
 
 struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
-                                      double smallest, double accuracy)
+                                      double smallest, double accuracy, double breaking)
 {
     struct quasi_static *q = memory_new(1, sizeof *q);
     struct body *body = equilibrium->body;
     q->equilibrium = equilibrium;
     q->largest = largest;
     q->smallest = smallest;
-    q->error = step_error_new(accuracy, equilibrium->boundary);
+    q->error = step_error_new(accuracy, breaking, equilibrium->boundary);
     q->rate = vector_new(&equilibrium->unknowns);
     q->before = vector_new(&equilibrium->unknowns);
     q->held_before = memory_new(3 * (size_t)equilibrium->held.count, sizeof(double));
@@ -202,6 +202,15 @@ static double least_measured(const struct quasi_static *q)
     return fmax(q->smallest, 10 * q->error.accuracy * q->largest);
 }
 
+/* Whether bonds are going to break in the equilibrium that was found. */
+static bool breaks(struct equilibrium *e)
+{
+    struct damage *damage = e->integration->damage;
+    if (!damage) return false;
+    damage_moved(damage, INFINITY);
+    return damage_find(damage);
+}
+
 /* Share of the step's length to try in its place; 1: it is taken. */
 static double solve_step(struct quasi_static *q, double dt)
 {
@@ -209,9 +218,14 @@ static double solve_step(struct quasi_static *q, double dt)
     struct equilibrium *e = q->equilibrium;
     if (!try_step(q, dt)) return halved;
     const double room = careful * step_error_room(&q->error, e->boundary, e->body, e->tolerance);
-    if (room >= careful || dt <= least_measured(q)) return 1;
-    find_rate(q, dt); /* a better guess than that of the step before */
-    return fmax(fmin(fmax(room, shortest), halved), least_measured(q) / dt);
+    if (room < careful && dt > least_measured(q)) {
+        find_rate(q, dt); /* a better guess than that of the step before */
+        return fmax(fmin(fmax(room, shortest), halved), least_measured(q) / dt);
+    }
+    const double breaking = breaks(e) ? step_error_breaking_room(&q->error) : INFINITY;
+    if (breaking >= 1 || dt <= q->smallest) return 1;
+    find_rate(q, dt);
+    return fmax(fmin(fmax(breaking, shortest), halved), q->smallest / dt);
 }
 
 /* Of the largest step, where the load falls: 0.3 at the usual accuracy. */

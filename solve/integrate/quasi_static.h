@@ -36,9 +36,10 @@ struct quasi_static {
 };
 
 /* integration->dt is the first step; accuracy: of the curve, 0 where steps need not care
- * (step_error.h).  The body's velocities are the first guess; they become 0.  Collective. */
+ * (step_error.h); breaking: the same where bonds break.  The body's velocities are the first guess;
+ * they become 0.  Collective. */
 struct quasi_static *quasi_static_new(struct equilibrium *equilibrium, double largest,
-                                      double smallest, double accuracy);
+                                      double smallest, double accuracy, double breaking);
 void quasi_static_free(struct quasi_static *quasi_static);
 
 /* One step of at most integration->dt, which becomes the length of the next; ends in a committed

@@ -11,10 +11,12 @@ static const double PART = 1.0 / 24;  /* of D that stays as an error */
 static const double MEMORY = 9;       /* elastic strains after which flow has forgotten */
 static const double UNBALANCED = 0.2; /* of the residual's tolerance, that forces may differ by */
 static const double SHARE = 0.35;     /* of what is left of the accuracy, for one step */
+static const double BREAKING = 5;     /* accuracies, for one at whose end bonds break */
 
-struct step_error step_error_new(double accuracy, const struct boundary *boundary)
+struct step_error step_error_new(double accuracy, double breaking, const struct boundary *boundary)
 {
-    struct step_error e = {.accuracy = accuracy, .count = boundary_holds(boundary)};
+    struct step_error e = {
+        .accuracy = accuracy, .breaking = breaking, .count = boundary_holds(boundary)};
     double **const arrays[] = {&e.force, &e.now, &e.change, &e.way, &e.stiffest, &e.stiffest_way};
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
         *arrays[k] = memory_new((size_t)e.count, sizeof(double));
@@ -31,6 +33,11 @@ void step_error_free(struct step_error *e)
     free(e->stiffest_way);
 }
 
+static bool measures(const struct step_error *e)
+{
+    return (e->accuracy > 0 || e->breaking > 0) && e->count > 0;
+}
+
 static void find_forces(struct step_error *e, const struct boundary *boundary,
                         const struct body *body)
 {
@@ -40,7 +47,7 @@ static void find_forces(struct step_error *e, const struct boundary *boundary,
 void step_error_start(struct step_error *e, const struct boundary *boundary,
                       const struct body *body)
 {
-    if (e->started || !(e->accuracy > 0) || e->count == 0) return;
+    if (e->started || !measures(e)) return;
     find_forces(e, boundary, body);
     memcpy(e->force, e->now, (size_t)e->count * sizeof(double));
     e->started = true;
@@ -90,9 +97,9 @@ double step_error_room(struct step_error *e, const struct boundary *boundary,
                        const struct body *body, double tolerance)
 {
     e->local = 0;
-    if (!(e->accuracy > 0) || e->count == 0) return INFINITY;
+    if (!measures(e)) return INFINITY;
     find_forces(e, boundary, body);
-    if (!e->predicts) return INFINITY;
+    if (!e->predicts || !(e->accuracy > 0)) return INFINITY;
     double *way = memory_new((size_t)e->count, sizeof *way);
     boundary_ways(boundary, way);
     const double far = norm(e->count, way), force = norm(e->count, e->now);
@@ -101,16 +108,25 @@ double step_error_room(struct step_error *e, const struct boundary *boundary,
     return far > 0 ? room(e, far, force, fmax(e->largest, force)) : INFINITY;
 }
 
+double step_error_breaking_room(const struct step_error *e)
+{
+    double square = 0;
+    if (!measures(e)) return INFINITY;
+    for (int b = 0; b < e->count; b++)
+        square += (e->now[b] - e->force[b]) * (e->now[b] - e->force[b]);
+    return BREAKING * e->breaking * fmax(e->largest, norm(e->count, e->now)) / sqrt(square);
+}
+
 double step_error_take(struct step_error *e, const struct boundary *boundary)
 {
-    if (!(e->accuracy > 0) || e->count == 0) return INFINITY;
+    if (!measures(e)) return INFINITY;
     const size_t bytes = (size_t)e->count * sizeof(double);
     boundary_ways(boundary, e->way);
     for (int b = 0; b < e->count; b++) e->change[b] = e->now[b] - e->force[b];
     memcpy(e->force, e->now, bytes);
     const double way = norm(e->count, e->way), force = norm(e->count, e->force);
     e->largest = fmax(e->largest, force);
-    e->falls = product(e->count, e->change, e->way) < 0;
+    e->falls = e->accuracy > 0 && product(e->count, e->change, e->way) < 0;
     e->predicts = way > 0;
     if (!(way > 0)) return INFINITY;
     const double slope = norm(e->count, e->change) / way;

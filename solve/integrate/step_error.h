@@ -23,6 +23,7 @@ struct checkpoint;
 
 struct step_error {
     double accuracy; /* of the forces, relative to the largest so far; 0: no step is refused */
+    double breaking; /* the same, of steps in which bonds break */
     int count;       /* of sets */
     double *force, *now, *change, *way; /* [count] N at start and end; N and m in the last step */
     double *stiffest, *stiffest_way;    /* [count] change and way of the stiffest step, N, m */
@@ -32,7 +33,7 @@ struct step_error {
     double error, local;                /* e, and the part of this step [N] */
 };
 
-struct step_error step_error_new(double accuracy, const struct boundary *boundary);
+struct step_error step_error_new(double accuracy, double breaking, const struct boundary *boundary);
 void step_error_free(struct step_error *error);
 
 /* The forces at the start of a step, where they are not those at the end of the last one.
@@ -44,6 +45,9 @@ void step_error_start(struct step_error *error, const struct boundary *boundary,
  * nothing is known.  Collective. */
 double step_error_room(struct step_error *error, const struct boundary *boundary,
                        const struct body *body, double tolerance);
+/* The same of a step at whose end bonds break, after step_error_room: what they bear is known as
+ * well as the forces at which they do. */
+double step_error_breaking_room(const struct step_error *error);
 /* The step counts; room for one after it of the same length, as above. */
 double step_error_take(struct step_error *error, const struct boundary *boundary);
 /* Something else than the sets' motion has changed the forces. */

@@ -437,7 +437,7 @@ static void test_a_refused_step_leaves_nothing(void **state)
     struct equilibrium *e = rest.equilibrium;
     struct integration *integration = &rest.it.integration;
     struct body *body = &rest.it.small.body;
-    struct quasi_static *steps = quasi_static_new(e, 1, 0.1, 0);
+    struct quasi_static *steps = quasi_static_new(e, 1, 0.1, 0, 0);
     const size_t n = (size_t)body->grid.n_sites;
     double *u[3], *f[3];
     integration->dt = 0.5;
