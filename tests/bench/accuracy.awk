@@ -12,7 +12,12 @@ FNR == 1 || !started[FILENAME] {
 {
     time = $column["time_s"]; records++
     if (file == 1) at[++n] = time
-    else { for (; k < n - 1 && at[k + 1] < time; k++); share = at[k + 1] > at[k] ? (time - at[k]) / (at[k + 1] - at[k]) : 1; evaluations = $column["force_evaluations"] }
+    else {
+        evaluations = $column["force_evaluations"]
+        if (time > at[n]) next # the reference ended a little earlier
+        for (; k < n - 1 && at[k + 1] < time; k++);
+        share = at[k + 1] > at[k] ? (time - at[k]) / (at[k + 1] - at[k]) : 1
+    }
     for (q = 0; q <= wanted; q++) {
         if (!(name[q] in column)) continue
         value = $column[name[q]]
