@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double PART = 1.0 / 24;  /* of D that stays as an error */
-static const double MEMORY = 9;       /* elastic strains after which flow has forgotten */
+static const double PART = 1.0 / 24; /* of D that stays as an error */
+static const double MEMORY = 9;      /* elastic strains after which flow has forgotten */
+static const double LEAST_FLOW =
+    0.3; /* of the largest force, where the load passes through nothing */
 static const double UNBALANCED = 0.2; /* of the residual's tolerance, that forces may differ by */
 static const double SHARE = 0.35;     /* of what is left of the accuracy, for one step */
 static const double BREAKING = 5;     /* accuracies, for one at whose end bonds break */
@@ -65,11 +67,17 @@ static double norm(int count, const double *a)
     return sqrt(product(count, a, a));
 }
 
+/* What is left of an error after a way. */
+static double kept(const struct step_error *e, double way, double force, double largest)
+{
+    const double memory = MEMORY * fmax(force, LEAST_FLOW * largest);
+    return memory > 0 ? exp(-way * e->steepest / memory) : 0;
+}
+
 /* What one step may add to the error [N]: its share of what is left of the accuracy. */
 static double allowed(const struct step_error *e, double way, double force, double largest)
 {
-    const double memory = MEMORY * force / e->steepest, left = memory > 0 ? exp(-way / memory) : 1;
-    return fmax(SHARE * (e->accuracy * largest - e->error * left), 0);
+    return fmax(SHARE * (e->accuracy * largest - e->error * kept(e, way, force, largest)), 0);
 }
 
 /* Share of a step's length at which its error, of the second order, is as large as allowed. */
@@ -137,7 +145,7 @@ double step_error_take(struct step_error *e, const struct boundary *boundary)
     }
     /* A step that was taken because it is short counts no more than it might. */
     e->local = fmin(e->local, allowed(e, way, force, e->largest));
-    e->error *= force > 0 ? exp(-way * e->steepest / (MEMORY * force)) : 0;
+    e->error *= kept(e, way, force, e->largest);
     e->error += e->local;
     return room(e, way, force, e->largest);
 }

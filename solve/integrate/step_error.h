@@ -6,7 +6,7 @@
  * the corrector, is its measure:
  *
  *   D = |F' - F - (w'.w/w.w) dF|,  local error = (D - r |F'|/5)/24                   (step_error.1)
- *   e' = e exp(-|w'|/L) + local,  L = 9 |F|/max |dF|/|w|                             (step_error.2)
+ *   e' = e exp(-|w'|/L) + local,  L = 9 max(|F|, 0.3 max |F|)/max |dF|/|w|           (step_error.2)
  *
  * r: tolerance of the residual; F: reactions of the sets, dF and w: their change and the ways of
  * the sets in the last step, or, where the motion turns back, in the stiffest one.  Flow forgets

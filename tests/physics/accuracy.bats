@@ -57,9 +57,9 @@ worst() {
     for accuracy in 1e-4 1e-3; do
         body $accuracy corner "$loop" "end_time: 2.5, step: 0.1, first_step: 0.001, accuracy: $accuracy" time_s
     done
-    # The error is estimated, not bounded: 1.1e-3 behind the second turn.
+    # 1.65e-3, in 190 steps, where what is left of an error goes with the load that passes through nothing.
     worst 1e-4 1e-3
-    worst 1e-4 1e-3 | awk '{ exit !($1 <= 1.5e-3 && $2 < 200) }'
+    worst 1e-4 1e-3 | awk '{ exit !($1 <= 1e-3 && $2 < 240) }'
 }
 
 @test "and where the load falls: a neck, and a shell that degrades" {
