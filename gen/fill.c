@@ -136,6 +136,6 @@ struct sites fill_sites(const struct specimen *specimen)
                              : sites_new(specimen->count, specimen->spacing, is_inside, specimen);
     sites.turn[0] = cos(specimen->angle);
     sites.turn[1] = sin(specimen->angle);
-    for (int axis = 0; axis < 3; axis++) sites.periodic[axis] = specimen->periodic[axis];
+    specimen_repeats(specimen, &sites);
     return sites;
 }

@@ -229,7 +229,7 @@ struct sites recipe_sites(const struct recipe *recipe)
     const struct specimen *specimen = &recipe->specimen;
     if (!recipe->voxels.phase) return fill_sites(specimen);
     struct sites sites = sites_new(specimen->count, specimen->spacing, has_material, recipe);
-    for (int axis = 0; axis < 3; axis++) sites.periodic[axis] = specimen->periodic[axis];
+    specimen_repeats(specimen, &sites);
     return sites;
 }
 

@@ -20,6 +20,8 @@ struct sites {
     double *volume; /* [n_nodes] m^3; NULL: all own their cells */
     double turn[2]; /* cosine and sine of the angle from the lattice's x to the body's */
     bool periodic[3]; /* along these axes the last layer's neighbour is the first one */
+    bool
+        mirrored[3]; /* the lower half along these has no nodes: it is the image of the upper one */
 };
 
 /* Says whether a node sits on the site, whose centre is the point (m, from the body's centre). */

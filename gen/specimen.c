@@ -334,6 +334,14 @@ void specimen_extent(const struct specimen *specimen, double extent[3])
     if (specimen_is_sheet(specimen)) extent[2] = 0;
 }
 
+void specimen_repeats(const struct specimen *specimen, struct sites *sites)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        sites->periodic[axis] = specimen->periodic[axis];
+        sites->mirrored[axis] = specimen->symmetry[axis];
+    }
+}
+
 uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *sites)
 {
     uint8_t *counted = memory_new((size_t)sites->n_nodes, sizeof *counted);

@@ -80,6 +80,9 @@ int specimen_pockets(const struct specimen *specimen, struct pocket pockets[2]);
  * apart.  It never falls away from the middle. */
 double specimen_half_width(const struct specimen *specimen, double x);
 
+/* The axes along which the sites are periodic, or half of their images. */
+void specimen_repeats(const struct specimen *specimen, struct sites *sites);
+
 /* [n_nodes] 1 where a node counts for fraction, topology and statistics: outside the grips. */
 uint8_t *specimen_counted(const struct specimen *specimen, const struct sites *sites);
 

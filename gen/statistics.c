@@ -57,20 +57,33 @@ double statistics_profile(const struct structure *structure, int phase, int axis
     return nodes ? (double)found / (double)nodes : NAN;
 }
 
-/* Unlike pairs per pair of counted neighbours in one direction. */
+/* The node next to another one, across a plane of symmetry that of which it is the image. */
+static int64_t neighbour(const struct sites *sites, int64_t node, const int offset[3], int sense)
+{
+    int64_t at[3];
+    sites_index(sites, node, at);
+    for (int axis = 0; axis < 3; axis++) {
+        at[axis] += sense * offset[axis];
+        if (sites->mirrored[axis] && 2 * at[axis] < sites->count[axis])
+            at[axis] = sites->count[axis] - 1 - at[axis];
+    }
+    return sites_at(sites, at[0], at[1], at[2]);
+}
+
+/* Unlike pairs per pair of counted neighbours in one direction; where there are planes of symmetry
+ * in either sense, of which one leads across them. */
 static double crossings(const struct structure *structure, const int offset[3])
 {
     const struct sites *sites = structure->sites;
+    const bool *planes = sites->mirrored, both = planes[0] || planes[1] || planes[2];
     int64_t pairs = 0, unlike = 0;
-    for (int64_t node = 0; node < sites->n_nodes; node++) {
-        if (!is_counted(structure, node)) continue;
-        int64_t at[3];
-        sites_index(sites, node, at);
-        int64_t other = sites_at(sites, at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]);
-        if (!is_counted(structure, other)) continue;
-        pairs++;
-        unlike += structure->phase[node] != structure->phase[other];
-    }
+    for (int64_t node = 0; node < sites->n_nodes; node++)
+        for (int sense = 1; is_counted(structure, node) && sense >= (both ? -1 : 1); sense -= 2) {
+            const int64_t other = neighbour(sites, node, offset, sense);
+            if (!is_counted(structure, other)) continue;
+            pairs++;
+            unlike += structure->phase[node] != structure->phase[other];
+        }
     return pairs ? (double)unlike / (double)pairs : 0;
 }
 

@@ -24,7 +24,8 @@ struct interface {
  * section 4.2; Legland, Kieu and Devaux, Image Analysis and Stereology 26 (2007) 83).  Of a sheet
  * its length of interface per area, which is the area per volume: pi/2 times the mean number of
  * crossings over the 4 directions of a square lattice (same sources); faces are 4/pi too much
- * there.  On oblong cells the directions and their shares are those of the cells. */
+ * there.  On oblong cells the directions and their shares are those of the cells.  Of a part of a
+ * symmetric body that of the whole one. */
 struct interface statistics_interface(const struct structure *structure, bool sheet);
 
 /* Shares of directions nearest to each of clusters_offset on cells with these edges, either sense;

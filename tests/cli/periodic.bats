@@ -160,6 +160,20 @@ DECK
     [ "$(wc -l <said)" -eq 1 ]
 }
 
+# To the square of a layer's share: in which of two ways a direction leads across a plane counts as often.
+@test "the interface of a part of a body, with that across its planes, is the whole body's, to 1e-3" {
+    for symmetry in '' 'symmetry: [x],' 'symmetry: [x, y, z],'; do
+        hsgen -q --override - -o never.g -s part.csv <<DECK
+domain: {specimen: plate, size: [0.4 mm, 0.2 mm, 0.2 mm], spacing: 10 um, $symmetry topology: harmonic, lattice: fcc, core_distance: 0.12 mm,
+         phases: {cg: A, ufg: B}, ufg_fraction: 0.4, match: geometric}
+DECK
+        statistic part.csv interface_area_per_volume ''
+        rm never.g
+    done >found
+    cat found
+    awk '{ area[NR] = $1 } END { for (k = 2; k <= 3; k++) if ((area[k] / area[1] - 1) ^ 2 > 1e-6) exit 1; exit !(area[1] > 0 && NR == 3) }' found
+}
+
 # image 'MIRROR ROW...': what hsgen says of an image of these rows along y, with planes of symmetry across x and y, is in said
 image() {
     local mirror=${1%% *}
