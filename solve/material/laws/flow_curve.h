@@ -12,6 +12,7 @@
 #define HS_FLOW_CURVE_H
 
 #include "hardening.h"
+#include "simd.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -48,12 +49,13 @@ static inline int64_t flow_cell(int64_t curve, double p)
 static inline double flow_stress(const double *table, int64_t cell, double p)
 {
     double d = p - table[cell];
-    return table[cell + 1] + d * (table[cell + 2] + d * (table[cell + 3] + d * table[cell + 4]));
+    const double chord = fused(d, fused(d, table[cell + 4], table[cell + 3]), table[cell + 2]);
+    return fused(d, chord, table[cell + 1]);
 }
 static inline double flow_slope(const double *table, int64_t cell, double p)
 {
     double d = p - table[cell];
-    return table[cell + 2] + d * (2 * table[cell + 3] + d * 3 * table[cell + 4]);
+    return fused(d, fused(3 * d, table[cell + 4], 2 * table[cell + 3]), table[cell + 2]);
 }
 static inline double flow_work(const double *table, int64_t cell, double p)
 {

@@ -92,9 +92,12 @@ HS_SIMD static void stress_and_state(int count, struct points *restrict s,
         struct tensor G = inverse_tensor(deformation_gradient(s, i));
         point_stress(s, t, i, G);
         double scale = t->scale[i], third = t->trace[i] / 3;
-        struct symmetric e = {scale * t->e[0][i] + third, scale * t->e[1][i] + third,
-                              scale * t->e[2][i] + third, scale * t->e[3][i],
-                              scale * t->e[4][i],         scale * t->e[5][i]};
+        struct symmetric e = {fused(scale, t->e[0][i], third),
+                              fused(scale, t->e[1][i], third),
+                              fused(scale, t->e[2][i], third),
+                              scale * t->e[3][i],
+                              scale * t->e[4][i],
+                              scale * t->e[5][i]};
         struct symmetric C = push_forward(G, double_exponential(e));
         double increment = t->increment[i];
         xx[i] = increment > 0 ? C.xx : xx[i];

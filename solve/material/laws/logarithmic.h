@@ -21,16 +21,16 @@ struct symmetric {
 HS_INLINE struct symmetric times(struct symmetric a, struct symmetric b)
 {
     return (struct symmetric){
-        a.xx * b.xx + a.xy * b.xy + a.zx * b.zx, a.xy * b.xy + a.yy * b.yy + a.yz * b.yz,
-        a.zx * b.zx + a.yz * b.yz + a.zz * b.zz, a.xx * b.xy + a.xy * b.yy + a.zx * b.yz,
-        a.xy * b.zx + a.yy * b.yz + a.yz * b.zz, a.zx * b.xx + a.yz * b.xy + a.zz * b.zx};
+        dot3(a.xx, b.xx, a.xy, b.xy, a.zx, b.zx), dot3(a.xy, b.xy, a.yy, b.yy, a.yz, b.yz),
+        dot3(a.zx, b.zx, a.yz, b.yz, a.zz, b.zz), dot3(a.xx, b.xy, a.xy, b.yy, a.zx, b.yz),
+        dot3(a.xy, b.zx, a.yy, b.yz, a.yz, b.zz), dot3(a.zx, b.xx, a.yz, b.xy, a.zz, b.zx)};
 }
 
 HS_INLINE struct symmetric scaled(struct symmetric a, double factor, double diagonal)
 {
-    return (struct symmetric){a.xx * factor + diagonal,
-                              a.yy * factor + diagonal,
-                              a.zz * factor + diagonal,
+    return (struct symmetric){fused(a.xx, factor, diagonal),
+                              fused(a.yy, factor, diagonal),
+                              fused(a.zz, factor, diagonal),
                               a.xy * factor,
                               a.yz * factor,
                               a.zx * factor};
@@ -44,12 +44,15 @@ HS_INLINE struct symmetric mean_of(struct symmetric a, struct symmetric b)
 
 HS_INLINE struct symmetric inverse(struct symmetric a)
 {
-    double xx = a.yy * a.zz - a.yz * a.yz, xy = a.yz * a.zx - a.xy * a.zz,
-           zx = a.xy * a.yz - a.yy * a.zx;
-    double scale = 1 / (a.xx * xx + a.xy * xy + a.zx * zx);
-    return (struct symmetric){
-        xx * scale, (a.xx * a.zz - a.zx * a.zx) * scale, (a.xx * a.yy - a.xy * a.xy) * scale,
-        xy * scale, (a.xy * a.zx - a.xx * a.yz) * scale, zx * scale};
+    double xx = minor_of(a.yy, a.zz, a.yz, a.yz), xy = minor_of(a.yz, a.zx, a.xy, a.zz),
+           zx = minor_of(a.xy, a.yz, a.yy, a.zx);
+    double scale = 1 / dot3(a.xx, xx, a.xy, xy, a.zx, zx);
+    return (struct symmetric){xx * scale,
+                              minor_of(a.xx, a.zz, a.zx, a.zx) * scale,
+                              minor_of(a.xx, a.yy, a.xy, a.xy) * scale,
+                              xy * scale,
+                              minor_of(a.xy, a.zx, a.xx, a.yz) * scale,
+                              zx * scale};
 }
 
 /* (ln b)/2 = artanh X, X = 1 - 2 (b + 1)^-1 */
@@ -104,39 +107,45 @@ HS_INLINE struct tensor deformation_gradient(const struct points *s, int i)
 
 HS_INLINE struct tensor inverse_tensor(struct tensor F)
 {
-    double xx = F.yy * F.zz - F.yz * F.zy, yx = F.yz * F.zx - F.yx * F.zz,
-           zx = F.yx * F.zy - F.yy * F.zx;
-    double scale = 1 / (F.xx * xx + F.xy * yx + F.xz * zx);
-    return (struct tensor){
-        xx * scale, (F.xz * F.zy - F.xy * F.zz) * scale, (F.xy * F.yz - F.xz * F.yy) * scale,
-        yx * scale, (F.xx * F.zz - F.xz * F.zx) * scale, (F.xz * F.yx - F.xx * F.yz) * scale,
-        zx * scale, (F.xy * F.zx - F.xx * F.zy) * scale, (F.xx * F.yy - F.xy * F.yx) * scale};
+    double xx = minor_of(F.yy, F.zz, F.yz, F.zy), yx = minor_of(F.yz, F.zx, F.yx, F.zz),
+           zx = minor_of(F.yx, F.zy, F.yy, F.zx);
+    double scale = 1 / dot3(F.xx, xx, F.xy, yx, F.xz, zx);
+    return (struct tensor){xx * scale,
+                           minor_of(F.xz, F.zy, F.xy, F.zz) * scale,
+                           minor_of(F.xy, F.yz, F.xz, F.yy) * scale,
+                           yx * scale,
+                           minor_of(F.xx, F.zz, F.xz, F.zx) * scale,
+                           minor_of(F.xz, F.yx, F.xx, F.yz) * scale,
+                           zx * scale,
+                           minor_of(F.xy, F.zx, F.xx, F.zy) * scale,
+                           minor_of(F.xx, F.yy, F.xy, F.yx) * scale};
 }
 
 /* F C F^T */
 HS_INLINE struct symmetric push_forward(struct tensor F, struct symmetric C)
 {
-    double ax = F.xx * C.xx + F.xy * C.xy + F.xz * C.zx,
-           ay = F.xx * C.xy + F.xy * C.yy + F.xz * C.yz,
-           az = F.xx * C.zx + F.xy * C.yz + F.xz * C.zz;
-    double bx = F.yx * C.xx + F.yy * C.xy + F.yz * C.zx,
-           by = F.yx * C.xy + F.yy * C.yy + F.yz * C.yz,
-           bz = F.yx * C.zx + F.yy * C.yz + F.yz * C.zz;
-    double cx = F.zx * C.xx + F.zy * C.xy + F.zz * C.zx,
-           cy = F.zx * C.xy + F.zy * C.yy + F.zz * C.yz,
-           cz = F.zx * C.zx + F.zy * C.yz + F.zz * C.zz;
-    return (struct symmetric){ax * F.xx + ay * F.xy + az * F.xz, bx * F.yx + by * F.yy + bz * F.yz,
-                              cx * F.zx + cy * F.zy + cz * F.zz, ax * F.yx + ay * F.yy + az * F.yz,
-                              bx * F.zx + by * F.zy + bz * F.zz, cx * F.xx + cy * F.xy + cz * F.xz};
+    double ax = dot3(F.xx, C.xx, F.xy, C.xy, F.xz, C.zx),
+           ay = dot3(F.xx, C.xy, F.xy, C.yy, F.xz, C.yz),
+           az = dot3(F.xx, C.zx, F.xy, C.yz, F.xz, C.zz);
+    double bx = dot3(F.yx, C.xx, F.yy, C.xy, F.yz, C.zx),
+           by = dot3(F.yx, C.xy, F.yy, C.yy, F.yz, C.yz),
+           bz = dot3(F.yx, C.zx, F.yy, C.yz, F.yz, C.zz);
+    double cx = dot3(F.zx, C.xx, F.zy, C.xy, F.zz, C.zx),
+           cy = dot3(F.zx, C.xy, F.zy, C.yy, F.zz, C.yz),
+           cz = dot3(F.zx, C.zx, F.zy, C.yz, F.zz, C.zz);
+    return (struct symmetric){
+        dot3(ax, F.xx, ay, F.xy, az, F.xz), dot3(bx, F.yx, by, F.yy, bz, F.yz),
+        dot3(cx, F.zx, cy, F.zy, cz, F.zz), dot3(ax, F.yx, ay, F.yy, az, F.yz),
+        dot3(bx, F.zx, by, F.zy, bz, F.zz), dot3(cx, F.xx, cy, F.xy, cz, F.xz)};
 }
 
 /* F F^T */
 HS_INLINE struct symmetric left_cauchy_green(struct tensor F)
 {
     return (struct symmetric){
-        F.xx * F.xx + F.xy * F.xy + F.xz * F.xz, F.yx * F.yx + F.yy * F.yy + F.yz * F.yz,
-        F.zx * F.zx + F.zy * F.zy + F.zz * F.zz, F.xx * F.yx + F.xy * F.yy + F.xz * F.yz,
-        F.yx * F.zx + F.yy * F.zy + F.yz * F.zz, F.zx * F.xx + F.zy * F.xy + F.zz * F.xz};
+        dot3(F.xx, F.xx, F.xy, F.xy, F.xz, F.xz), dot3(F.yx, F.yx, F.yy, F.yy, F.yz, F.yz),
+        dot3(F.zx, F.zx, F.zy, F.zy, F.zz, F.zz), dot3(F.xx, F.yx, F.xy, F.yy, F.xz, F.yz),
+        dot3(F.yx, F.zx, F.yy, F.zy, F.yz, F.zz), dot3(F.zx, F.xx, F.zy, F.xy, F.zz, F.xz)};
 }
 
 HS_INLINE double trace_of(struct symmetric a)
@@ -147,7 +156,8 @@ HS_INLINE double trace_of(struct symmetric a)
 /* a : a */
 HS_INLINE double square_of(struct symmetric a)
 {
-    return a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2 * (a.xy * a.xy + a.yz * a.yz + a.zx * a.zx);
+    const double diagonal = dot3(a.xx, a.xx, a.yy, a.yy, a.zz, a.zz);
+    return fused(2, dot3(a.xy, a.xy, a.yz, a.yz, a.zx, a.zx), diagonal);
 }
 
 /* P of point i from tau = deviator e + pressure 1, e a deviator; G = F^-1. */
@@ -155,15 +165,15 @@ HS_INLINE void write_stress(struct points *restrict s, int i, struct tensor G, s
                             double deviator, double pressure)
 {
     struct symmetric tau = scaled(e, deviator, pressure);
-    s->P[0][i] = tau.xx * G.xx + tau.xy * G.xy + tau.zx * G.xz;
-    s->P[1][i] = tau.xx * G.yx + tau.xy * G.yy + tau.zx * G.yz;
-    s->P[2][i] = tau.xx * G.zx + tau.xy * G.zy + tau.zx * G.zz;
-    s->P[3][i] = tau.xy * G.xx + tau.yy * G.xy + tau.yz * G.xz;
-    s->P[4][i] = tau.xy * G.yx + tau.yy * G.yy + tau.yz * G.yz;
-    s->P[5][i] = tau.xy * G.zx + tau.yy * G.zy + tau.yz * G.zz;
-    s->P[6][i] = tau.zx * G.xx + tau.yz * G.xy + tau.zz * G.xz;
-    s->P[7][i] = tau.zx * G.yx + tau.yz * G.yy + tau.zz * G.yz;
-    s->P[8][i] = tau.zx * G.zx + tau.yz * G.zy + tau.zz * G.zz;
+    s->P[0][i] = dot3(tau.xx, G.xx, tau.xy, G.xy, tau.zx, G.xz);
+    s->P[1][i] = dot3(tau.xx, G.yx, tau.xy, G.yy, tau.zx, G.yz);
+    s->P[2][i] = dot3(tau.xx, G.zx, tau.xy, G.zy, tau.zx, G.zz);
+    s->P[3][i] = dot3(tau.xy, G.xx, tau.yy, G.xy, tau.yz, G.xz);
+    s->P[4][i] = dot3(tau.xy, G.yx, tau.yy, G.yy, tau.yz, G.yz);
+    s->P[5][i] = dot3(tau.xy, G.zx, tau.yy, G.zy, tau.yz, G.zz);
+    s->P[6][i] = dot3(tau.zx, G.xx, tau.yz, G.xy, tau.zz, G.xz);
+    s->P[7][i] = dot3(tau.zx, G.yx, tau.yz, G.yy, tau.zz, G.yz);
+    s->P[8][i] = dot3(tau.zx, G.zx, tau.yz, G.zy, tau.zz, G.zz);
 }
 
 /* Stored energy density, q = 2 mu (3/2 e : e)^1/2 of the elastic deviator e. */

@@ -45,7 +45,7 @@ HS_SIMD static int64_t iterate(int count, const double *restrict mu, const doubl
         double modulus = 3 * mu[i], trial = q[i], g = increment[i], still = open[i];
         double most = (trial - yield[i]) / modulus, all = p[i] + g;
         int64_t cell = flow_cell(curve[i], all);
-        double residual = trial - modulus * g - (flow_stress(table, cell, all) + shift[i]);
+        double residual = fused(-modulus, g, trial) - (flow_stress(table, cell, all) + shift[i]);
         double next = g + residual / (modulus + flow_slope(table, cell, all));
         next = next > 0 ? next : 0;
         next = next < most ? next : most;

@@ -173,9 +173,9 @@ HS_INLINE struct vector gradient_of(int i, int mode, double weight, double (*res
                                     struct work *restrict w)
 {
     const double x = h[mode][0][i], y = h[mode][1][i], z = h[mode][2][i];
-    const struct vector g = {w->G[0][i] * x + w->G[1][i] * y + w->G[2][i] * z,
-                             w->G[3][i] * x + w->G[4][i] * y + w->G[5][i] * z,
-                             w->G[6][i] * x + w->G[7][i] * y + w->G[8][i] * z};
+    const struct vector g = {dot3(w->G[0][i], x, w->G[1][i], y, w->G[2][i], z),
+                             dot3(w->G[3][i], x, w->G[4][i], y, w->G[5][i], z),
+                             dot3(w->G[6][i], x, w->G[7][i], y, w->G[8][i], z)};
     w->g[3 * mode][i] = g.x;
     w->g[3 * mode + 1][i] = g.y;
     w->g[3 * mode + 2][i] = g.z;
@@ -191,7 +191,7 @@ HS_INLINE double deviate(int i, int mode, struct vector e, const float *restrict
     w->d[3 * mode][i] = d.x;
     w->d[3 * mode + 1][i] = d.y;
     w->d[3 * mode + 2][i] = d.z;
-    return square + d.x * d.x + d.y * d.y + d.z * d.z;
+    return square + dot3(d.x, d.x, d.y, d.y, d.z, d.z);
 }
 
 HS_SIMD static void find_deviation(int count, const double *restrict weight,
@@ -233,11 +233,11 @@ HS_SIMD static void turn(int count, bool back, const double *restrict axes, int6
     for (int i = 0; i < count; i++) {
         const double *a = axes + i;
         const double u = x[i], v = y[i], w = z[i];
-        x[i] = a[0] * u + a[column * stride] * v + a[2 * column * stride] * w;
-        y[i] = a[row * stride] * u + a[(row + column) * stride] * v +
-               a[(row + 2 * column) * stride] * w;
-        z[i] = a[2 * row * stride] * u + a[(2 * row + column) * stride] * v +
-               a[(2 * row + 2 * column) * stride] * w;
+        x[i] = dot3(a[0], u, a[column * stride], v, a[2 * column * stride], w);
+        y[i] = dot3(a[row * stride], u, a[(row + column) * stride], v,
+                    a[(row + 2 * column) * stride], w);
+        z[i] = dot3(a[2 * row * stride], u, a[(2 * row + column) * stride], v,
+                    a[(2 * row + 2 * column) * stride], w);
     }
 }
 
@@ -310,15 +310,15 @@ HS_INLINE struct tensor force_of(int i, int mode, struct vector t, const struct 
                                  double (*restrict m)[3][PADDED], struct tensor A)
 {
     const double gx = w->g[3 * mode][i], gy = w->g[3 * mode + 1][i], gz = w->g[3 * mode + 2][i];
-    const double tx = w->G[0][i] * t.x + w->G[3][i] * t.y + w->G[6][i] * t.z,
-                 ty = w->G[1][i] * t.x + w->G[4][i] * t.y + w->G[7][i] * t.z,
-                 tz = w->G[2][i] * t.x + w->G[5][i] * t.y + w->G[8][i] * t.z;
+    const double tx = dot3(w->G[0][i], t.x, w->G[3][i], t.y, w->G[6][i], t.z),
+                 ty = dot3(w->G[1][i], t.x, w->G[4][i], t.y, w->G[7][i], t.z),
+                 tz = dot3(w->G[2][i], t.x, w->G[5][i], t.y, w->G[8][i], t.z);
     m[mode][0][PAD + i] = tx;
     m[mode][1][PAD + i] = ty;
     m[mode][2][PAD + i] = tz;
-    return (struct tensor){A.xx - tx * gx, A.xy - tx * gy, A.xz - tx * gz,
-                           A.yx - ty * gx, A.yy - ty * gy, A.yz - ty * gz,
-                           A.zx - tz * gx, A.zy - tz * gy, A.zz - tz * gz};
+    return (struct tensor){fused(-tx, gx, A.xx), fused(-tx, gy, A.xy), fused(-tx, gz, A.xz),
+                           fused(-ty, gx, A.yx), fused(-ty, gy, A.yy), fused(-ty, gz, A.yz),
+                           fused(-tz, gx, A.zx), fused(-tz, gy, A.zy), fused(-tz, gz, A.zz)};
 }
 
 HS_INLINE struct tensor read_tensor(double (*restrict A)[PADDED], int i)
