@@ -121,10 +121,10 @@ plastic='model: correspondence, poissons_ratio: 0.31, hardening:'
     bar "$plastic {law: linear, yield: 200 MPa, modulus: 2 GPa}" 'end_strain: 0.05, step: 0.001' "damage: [{phase: M, law: parabolic, onset: 0.01, full: 0.1}]
 output: {quantities: [{name: p, quantity: equivalent_plastic_strain, nearest: $MIDDLE}, {name: d, quantity: damage, nearest: $MIDDLE}]}"
     hssolve -q -i study.g -H study.e
-    # D is that of the strain here, or, before D has grown enough for another round at rest, of the record before.
+    # D is that of the strain, but for what is foreseen beside it: 1e-3 of it asks for another round at rest.
     columns study.e p d | awk 'function D(p) { return p > 0.01 ? ((p - 0.01) / 0.09) ^ 2 : 0 }
-        { now = ($2 - D($1)) ^ 2; then = ($2 - D(before)) ^ 2; off = now < then ? now : then; before = $1; n += $2 > 0
-          if (off > worst) worst = off } END { print n, sqrt(worst), $2; exit !(n > 20 && worst < 1e-12 && $2 > 0.1) }'
+        { off = ($2 - D($1)) ^ 2; n += $2 > 0; if (off > worst) worst = off }
+        END { print n, sqrt(worst), $2; exit !(n > 20 && worst < 1e-6 && $2 > 0.1) }'
     sed 's/onset: 0.01/onste: 0.01/' study.yaml >wrong.yaml
     run -2 hssolve -q -i study.g -d wrong.yaml -H wrong.e
     [[ $output == *"did you mean onset"* ]]
