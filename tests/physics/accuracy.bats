@@ -27,6 +27,15 @@ END
 pulled='  - {set: grip_left, direction: x, velocity: -1 m/s}
   - {set: grip_right, direction: x, velocity: 1 m/s}'
 
+# solve_decks RUN...: the curves RUN.txt of the decks RUN.yaml
+solve_decks() {
+    local run
+    for run; do
+        hsgen -q "$run.yaml" | hssolve -q -H "$run.e"
+        columns "$run.e" extension_m force_right_N force_evaluations >"$run.txt"
+    done
+}
+
 # worst REFERENCE RUN: largest difference of the forces where RUN has records, relative to the largest force; how many records, and evaluations
 worst() {
     awk '$1 == "extension_m" || $1 == "time_s" { next }
@@ -77,10 +86,7 @@ $pulled
 solver: {end_strain: 0.44}
 END
     sed 's/end_strain.*/&/; s/end_strain: 0.44/&, accuracy: 1e-4, step: 0.0005/' neck.yaml >neck-short.yaml
-    for run in neck neck-short; do
-        hsgen -q $run.yaml | hssolve -q -H $run.e
-        columns $run.e extension_m force_right_N force_evaluations >$run.txt
-    done
+    solve_decks neck neck-short
     # Measured 5.5e-4 and 3.1e-3; 4.9e-3 where steps stay as long when the load falls, and 1.1e-2 where integrities are those of the step before.
     { worst neck-short neck; worst shell-short shell; } | tee off
     awk '{ bad += !($1 <= (NR == 1 ? 2e-3 : 5e-3)) } END { exit !(NR == 2 && !bad) }' off
@@ -97,10 +103,7 @@ damage: [{pair: [M, M], law: critical_stretch, value: 0.012}]
 solver: {horizon: 3.015, end_time: 6 us, step: 3 us, end_load: 0.5}
 END
     sed 's/step: 3 us/step: 5 ns/' bonds.yaml >bonds-short.yaml
-    for run in bonds bonds-short; do
-        hsgen -q $run.yaml | hssolve -q -H $run.e
-        columns $run.e extension_m force_right_N force_evaluations >$run.txt
-    done
+    solve_decks bonds bonds-short
     # Greatest forces, known to a step of 0.2 % of them; that of steps of half of the test is a sixth too large.
     awk '$2 > top[FILENAME] + 0 && FNR > 1 { top[FILENAME] = $2 } END { off = top["bonds.txt"] / top["bonds-short.txt"] - 1; print top["bonds.txt"], top["bonds-short.txt"], off; exit !(off > -5e-3 && off < 5e-3) }' bonds.txt bonds-short.txt
 }
