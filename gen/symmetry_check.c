@@ -40,6 +40,9 @@ static bool is_image_own_image(const struct recipe *recipe, int axis)
 
 void symmetry_warn(const struct recipe *recipe, const struct cores *cores)
 {
+    const char *source = recipe->cores_file     ? recipe->cores_file
+                         : recipe->voxels.phase ? recipe->measured.file
+                                                : "the deck";
     for (int axis = 0; axis < 3; axis++) {
         if (!recipe->specimen.symmetry[axis]) continue;
         if (recipe->voxels.phase
@@ -48,8 +51,6 @@ void symmetry_warn(const struct recipe *recipe, const struct cores *cores)
             continue;
         warn("below the plane of symmetry across %c the structure is the image of that above, not "
              "what %s has there without it",
-             "xyz"[axis],
-             recipe -> cores_file ? recipe -> cores_file
-                                  : recipe -> voxels.phase ? recipe->measured.file : "the deck");
+             'x' + axis, source);
     }
 }
