@@ -35,13 +35,14 @@ void static_first_step(struct simulation *s)
     const double yield = share * yield_first_strain(&s->materials);
     const double rate = fabs(boundary_full_strain_rate(&s->boundary));
     if (isfinite(statics->first_step)) return;
+    const double largest = time_of_strain(s, scene_strain_step);
     if (s->scene.end_strain > 0) {
         statics->first_step =
             fmin(fmin(yield, of_test * s->scene.end_strain), statics->largest_step);
-    } else if (time_of_strain(s, scene_strain_step) < LONGEST) {
+    } else if (largest < LONGEST) {
         s->load_steps.stretched = true;
         statics->first_step = time_of_strain(s, fmin(yield, scene_strain_step));
-        statics->smallest_step = 1e-4 * time_of_strain(s, scene_strain_step);
+        statics->smallest_step = 1e-4 * largest;
         statics->largest_step = rate > 0 ? scene_strain_step / rate : LONGEST;
     } else {
         statics->first_step = statics->largest_step;

@@ -25,10 +25,11 @@ enum scene_type { COURSES(COURSE_NUMBER), SOLVER_TYPES };
 #define EQUILIBRIUM_METHODS(DO) DO(lbfgs), DO(newton), DO(relaxation)
 extern const char *const equilibrium_methods[]; /* ended by NULL */
 
+/* Largest load step, in strain, where none is given. */
+static const double scene_strain_step = 0.005;
+
 /* Of the load steps of a quasi-static solver, in strain where the run ends at a strain, else in s.
  */
-static const double scene_strain_step = 0.005; /* largest of a load step where none is given */
-
 struct scene_static {
     int method; /* of equilibrium_methods */
     /* In strain where the run ends at one, else s; first: INFINITY where what moves and yields says

@@ -37,7 +37,7 @@ struct placement {
     bool sums;                /* nodes have several places, or share them */
     struct runs owned;        /* from the vector to what is given; on one rank, to the values */
     struct runs taken;        /* from what is taken to the values; none on one rank */
-    struct runs gaps;         /* of the values: places without a node */
+    struct runs gaps;         /* of the values: places that start from 0 */
     struct shares out, in;
     float *given, *got; /* [out.all], [in.all] */
 };
@@ -151,14 +151,21 @@ static void make_messages(struct placement *placement, struct pieces *owned)
     free(next);
 }
 
-/* To what the runs leave out of so many numbers. */
-static struct runs find_gaps(const struct runs *runs, int64_t n)
+/* Those that end in the values of this rank. */
+static const struct runs *runs_to_values(const struct placement *placement)
 {
-    bool *filled = memory_new((size_t)n, sizeof *filled);
+    return placement->given ? &placement->taken : &placement->owned;
+}
+
+/* Places without a node, or all where nodes are summed. */
+static struct runs find_gaps(const struct placement *placement)
+{
+    const struct runs *runs = runs_to_values(placement);
+    bool *filled = memory_new((size_t)placement->n_values, sizeof *filled);
     struct pieces gaps = {0};
-    for (int64_t r = 0; r < runs->count; r++)
+    for (int64_t r = 0; r < runs->count && !placement->sums; r++)
         memset(filled + runs->items[r].to, true, (size_t)runs->items[r].count);
-    for (int64_t i = 0; i < n; i++)
+    for (int64_t i = 0; i < placement->n_values; i++)
         if (!filled[i]) append(&gaps, (struct piece){{i, i, 1, 0}, 0, 0}, true);
     free(filled);
     return runs_of(&gaps);
@@ -178,10 +185,7 @@ struct placement *placement_new(const struct unknowns *unknowns, const struct bo
         find_pieces(unknowns, &box[a], slabs, a, !placement->sums, held, &owned);
     if (slabs->ranks.size > 1) make_messages(placement, &owned);
     placement->owned = runs_of(&owned);
-    placement->gaps =
-        placement->sums
-            ? (struct runs){0}
-            : find_gaps(placement->given ? &placement->taken : &placement->owned, slabs->n_values);
+    placement->gaps = find_gaps(placement);
     return placement;
 }
 
@@ -199,7 +203,7 @@ void placement_free(struct placement *placement)
 
 bool placement_is_crowded(const struct placement *placement)
 {
-    const struct runs *runs = placement->given ? &placement->taken : &placement->owned;
+    const struct runs *runs = runs_to_values(placement);
     bool *taken = memory_new((size_t)placement->n_values, sizeof *taken);
     double crowded = 0;
     for (int64_t i = 0; i < runs->count && placement->sums; i++) {
@@ -252,7 +256,6 @@ static void sort_in_sums(struct runs runs, const float *from, float *to)
 
 void placement_put(struct placement *p, const double *vector)
 {
-    if (p->sums) memset(p->values, 0, (size_t)p->n_values * sizeof *p->values);
     for (int64_t g = 0; g < p->gaps.count; g++)
         memset(p->values + p->gaps.items[g].to, 0,
                (size_t)p->gaps.items[g].count * sizeof *p->values);
